@@ -1,1 +1,1 @@
-"""The TRS-80 around the language: clock, memory, keyboard, video, tape, printer, card and driver."""
+"""The TRS-80 around the language: clock, memory, keyboard, video, tape, printer, card, driver."""

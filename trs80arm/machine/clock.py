@@ -1,0 +1,29 @@
+"""The one clock of the rig: a count of the Z-80's T-states since power-on.
+
+Whatever takes time on the real machine moves `now` on; nothing here looks at the wall clock.
+"""
+
+from __future__ import annotations
+
+T_STATES_PER_SECOND = 1_774_080
+"""The Model I's 1.77408 MHz (Level II facts, title)."""
+
+
+class Clock:
+    """Virtual time.
+
+    Attributes:
+        now: T-states since power-on.
+        limit: the T-state at which whoever is running should come back to the rig.
+    """
+
+    __slots__ = ("limit", "now")
+
+    def __init__(self) -> None:
+        self.now = 0
+        self.limit = 0
+
+    @property
+    def seconds(self) -> float:
+        """Virtual seconds since power-on."""
+        return self.now / T_STATES_PER_SECOND
