@@ -1,8 +1,9 @@
 """What the machine is doing: a stack of activities, the topmost of which runs.
 
-Nothing in the language blocks. Waiting for a line, for a key in EDIT, listing a program, running one,
-or watching a motion of the arm are all activities: small picklable objects whose `advance` works until
-the clock's limit and returns. When one ends it leaves the stack and the one below is told.
+Nothing in the language blocks. Waiting for a line, for a key in EDIT, listing a program, running
+one, or watching a motion of the arm are all activities: small picklable objects whose `advance`
+works until the clock's limit and returns. When one ends it leaves the stack and the one below is
+told.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ class Waiting(Enum):
     INPUT = "input"
     EDIT = "edit"
     PAUSE = "pause"
-    ARM = "arm"
+    SET = "manual mode"
     SYSTEM = "system"
 
 
