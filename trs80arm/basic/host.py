@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import Enum
 from typing import Protocol
+
+from trs80arm.progress import Progress as Progress
 
 
 class Clock(Protocol):
@@ -134,14 +135,6 @@ class Tape(Protocol):
 
     def stop(self) -> None:
         """Switch the motor off; a recording is now on the tape."""
-
-
-class Progress(Enum):
-    """How far an arm command has come."""
-
-    DONE = "done"
-    BUSY = "busy"
-    BREAK = "break"
 
 
 class ArmCommands(Protocol):
