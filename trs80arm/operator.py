@@ -1,0 +1,104 @@
+"""A person at the keyboard, from a script: answers INPUT, and jogs the arm in `@SET`.
+
+The command line's `--input` and `--set` and many tests sit a scripted operator in front of a rig. It
+does what a person would do and no more: it types when the machine waits, and holds keys down.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import deque
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from trs80arm.basic.activity import Waiting
+from trs80arm.machine.keys import Key
+from trs80arm.rig import Rig
+
+HAND_PAUSE = 0.1
+"""Seconds between two holds, and how long the ending key is held: a person's fingers."""
+
+
+class ScriptError(ValueError):
+    """A line of holds that cannot be understood; the message says what was found."""
+
+
+@dataclass(frozen=True)
+class Hold:
+    """Keys held down together for some seconds."""
+
+    keys: tuple[Key, ...]
+    seconds: float
+
+
+def parse_holds(text: str) -> list[Hold]:
+    """Read what the operator does in one `@SET`.
+
+    Args:
+        text: items separated by blanks, each `KEYS:SECONDS` with keys joined by `+`, or a key alone
+            for a short press: `"6:1.0 1+W:0.5 0"`.
+
+    Raises:
+        ScriptError: an item is not of that form or names a key that the TRS-80 lacks.
+    """
+    holds = []
+    for item in text.split():
+        match = re.fullmatch(r"(?P<keys>.+?)(?::(?P<seconds>\d+(?:\.\d*)?|\.\d+))?", item)
+        names = match["keys"].upper().split("+") if match else []
+        try:
+            keys = tuple(Key(name) for name in names)
+        except ValueError:
+            raise ScriptError(
+                f"{item!r} is not KEYS:SECONDS with keys of the TRS-80 joined by +"
+            ) from None
+        seconds = match["seconds"] if match else None
+        holds.append(Hold(keys, HAND_PAUSE if seconds is None else float(seconds)))
+    return holds
+
+
+class Operator:
+    """Works a rig from a script until the script has no answer left.
+
+    Args:
+        rig: the rig to sit at.
+        inputs: the answers to INPUT, in order, each typed with ENTER.
+        sets: what to do in each `@SET`, in order.
+    """
+
+    def __init__(
+        self, rig: Rig, inputs: Iterable[str] = (), sets: Iterable[Iterable[Hold]] = ()
+    ) -> None:
+        self.rig = rig
+        self._inputs = deque(inputs)
+        self._sets = deque(list(holds) for holds in sets)
+
+    def run(self, seconds: float) -> Waiting:
+        """Let the program run, with the operator's help.
+
+        Args:
+            seconds: the most virtual time to spend.
+
+        Returns:
+            What the machine waits for that the script does not have; NOTHING at the time limit.
+        """
+        rig = self.rig
+        end = rig.time + seconds
+        while rig.time < end:
+            waiting = rig.run_until_waiting(end - rig.time)
+            if waiting is Waiting.INPUT and self._inputs:
+                rig.type(self._inputs.popleft() + "\r")
+            elif waiting is Waiting.SET and self._sets:
+                self._jog(self._sets.popleft(), end)
+            else:
+                return waiting
+        return Waiting.NOTHING
+
+    def _jog(self, holds: list[Hold], end: float) -> None:
+        """Do all the holds of one manual mode, while it lasts."""
+        rig = self.rig
+        for hold in holds:
+            if rig.waiting is not Waiting.SET or rig.time >= end:
+                return
+            rig.hold(hold.keys, hold.seconds)
+            rig.run_for(min(hold.seconds, end - rig.time))
+            rig.run_for(min(HAND_PAUSE, max(0.0, end - rig.time)))
