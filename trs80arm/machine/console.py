@@ -26,9 +26,14 @@ class Console:
         self.keyboard = keyboard
         self._listeners: list[Listener] = []
 
-    def listen(self, listener: Listener) -> None:
-        """Tell `listener` every code from now on; a snapshot does not keep it."""
+    def listen(self, listener: Listener) -> Callable[[], None]:
+        """Tell `listener` every code from now on; a snapshot does not keep it.
+
+        Returns:
+            A function that ends the listening.
+        """
         self._listeners.append(listener)
+        return lambda: self._listeners.remove(listener)
 
     def put(self, code: int) -> None:
         """Print one character or control code at the cursor, and charge its time."""

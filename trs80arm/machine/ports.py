@@ -1,0 +1,80 @@
+"""The Z-80's 256 I/O ports, which INP and OUT of BASIC reach.
+
+A bare Model I has one: FFH, with the cassette and the 32-column switch on it. The interface card
+answers at its own ports when it is plugged in.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from trs80arm.machine.memory import EMPTY
+from trs80arm.machine.video import Video
+
+SYSTEM_PORT = 0xFF
+_MODE_SELECT_OUT = 0b0000_1000
+_MODE_SELECT_IN = 0b0100_0000
+_CASSETTE_IN = 0b1000_0000
+
+
+class PortDevice(Protocol):
+    """Something that answers at some of the ports."""
+
+    def owns(self, port: int) -> bool:
+        """Whether the device answers at a port, 0 to 255."""
+
+    def read(self, port: int) -> int:
+        """The byte at a port that the device owns."""
+
+    def write(self, port: int, value: int) -> None:
+        """Take a byte sent to a port that the device owns."""
+
+
+class SystemPort:
+    """Port FFH of the Model I: out, bit 3 switches the tube to 32 characters a line.
+
+    In, bit 6 tells the switch's state (1: 64 characters) and bit 7 the cassette's latch, which is
+    at rest between two tape statements; nothing drives the other bits, so they read 1: 127, or 63
+    in 32-column mode. Bits 0 to 2 out, the cassette's signal and motor, move no tape here: tapes
+    are written and read by the language's tape statements as whole bytes.
+    """
+
+    def __init__(self, video: Video) -> None:
+        self._video = video
+
+    def owns(self, port: int) -> bool:
+        """Whether it is port FFH."""
+        return port == SYSTEM_PORT
+
+    def read(self, port: int) -> int:
+        """127, or 63 while the tube shows 32 characters a line."""
+        return EMPTY & ~_CASSETTE_IN & ~(_MODE_SELECT_IN if self._video.wide else 0)
+
+    def write(self, port: int, value: int) -> None:
+        """Switch the tube as bit 3 says. The ROM's own flag at 403DH knows nothing of it."""
+        self._video.switch(bool(value & _MODE_SELECT_OUT))
+
+
+class Ports:
+    """All 256 ports."""
+
+    def __init__(self) -> None:
+        self._devices: list[PortDevice] = []
+
+    def attach(self, device: PortDevice) -> None:
+        """Plug a device in; where two own a port, the one plugged in last answers."""
+        self._devices.insert(0, device)
+
+    def read(self, port: int) -> int:
+        """INP: the byte at a port, 0 to 255; 255 where nothing answers."""
+        for device in self._devices:
+            if device.owns(port):
+                return device.read(port) & 0xFF
+        return EMPTY
+
+    def write(self, port: int, value: int) -> None:
+        """OUT: send a byte to a port, 0 to 255; lost where nothing answers."""
+        for device in self._devices:
+            if device.owns(port):
+                device.write(port, value & 0xFF)
+                return
