@@ -1,0 +1,37 @@
+"""What is loaded when: the core without Textual, the help without anything heavy."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+HEAVY = ("textual", "numpy", "matplotlib", "rich")
+
+
+def loaded_after(code: str) -> set[str]:
+    script = f"import sys\n{code}\nprint(*sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True, timeout=60
+    )
+    return set(done.stdout.split())
+
+
+def test_importing_the_package_loads_nothing_heavy() -> None:
+    assert loaded_after("import trs80arm").isdisjoint(HEAVY)
+
+
+def test_the_library_works_without_textual() -> None:
+    modules = loaded_after("from trs80arm import Rig; Rig()")
+    assert "textual" not in modules
+    assert "trs80arm.ui" not in modules
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"], ["terminal", "--help"]])
+def test_help_answers_without_textual_or_numpy(arguments: list[str]) -> None:
+    modules = loaded_after(
+        "from trs80arm.cli import cli\n"
+        f"cli.main({arguments!r}, prog_name='trs80arm', standalone_mode=False)"
+    )
+    assert modules.isdisjoint({"textual", "numpy", "matplotlib"})

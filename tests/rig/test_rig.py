@@ -1,0 +1,116 @@
+"""The public door: boot, typing, keys, snapshots, what is seen."""
+
+from __future__ import annotations
+
+import pytest
+
+from trs80arm import Rig, RigSettings
+from trs80arm.basic.activity import Waiting
+from trs80arm.rig import Input
+
+
+def test_the_machine_boots_to_the_real_banner() -> None:
+    rig = Rig()
+    assert rig.waiting is Waiting.COMMAND
+    assert rig.screen()[:4] == ["MEMORY SIZE?", "RADIO SHACK LEVEL II BASIC", "READY", ">_"]
+
+
+def test_typed_lines_arrive_however_fast_they_are_typed() -> None:
+    rig = Rig()
+    rig.type('10 PRINT "HELLO"\r20 GOTO 40\r30 PRINT "NO"\r40 PRINT 1;2\rRUN\r')
+    rig.run_until_waiting()
+    assert rig.screen()[8:12] == ["HELLO", " 1  2", "READY", ">_"]
+
+
+def test_break_stops_a_program() -> None:
+    rig = Rig()
+    rig.load_text("10 GOTO 10")
+    rig.type("RUN\r")
+    rig.run_for(3)
+    assert rig.waiting is Waiting.NOTHING
+    rig.hold(["BREAK"], 0.1)
+    rig.run_for(0.5)
+    assert rig.waiting is Waiting.COMMAND
+    assert "BREAK IN 10" in rig.screen()
+
+
+def test_a_key_that_the_machine_lacks_is_refused() -> None:
+    with pytest.raises(ValueError, match="F1"):
+        Rig().press("F1")
+
+
+def test_a_run_is_the_same_however_it_is_sliced() -> None:
+    ends = set()
+    for step in (0.5, 1 / 60, 0.00037):
+        rig = Rig()
+        rig.load_text("10 FOR I=1 TO 30:@STEP 20,I,-I:PRINT RND(100);:NEXT:GOTO 10")
+        rig.type("RUN\r")
+        target = rig.clock.now + 5 * 1_774_080
+        while rig.clock.now < target:
+            rig.run_to(min(target, rig.clock.now + round(step * 1_774_080)))
+        ends.add((rig.clock.now, tuple(rig.screen()), rig.registers, rig.joints))
+    assert len(ends) == 1
+
+
+def test_a_snapshot_in_the_middle_of_a_motion_goes_on_as_if_nothing_had_been() -> None:
+    rig = Rig()
+    rig.load_text("10 @STEP 100,400,-200:@CLOSE:PRINT 1/3:GOTO 10")
+    rig.type("RUN\r")
+    rig.run_for(1.2345)
+    snapshot = rig.snapshot()
+    rig.run_for(3)
+    first = (rig.clock.now, rig.screen(), rig.registers, rig.state)
+    other = Rig()
+    other.restore(snapshot)
+    other.run_for(3)
+    assert (other.clock.now, other.screen(), other.registers, other.state) == first
+
+
+def test_a_recorded_session_replays_to_the_same_end() -> None:
+    rig = Rig()
+    log: list[Input] = []
+    stop = rig.record(log.append)
+    rig.type("@SET\r")
+    rig.run_for(1)
+    rig.press("1")
+    rig.run_for(0.3)
+    rig.press("W")
+    rig.run_for(0.2)
+    rig.release("1")
+    rig.release("W")
+    rig.hold(["0"], 0.1)
+    rig.run_for(1)
+    stop()
+    again = Rig()
+    again.replay(log)
+    again.run_to(rig.clock.now)
+    assert again.registers == rig.registers != (0, 0, 0, 0, 0, 0)
+    assert again.screen() == rig.screen()
+
+
+def test_switching_off_and_on_leaves_the_arm_where_it_is() -> None:
+    rig = Rig()
+    rig.type("@STEP 50,200,-100,50\r")
+    rig.run_until_waiting()
+    pose = rig.pose
+    rig.reset()
+    assert rig.pose == pose
+    assert rig.registers == (0, 0, 0, 0, 0, 0)
+    assert not rig.state.motors_on
+    assert rig.screen()[0] == "MEMORY SIZE?"
+
+
+def test_register_and_joint_part_when_a_motor_slips() -> None:
+    rig = Rig()
+    rig.type("@STEP 0,400\r")
+    rig.run_until_waiting()
+    assert rig.registers[0] == 400
+    assert rig.joints[0] < 400
+    assert (rig.registers[0] - rig.joints[0]) % 8 == 0
+
+
+def test_without_armbasic_the_words_are_syntax_errors() -> None:
+    rig = Rig(RigSettings(armbasic=False))
+    rig.type("@RESET\r")
+    rig.run_until_waiting()
+    assert "?SN ERROR" in rig.screen()

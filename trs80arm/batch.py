@@ -1,0 +1,206 @@
+"""Running a program without a screen: what `trs80arm run` does.
+
+A rig, a scripted operator, the program's output on standard output, and at the end what was asked
+for: the tube, the registers, the pose, traces.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TextIO
+
+from trs80arm.arm.bench import Bench, BenchError
+from trs80arm.basic.activity import Waiting
+from trs80arm.basic.interpreter import OutcomeKind
+from trs80arm.files import FileFormatError, load_program
+from trs80arm.machine.clock import T_STATES_PER_SECOND
+from trs80arm.machine.driver import DriverSettings
+from trs80arm.operator import Hold, Operator, ScriptError, parse_holds
+from trs80arm.rig import Rig, RigSettings
+from trs80arm.trace import PoseTrace, Trace, TraceError
+
+DEFAULT_SECONDS = 3600.0
+"""Virtual seconds after which an unattended run ends when no limit is given."""
+
+
+class UnusableError(Exception):
+    """What the user gave cannot be used: one clear line."""
+
+
+@dataclass(frozen=True)
+class BatchOptions:
+    """The options of `trs80arm run`, as its help describes them."""
+
+    program: Path
+    bench: Path | None = None
+    seconds: float | None = None
+    inputs: tuple[str, ...] = ()
+    sets: tuple[str, ...] = ()
+    screen: bool = False
+    registers: bool = False
+    pose: bool = False
+    ram: str = "16"
+    no_armbasic: bool = False
+    break_now: bool = False
+    tapes: Path | None = None
+    printer: Path | None = None
+    trace: Path | None = None
+    trace_pose: Path | None = None
+
+
+def bench_beside(program: Path) -> Path | None:
+    """The bench file that is named like a program and stands beside it, if there is one."""
+    path = program.with_suffix(".toml")
+    return path if path.is_file() else None
+
+
+def load_bench(path: Path) -> Bench:
+    """Read a bench file.
+
+    Raises:
+        UnusableError: it cannot be read or says something that a bench cannot have.
+    """
+    try:
+        return Bench.load(path)
+    except BenchError as error:
+        raise UnusableError(str(error)) from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise UnusableError(f"{path}: {reason(error)}") from None
+
+
+def reason(error: OSError | UnicodeDecodeError) -> str:
+    """Why a file could not be read, without the numbers and names of the system call."""
+    if isinstance(error, UnicodeDecodeError):
+        return f"not text: byte {error.start} is {error.object[error.start]:#04x}"
+    return error.strerror or str(error)
+
+
+class Teletype:
+    """The program's output as plain text: what the display is sent, line by line."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+        self._column = 0
+
+    def __call__(self, code: int, is_echo: bool) -> None:
+        """Print one character; the operator's own typing is printed too, as on a teletype."""
+        if code == 13 or code == 10:
+            self._write("\n")
+        elif 32 <= code < 128:
+            self._write(chr(code))
+        elif 128 <= code < 192:
+            self._write(sextant(code - 128))
+        elif code >= 192:
+            self._write(" " * (code - 192))
+
+    def _write(self, text: str) -> None:
+        self._stream.write(text)
+        self._column = 0 if text == "\n" else self._column + len(text)
+
+    def end_line(self) -> None:
+        """Go to the start of a line, unless there already."""
+        if self._column:
+            self._write("\n")
+        self._stream.flush()
+
+
+def sextant(pattern: int) -> str:
+    """The Unicode character of a 2x3 graphics block, 0 to 63, in the machine's own bit order."""
+    special = {0: " ", 21: "\u258c", 42: "\u2590", 63: "\u2588"}
+    if pattern in special:
+        return special[pattern]
+    return chr(0x1FB00 + pattern - 1 - (pattern > 21) - (pattern > 42))
+
+
+def run_program(options: BatchOptions, out: TextIO | None = None) -> int:
+    """Run a program as the options say, printing to `out` (standard output by default).
+
+    Returns:
+        The exit code: 0 ended or limit reached, 1 stopped on a BASIC error, 2 unusable.
+    """
+    stream = out or sys.stdout
+    try:
+        return _run(options, stream)
+    except (UnusableError, ScriptError, FileFormatError, TraceError) as error:
+        print(f"trs80arm: {error}", file=sys.stderr)
+    except OSError as error:
+        print(f"trs80arm: {error.filename}: {reason(error)}", file=sys.stderr)
+    return 2
+
+
+def _run(options: BatchOptions, stream: TextIO) -> int:
+    lines = load_program(options.program)
+    bench = options.bench or bench_beside(options.program)
+    sets = [parse_holds(holds) for holds in options.sets]
+    rig = Rig(
+        RigSettings(
+            ram_kib=int(options.ram),
+            armbasic=not options.no_armbasic,
+            driver=DriverSettings(break_now=options.break_now),
+            tape_folder=options.tapes,
+            printer_file=options.printer,
+        ),
+        load_bench(bench) if bench else None,
+    )
+    rig.load_lines(lines)
+    with ExitStack() as traces:
+        if options.trace:
+            traces.enter_context(Trace(rig, options.trace))
+        if options.trace_pose:
+            traces.enter_context(PoseTrace(rig, options.trace_pose))
+        waiting = _from_run_to_end(rig, options, sets, stream)
+    if options.screen:
+        print("\n".join(rig.screen()), file=stream)
+    if options.registers:
+        print(*rig.registers, file=stream)
+    if options.pose:
+        pose = rig.pose
+        values = (pose.x, pose.y, pose.z, pose.pitch, pose.roll, pose.opening)
+        print(*(f"{value + 0.0:.4f}" for value in values), file=stream)
+    stream.flush()
+    return _verdict(rig, options, waiting)
+
+
+def _from_run_to_end(
+    rig: Rig, options: BatchOptions, sets: list[list[Hold]], stream: TextIO
+) -> Waiting:
+    """Type RUN and let the program run until it ends, waits in vain, or its time is over."""
+    teletype = Teletype(stream)
+    start: list[int] = []
+
+    def listener(code: int, is_echo: bool) -> None:
+        if start and rig.outcome is None:
+            teletype(code, is_echo)
+        elif is_echo and code == 13:
+            start.append(rig.clock.now)
+
+    stop_listening = rig.listen(listener)
+    rig.type("RUN\r")
+    while not start:
+        rig.run_for(0.01)
+    limit = DEFAULT_SECONDS if options.seconds is None else options.seconds
+    spent = (rig.clock.now - start[0]) / T_STATES_PER_SECOND
+    waiting = Operator(rig, options.inputs, sets).run(limit - spent)
+    stop_listening()
+    teletype.end_line()
+    return waiting
+
+
+def _verdict(rig: Rig, options: BatchOptions, waiting: Waiting) -> int:
+    """Say on standard error what the output does not show, and give the exit code."""
+    outcome = rig.outcome
+    if outcome is not None and outcome.kind is OutcomeKind.ERROR:
+        return 1
+    if waiting in (Waiting.INPUT, Waiting.SET):
+        word, option = ("INPUT", "--input") if waiting is Waiting.INPUT else ("@SET", "--set")
+        print(f"trs80arm: stopped at an {word} that no {option} answers", file=sys.stderr)
+    elif waiting is Waiting.NOTHING and options.seconds is None:
+        print(
+            f"trs80arm: stopped after {DEFAULT_SECONDS:.0f} virtual seconds; --seconds N for more",
+            file=sys.stderr,
+        )
+    return 0

@@ -1,0 +1,522 @@
+"""The rig: one TRS-80, one interface card, one MiniMover 5 and its bench, wired together.
+
+This is the public door of the project. The terminal, the command line and tests all drive the same
+`Rig`: they type, hold keys, let virtual time pass and look. It never sleeps and never looks at the
+wall clock, so the same inputs at the same virtual times give the same run to the last bit, however
+the time is sliced.
+"""
+
+from __future__ import annotations
+
+import heapq
+import pickle
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from trs80arm import files
+from trs80arm.arm.bench import Bench
+from trs80arm.arm.minimover import ArmState, MiniMover, Pose
+from trs80arm.arm.settings import ArmSettings
+from trs80arm.basic.activity import Waiting
+from trs80arm.basic.host import Host
+from trs80arm.basic.interpreter import Interpreter, Outcome
+from trs80arm.machine.card import Card, CardSettings
+from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
+from trs80arm.machine.console import Console
+from trs80arm.machine.display import Display
+from trs80arm.machine.driver import Driver, DriverSettings
+from trs80arm.machine.keyboard import KeyboardDriver, Matrix
+from trs80arm.machine.keys import Key
+from trs80arm.machine.memory import Memory
+from trs80arm.machine.ports import Ports
+from trs80arm.machine.printer import Printer
+from trs80arm.machine.tape import Tape
+from trs80arm.machine.typist import Typist
+from trs80arm.machine.video import Video
+
+Counts = tuple[int, int, int, int, int, int]
+
+
+@dataclass(frozen=True)
+class RigSettings:
+    """Everything about a rig that is chosen before it is switched on."""
+
+    ram_kib: int = 16
+    """RAM of the machine: 4, 16, 32 or 48."""
+    memory_size: str = ""
+    """What is typed at MEMORY SIZE? when the machine is switched on."""
+    armbasic: bool = True
+    """Whether ARMBASIC's five statements are loaded; without it they are ?SN."""
+    blocks: bool = True
+    """Whether statements are compiled in basic blocks (faster) or one by one."""
+    card: CardSettings = field(default_factory=CardSettings)
+    driver: DriverSettings = field(default_factory=DriverSettings)
+    arm: ArmSettings = field(default_factory=ArmSettings)
+    tape_folder: Path | None = None
+    """The one folder whose cassettes the machine can reach; None keeps tapes in memory."""
+    printer_file: Path | None = None
+    """Where the printer's paper goes; None keeps it in memory."""
+    ghosting: bool = False
+    """Whether three keys at the corners of a rectangle of the matrix show a fourth."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """One thing that the operator did: enough to do it again at the same virtual time."""
+
+    time: int
+    """T-states since power-on."""
+    action: str
+    """The name of the method of `Rig`."""
+    arguments: tuple[Any, ...]
+
+
+@dataclass(order=True)
+class _KeyEvent:
+    time: int
+    order: int
+    key: Key = field(compare=False)
+    down: bool = field(compare=False)
+
+
+@dataclass
+class _Works:
+    """All devices, which a snapshot takes and gives back as one."""
+
+    clock: Clock
+    memory: Memory
+    matrix: Matrix
+    video: Video
+    display: Display
+    console: Console
+    printer: Printer
+    tape: Tape
+    ports: Ports
+    card: Card
+    driver: Driver
+    arm: MiniMover
+    basic: Interpreter
+    typist: Typist
+    events: list[_KeyEvent] = field(default_factory=list)
+    order: int = 0
+    zero: Counts = (0, 0, 0, 0, 0, 0)
+    """Where the rotors stood when the registers were last zeroed."""
+
+
+class Rig:
+    """A TRS-80 Level II with ARMBASIC, its interface card, a MiniMover 5 and a bench.
+
+    Args:
+        settings: the machine's fittings.
+        bench: what stands on the table; the default is a table with one part.
+
+    The machine is switched on and answers MEMORY SIZE? by itself; it stands at `READY` afterwards.
+    """
+
+    def __init__(self, settings: RigSettings | None = None, bench: Bench | None = None) -> None:
+        self.settings = settings or RigSettings()
+        self._bench = bench
+        self._recorders: list[Callable[[Input], None]] = []
+        self._works = self._build(MiniMover(self.settings.arm, bench))
+        self._switch_on()
+
+    def _switch_on(self) -> None:
+        self._works.typist.add(self.settings.memory_size + "\r")
+        self.run_until(lambda rig: rig.waiting is Waiting.COMMAND and not rig.typing, seconds=30)
+
+    def _build(self, arm: MiniMover, clock: Clock | None = None) -> _Works:
+        settings = self.settings
+        clock = clock or Clock()
+        memory = Memory(settings.ram_kib)
+        matrix = Matrix(ghosting=settings.ghosting)
+        video = Video()
+        display = Display(clock, memory, video)
+        console = Console(display, KeyboardDriver(clock, memory, matrix))
+        printer = Printer(settings.printer_file)
+        tape = Tape(settings.tape_folder)
+        card = Card(clock, settings.card, arm)
+        driver = Driver(clock, card, matrix, settings.driver)
+        ports = Ports()
+        ports.attach(card)
+        memory.attach(0x3800, 0x3C00, matrix)
+        memory.attach(0x3C00, 0x4000, video)
+        host = Host(
+            clock, memory, console, printer, ports, tape, driver if settings.armbasic else None
+        )
+        basic = Interpreter(host, blocks=settings.blocks)
+        return _Works(
+            clock=clock,
+            memory=memory,
+            matrix=matrix,
+            video=video,
+            display=display,
+            console=console,
+            printer=printer,
+            tape=tape,
+            ports=ports,
+            card=card,
+            driver=driver,
+            arm=arm,
+            basic=basic,
+            typist=Typist(),
+            zero=arm.state().rotors,
+        )
+
+    # -- time ---------------------------------------------------------------------------------
+
+    @property
+    def clock(self) -> Clock:
+        """The one clock of the rig, in T-states."""
+        return self._works.clock
+
+    @property
+    def time(self) -> float:
+        """Virtual seconds since power-on."""
+        return self._works.clock.now / T_STATES_PER_SECOND
+
+    def run_for(self, seconds: float) -> None:
+        """Let `seconds` of virtual time pass.
+
+        A statement of BASIC is never cut, so the clock may come to stand a statement later; the
+        next call then has that much less to do.
+        """
+        self.run_to(self.clock.now + round(seconds * T_STATES_PER_SECOND))
+
+    def run_to(self, target: int) -> None:
+        """Run until the clock shows at least `target` T-states."""
+        works = self._works
+        while works.clock.now < target:
+            self._turn(target, until_waiting=works.typist.pending)
+
+    def run_until(self, condition: Callable[[Rig], bool], seconds: float = 60.0) -> bool:
+        """Run until `condition(rig)` holds, looking each time the machine begins to wait, too.
+
+        Args:
+            condition: looked at each sixtieth of a virtual second, and when a wait begins.
+            seconds: the most virtual time to spend.
+
+        Returns:
+            Whether the condition holds.
+        """
+        works = self._works
+        end = works.clock.now + round(seconds * T_STATES_PER_SECOND)
+        frame = T_STATES_PER_SECOND // 60
+        while not condition(self):
+            if works.clock.now >= end:
+                return False
+            self._turn(min(end, works.clock.now + frame), until_waiting=True)
+        return True
+
+    def run_until_waiting(self, seconds: float = 60.0) -> Waiting:
+        """Run until everything typed is in and the machine waits for the operator again.
+
+        Returns:
+            What it waits for; NOTHING if it still works after that many virtual seconds.
+        """
+        works = self._works
+        end = works.clock.now + round(seconds * T_STATES_PER_SECOND)
+        while works.clock.now < end:
+            if works.basic.waiting is not Waiting.NOTHING and not (
+                works.typist.pending or works.events
+            ):
+                break
+            self._turn(end, until_waiting=True)
+        return works.basic.waiting
+
+    def _turn(self, target: int, until_waiting: bool) -> None:
+        """Hand the machine one stretch of time in which no key changes."""
+        works = self._works
+        clock = works.clock
+        waiting = works.basic.waiting
+        for time, key, down in works.typist.due(clock.now, waiting is not Waiting.NOTHING):
+            self._at(time, key, down)
+        while works.events and works.events[0].time <= clock.now:
+            event = heapq.heappop(works.events)
+            (works.matrix.press if event.down else works.matrix.release)(event.key)
+        clock.limit = min(target, works.events[0].time) if works.events else target
+        # A machine that waits already is not asked to stop at the wait that it is in.
+        works.basic.advance(until_waiting=until_waiting and waiting is Waiting.NOTHING)
+
+    def _at(self, time: int, key: Key, down: bool) -> None:
+        works = self._works
+        works.order += 1
+        heapq.heappush(works.events, _KeyEvent(time, works.order, key, down))
+
+    # -- the operator's hands -----------------------------------------------------------------
+
+    def _record(self, action: str, *arguments: Any) -> None:
+        if self._recorders:
+            done = Input(self.clock.now, action, arguments)
+            for recorder in self._recorders:
+                recorder(done)
+
+    def record(self, recorder: Callable[[Input], None]) -> Callable[[], None]:
+        """Call `recorder` with everything the operator does from now on.
+
+        Returns:
+            A function that ends the recording.
+        """
+        self._recorders.append(recorder)
+        return lambda: self._recorders.remove(recorder)
+
+    def replay(self, inputs: Iterable[Input]) -> None:
+        """Do again what was recorded, each thing at its own virtual time."""
+        for done in inputs:
+            self.run_to(done.time)
+            getattr(self, done.action)(*done.arguments)
+
+    def press(self, key: Key | str) -> None:
+        """Hold a key down from now on.
+
+        Raises:
+            ValueError: the TRS-80 has no such key.
+        """
+        self._record("press", str(Key(key)))
+        self._at(self.clock.now, Key(key), True)
+
+    def release(self, key: Key | str) -> None:
+        """Let a key go. A key that is not held is left alone.
+
+        Raises:
+            ValueError: the TRS-80 has no such key.
+        """
+        self._record("release", str(Key(key)))
+        self._at(self.clock.now, Key(key), False)
+
+    def release_all(self) -> None:
+        """Let every key go, also those that were still to be pressed."""
+        self._record("release_all")
+        works = self._works
+        works.events.clear()
+        works.matrix.release_all()
+
+    def hold(self, keys: Iterable[Key | str], seconds: float) -> None:
+        """Press keys together now and let them go after `seconds` of virtual time.
+
+        Raises:
+            ValueError: the TRS-80 has no such key.
+        """
+        held = [Key(key) for key in keys]
+        self._record("hold", [str(key) for key in held], seconds)
+        end = self.clock.now + round(seconds * T_STATES_PER_SECOND)
+        for key in held:
+            self._at(self.clock.now, key, True)
+            self._at(end, key, False)
+
+    def type(self, text: str) -> None:
+        r"""Type text on the keyboard, `\r` or `\n` for ENTER.
+
+        Each character is a key held down in the matrix as long as the machine needs to see it;
+        after ENTER the typist waits until the machine waits again. Returns at once: the keys go
+        down as virtual time passes.
+        """
+        self._record("type", text)
+        self._works.typist.add(text)
+
+    def stop_typing(self) -> None:
+        """Forget what is still to be typed."""
+        self._record("stop_typing")
+        self._works.typist.clear()
+
+    def load_text(self, text: str) -> None:
+        """Put the program of a listing into memory at once, as CLOAD would.
+
+        Raises:
+            FileFormatError: a line of it is no program line.
+        """
+        self.load_bytes(text.encode("latin-1", errors="replace"))
+
+    def load(self, path: Path | str) -> None:
+        """Load a program file of any of the known formats, told apart by content.
+
+        Raises:
+            FileFormatError: the file is damaged or no program.
+            OSError: the file cannot be read.
+        """
+        self.load_bytes(Path(path).read_bytes())
+
+    def load_bytes(self, data: bytes) -> None:
+        """Load the content of a program file.
+
+        Raises:
+            FileFormatError: the content is damaged or no program.
+        """
+        self.load_lines(files.parse_program(data))
+
+    def load_lines(self, lines: Iterable[tuple[int, bytes]]) -> None:
+        """Put a program of crunched lines, each with its number, into memory."""
+        lines = list(lines)
+        self._record("load_lines", lines)
+        self._works.basic.load_lines(lines)
+
+    def save(self, path: Path | str) -> None:
+        """Save the program in memory in the format of the file's suffix, whole or not at all.
+
+        Raises:
+            OSError: the file cannot be written; an older one is then untouched.
+        """
+        files.save_program(Path(path), self._works.basic.program.lines())
+
+    def reset(self) -> None:
+        """Switch the machine off and on again. The arm, unpowered, and its bench stay as they are.
+
+        The clock goes on, so that everything that happens has a time of its own.
+        """
+        self._record("reset")
+        old = self._works
+        old.driver.reset()
+        old.card.write_latch(AUXILIARY, 0)
+        self._works = self._build(old.arm, old.clock)
+        self._works.tape = old.tape
+        self._switch_on()
+
+    def set_bench(self, bench: Bench) -> None:
+        """Clear the table and set up another bench; the arm goes to where that bench wants it."""
+        self._record("set_bench", bench)
+        self._works.arm.set_bench(bench)
+        self._zero()
+
+    def refill(self) -> None:
+        """Put every part of the bench back to where it was at the start."""
+        self._record("refill")
+        self._works.arm.refill()
+
+    def move_joint(self, joint: int, steps: int) -> None:
+        """Turn a joint by hand, as the operator can while the motors are off.
+
+        Args:
+            joint: 1 to 6.
+            steps: how far, in half-steps of that joint's motor.
+
+        Raises:
+            MotorsOn: the motors hold the arm.
+        """
+        self._record("move_joint", joint, steps)
+        self._works.arm.move_joint(joint, steps)
+
+    def move_to(self, pose: Pose) -> None:
+        """Put the hand by hand to a pose, as the operator can while the motors are off.
+
+        Raises:
+            MotorsOn: the motors hold the arm.
+            OutOfReach: the arm cannot take that pose.
+        """
+        self._record("move_to", pose)
+        self._works.arm.move_to(pose)
+
+    # -- what there is to see -----------------------------------------------------------------
+
+    @property
+    def waiting(self) -> Waiting:
+        """What the machine waits for."""
+        return self._works.basic.waiting
+
+    @property
+    def typing(self) -> bool:
+        """Whether typed text is still on its way into the machine."""
+        return self._works.typist.pending
+
+    @property
+    def outcome(self) -> Outcome | None:
+        """How the last program ended; None while one runs."""
+        return self._works.basic.outcome
+
+    @property
+    def basic(self) -> Interpreter:
+        """The language, for looking at: its program, variables and state."""
+        return self._works.basic
+
+    @property
+    def memory(self) -> Memory:
+        """The memory map."""
+        return self._works.memory
+
+    @property
+    def video(self) -> Video:
+        """The video memory."""
+        return self._works.video
+
+    @property
+    def card(self) -> Card:
+        """The interface card."""
+        return self._works.card
+
+    @property
+    def driver(self) -> Driver:
+        """The ARMBASIC driver."""
+        return self._works.driver
+
+    @property
+    def arm(self) -> MiniMover:
+        """The arm with its bench."""
+        return self._works.arm
+
+    @property
+    def tape(self) -> Tape:
+        """The cassette recorder."""
+        return self._works.tape
+
+    @property
+    def printer(self) -> Printer:
+        """The line printer."""
+        return self._works.printer
+
+    @property
+    def held(self) -> frozenset[Key]:
+        """The keys that are down in the matrix."""
+        return self._works.matrix.held
+
+    def screen(self) -> list[str]:
+        """The sixteen lines of the tube as text, trailing blanks removed."""
+        return [line.rstrip() for line in self._works.video.lines()]
+
+    def listen(self, listener: Callable[[int, bool], None]) -> Callable[[], None]:
+        """Call `listener(code, is_echo)` for every character sent to the display.
+
+        Returns:
+            A function that ends the listening.
+        """
+        return self._works.console.listen(listener)
+
+    @property
+    def registers(self) -> Counts:
+        """The six position registers: what was commanded since `@RESET`."""
+        return self._works.driver.registers
+
+    @property
+    def joints(self) -> Counts:
+        """Where the joints truly are, in the registers' steps from the same zero.
+
+        The hand's compensation for the elbow is taken out, as the registers do not count it, so an
+        arm that lost no step shows the registers' numbers.
+        """
+        rotors = self._works.arm.state().rotors
+        j1, j2, j3, j4, j5, j6 = (
+            rotor - zero for rotor, zero in zip(rotors, self._works.zero, strict=True)
+        )
+        return j1, j2, j3, j4, j5, j6 + j3
+
+    @property
+    def state(self) -> ArmState:
+        """Rotors, angles, pose, force, switch and coils of the arm at this moment."""
+        return self._works.arm.state()
+
+    @property
+    def pose(self) -> Pose:
+        """Where the fingertips truly are."""
+        return self._works.arm.state().pose
+
+    # -- all of it ----------------------------------------------------------------------------
+
+    def snapshot(self) -> bytes:
+        """The complete state of machine, arm and bench."""
+        return pickle.dumps(self._works, protocol=pickle.HIGHEST_PROTOCOL)
+
+    def restore(self, snapshot: bytes) -> None:
+        """Go back to a state that `snapshot` of this program gave. Never feed it foreign bytes."""
+        works = pickle.loads(snapshot)
+        if not isinstance(works, _Works):
+            raise ValueError("not a snapshot of a rig")
+        self._works = works
