@@ -210,7 +210,11 @@ class Card:
         place = value >> 4 if parallel else port - self.settings.base
         latch = self.settings.order[place] if place < len(self.settings.order) else None
         if latch is not None:
-            self.burst((self._clock.now,), (int(latch),), (self.settings.coils(value),))
+            self.write_latch(latch, self.settings.coils(value))
+
+    def write_latch(self, latch: Latch, coils: int) -> None:
+        """Write one latch now; `coils` has phi1 as bit 3."""
+        self.burst((self._clock.now,), (latch,), (coils,))
 
     def grip_closed(self, time: int) -> bool:
         """Whether the grip switch is closed at a T-state."""
