@@ -15,7 +15,7 @@ READY = 0x3F
 _CARRIAGE_RETURN = 13
 
 
-def _as_text(codes: bytes) -> str:
+def _as_text(codes: bytes | bytearray) -> str:
     return codes.decode("latin-1").replace("\r", "\n")
 
 

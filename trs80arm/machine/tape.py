@@ -1,0 +1,323 @@
+"""The cassette recorder and its cassettes, which are `.cas` files in one folder.
+
+The language records and plays bytes; which cassette is in the recorder is the operator's affair. A
+program can reach no other file: it never names one.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Protocol
+
+from trs80arm.machine import cassette
+from trs80arm.saving import write_whole
+
+SUFFIX = ".cas"
+DATA_CASSETTE = "data"
+"""Where PRINT#-1 records while no cassette was put in by hand."""
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]{0,99}")
+_RESERVED = re.compile(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?")
+
+
+class BadCassetteName(ValueError):  # noqa: N818
+    """No name for a cassette: letters, digits, blank and `._+-`, a letter or digit first."""
+
+
+class Shelf(Protocol):
+    """Where cassettes are kept."""
+
+    def names(self) -> list[str]:
+        """The cassettes there are, in order."""
+
+    def load(self, name: str) -> bytes:
+        """What is on a cassette; nothing on a new one."""
+
+    def store(self, name: str, content: bytes) -> None:
+        """Keep what is on a cassette now, whole; OSError if that cannot be done."""
+
+    def set_aside(self, name: str) -> None:
+        """Keep a copy of a cassette that is about to be recorded over."""
+
+
+class MemoryShelf:
+    """Cassettes that are gone when the program ends."""
+
+    def __init__(self) -> None:
+        self._contents: dict[str, bytes] = {}
+
+    def names(self) -> list[str]:
+        """The cassettes there are, in order."""
+        return sorted(self._contents)
+
+    def load(self, name: str) -> bytes:
+        """What is on a cassette; nothing on a new one."""
+        return self._contents.get(name, b"")
+
+    def store(self, name: str, content: bytes) -> None:
+        """Keep what is on a cassette now."""
+        self._contents[name] = content
+
+    def set_aside(self, name: str) -> None:
+        """Keep no copy: nothing here outlives the program anyway."""
+
+
+class FolderShelf:
+    """Cassettes that are `.cas` files in a folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def names(self) -> list[str]:
+        """The cassettes there are, in order; files outside reached by a link are not."""
+        try:
+            found = sorted(self._folder.iterdir())
+        except OSError:
+            return []
+        return [
+            path.stem
+            for path in found
+            if path.suffix == SUFFIX and _is_cassette_name(path.stem) and self._is_inside(path)
+        ]
+
+    def load(self, name: str) -> bytes:
+        """What is on a cassette; nothing on a new one."""
+        path = self._path(name)
+        return path.read_bytes() if path.exists() else b""
+
+    def store(self, name: str, content: bytes) -> None:
+        """Write the file whole, or leave it as it was and raise OSError."""
+        self._folder.mkdir(parents=True, exist_ok=True)
+        write_whole(self._path(name), content)
+
+    def set_aside(self, name: str) -> None:
+        """Copy the file to the same name with a `~` behind."""
+        path = self._path(name)
+        if path.exists():
+            write_whole(path.with_name(path.name + "~"), path.read_bytes())
+
+    def _path(self, name: str) -> Path:
+        path = self._folder / (name + SUFFIX)
+        if not self._is_inside(path):
+            raise OSError(f"{path} is a link that leads out of the tape folder")
+        return path
+
+    def _is_inside(self, path: Path) -> bool:
+        return path.resolve().parent == self._folder.resolve() and not path.is_dir()
+
+
+class Tape:
+    """A recorder.
+
+    Put in a cassette by hand (`insert`), and everything is recorded behind what is on it and
+    played from where it stands, as on the real thing. With none put in the recorder helps itself:
+    CSAVE "A" makes the cassette `A` anew (the file it replaces is kept with a `~`), PRINT#-1
+    records behind what is on the cassette `data`, and playing goes on through all cassettes of
+    the shelf. In both cases:
+
+    - what was just recorded is played back next, without rewinding by hand;
+    - at the end of the tape, playing begins again at its start.
+
+    Attributes:
+        running: whether the motor is on.
+        position: where the tape stands, in bytes from its start.
+        fault: why a cassette could not be read or written, in one line; None when all is well. It
+            is no error of the machine's, which never notices a bad recorder; what could not be
+            written is kept in the recorder and can be played.
+    """
+
+    def __init__(self, folder: Path | None = None) -> None:
+        """A recorder without a cassette put in by hand.
+
+        Args:
+            folder: where the cassettes are; None keeps them in memory.
+        """
+        self._shelf: Shelf = MemoryShelf() if folder is None else FolderShelf(folder)
+        self._by_hand = False
+        self._name: str | None = None
+        self._content = b""
+        self._recording: bytearray | None = None
+        self._recorded_from: int | None = None
+        self._unheard: list[str] = []
+        self._unsaved: dict[str, bytes] = {}
+        self.running = False
+        self.position = 0
+        self.fault: str | None = None
+
+    # -- the operator ---------------------------------------------------------------------------
+
+    @property
+    def cassettes(self) -> list[str]:
+        """The names of the cassettes on the shelf."""
+        return self._shelf.names()
+
+    @property
+    def cassette(self) -> str | None:
+        """The name of the cassette that is in the recorder, by hand or by itself."""
+        return self._name
+
+    @property
+    def by_hand(self) -> bool:
+        """Whether the cassette was put in by hand, and so stays in."""
+        return self._by_hand
+
+    @property
+    def length(self) -> int:
+        """How much is on the cassette, in bytes."""
+        return len(self._content)
+
+    def insert(self, name: str) -> None:
+        """Put in a cassette, rewound; it is a new one if there is none of that name.
+
+        Raises:
+            BadCassetteName: the name cannot be one.
+        """
+        name = name.removesuffix(SUFFIX)
+        if not _is_cassette_name(name):
+            raise BadCassetteName(
+                f"{name!r} is no cassette name: letters, digits, blank and ._+- only"
+            )
+        self.stop()
+        self._by_hand = True
+        self._put_in(name)
+
+    def eject(self) -> None:
+        """Take the cassette out; the recorder helps itself from then on."""
+        self.stop()
+        self._by_hand = False
+        self._name = None
+        self._content = b""
+        self.rewind()
+
+    def rewind(self) -> None:
+        """Go to the start of the tape."""
+        self.position = 0
+        self._recorded_from = None
+
+    # -- the machine ----------------------------------------------------------------------------
+
+    def start_writing(self) -> None:
+        """Switch the motor on to record at the end of what is there."""
+        self.stop()
+        self.running = True
+        self._recording = bytearray()
+
+    def write(self, value: int) -> None:
+        """Record one byte; nothing if the motor is off."""
+        if self._recording is not None:
+            self._recording.append(value & 0xFF)
+
+    def start_reading(self) -> None:
+        """Switch the motor on to play from where the tape stands."""
+        self.stop()
+        self.running = True
+        if self._name is not None:
+            self._reload()
+        if self._recorded_from is not None:
+            self.position = self._recorded_from
+            self._recorded_from = None
+        if self._by_hand:
+            self._unheard = []
+            if self.position >= self.length:
+                self.rewind()
+            return
+        names = self.cassettes
+        if self._name is None:
+            self._unheard = names
+        else:
+            # The others in order from here on, and this one again from its start.
+            later = [name for name in names if name > self._name]
+            earlier = [name for name in names if name < self._name]
+            self._unheard = [*later, *earlier, self._name]
+
+    def find_sync(self) -> bool:
+        """Play up to and including the next sync byte A5H; False at the end of the tape."""
+        while self.running and self._recording is None:
+            found = self._content.find(cassette.SYNC, self.position)
+            if found >= 0:
+                self.position = found + 1
+                return True
+            self.position = self.length
+            if not self._unheard:
+                break
+            self._put_in(self._unheard.pop(0))
+        return False
+
+    def read(self) -> int | None:
+        """Play one byte; None when the tape has run out."""
+        if not self.running or self._recording is not None or self.position >= self.length:
+            return None
+        value = self._content[self.position]
+        self.position += 1
+        return value
+
+    def stop(self) -> None:
+        """Switch the motor off; a recording is now on the tape."""
+        self.running = False
+        recorded, self._recording = self._recording, None
+        if recorded:
+            self._keep(bytes(recorded))
+
+    def _keep(self, recorded: bytes) -> None:
+        name = self._name
+        if not self._by_hand or name is None:
+            code = cassette.program_name(recorded)
+            name = DATA_CASSETTE if code is None else _program_cassette(code)
+            if name != self._name:
+                self._put_in(name)
+            else:
+                self._reload()
+            if code is not None:
+                try:
+                    self._shelf.set_aside(name)
+                except OSError as error:
+                    self._report(error)
+                self._content = b""
+                self._recorded_from = None
+        else:
+            self._reload()
+        if self._recorded_from is None:
+            self._recorded_from = len(self._content)
+        self._content += recorded
+        self.position = self.length
+        try:
+            self._shelf.store(name, self._content)
+        except OSError as error:
+            self._unsaved[name] = self._content
+            self._report(error)
+        else:
+            self._unsaved.pop(name, None)
+            self.fault = None
+
+    def _put_in(self, name: str) -> None:
+        self._name = name
+        self._content = b""
+        self._reload()
+        self.rewind()
+
+    def _reload(self) -> None:
+        """Look at the cassette itself; what cannot be read stays as it was heard last."""
+        if self._name is None:
+            return
+        if self._name in self._unsaved:
+            self._content = self._unsaved[self._name]
+            return
+        try:
+            self._content = self._shelf.load(self._name)
+        except OSError as error:
+            self._report(error)
+        self.position = min(self.position, self.length)
+
+    def _report(self, error: OSError) -> None:
+        where = f"{error.filename}: " if error.filename else ""
+        self.fault = f"{where}{error.strerror or error}"
+
+
+def _is_cassette_name(name: str) -> bool:
+    return bool(_NAME.fullmatch(name)) and not _RESERVED.fullmatch(name)
+
+
+def _program_cassette(code: int) -> str:
+    """The cassette of a program by the code of its name; signs that no file should have as hex."""
+    letter = chr(code).upper()
+    return letter if re.fullmatch(r"[A-Z0-9]", letter) else f"program-{code:02X}"

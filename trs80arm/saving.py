@@ -1,0 +1,45 @@
+"""Writing a file whole or not at all, for everything of the user's that is saved.
+
+Programs, cassettes and recovery copies go through here; a crash or a full disk leaves the older
+file as it was.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from pathlib import Path
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a file so that it holds either all of `content` or what it held before.
+
+    The content goes to a new file beside it first, is brought to the disk, and then takes the
+    name. A link is followed; the permissions of a file that exists are kept.
+
+    Raises:
+        OSError: the file cannot be written; an older one is untouched.
+    """
+    target = path.resolve()
+    descriptor, temporary = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
+    try:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(temporary, _permissions(target))
+        os.replace(temporary, target)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(temporary)
+        raise
+
+
+def _permissions(path: Path) -> int:
+    try:
+        return path.stat().st_mode & 0o7777
+    except OSError:
+        mask = os.umask(0)
+        os.umask(mask)
+        return 0o666 & ~mask
