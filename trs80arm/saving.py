@@ -1,6 +1,6 @@
 """Writing a file whole or not at all, for everything of the user's that is saved.
 
-Programs, cassettes and recovery copies go through here; a crash or a full disk leaves the older
+Programs, cassettes, traces and recovery copies go through here; a crash or a full disk leaves the older
 file as it was.
 """
 
@@ -9,11 +9,24 @@ from __future__ import annotations
 import contextlib
 import os
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
+from typing import BinaryIO
 
 
 def write_whole(path: Path, content: bytes) -> None:
     """Write a file so that it holds either all of `content` or what it held before.
+
+    Raises:
+        OSError: the file cannot be written; an older one is untouched.
+    """
+    with whole_file(path) as file:
+        file.write(content)
+
+
+@contextlib.contextmanager
+def whole_file(path: Path) -> Iterator[BinaryIO]:
+    """A file to write bit by bit, which takes its name only when all of it is written.
 
     The content goes to a new file beside it first, is brought to the disk, and then takes the
     name. A link is followed; the permissions of a file that exists are kept.
@@ -25,7 +38,7 @@ def write_whole(path: Path, content: bytes) -> None:
     descriptor, temporary = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
     try:
         with os.fdopen(descriptor, "wb") as file:
-            file.write(content)
+            yield file
             file.flush()
             os.fsync(file.fileno())
         os.chmod(temporary, _permissions(target))
