@@ -1,7 +1,7 @@
 """Writing a file whole or not at all, for everything of the user's that is saved.
 
-Programs, cassettes, traces and recovery copies go through here; a crash or a full disk leaves the older
-file as it was.
+Programs, cassettes, traces and recovery copies go through here; a crash or a full disk leaves the
+older file as it was.
 """
 
 from __future__ import annotations
