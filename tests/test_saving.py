@@ -46,3 +46,10 @@ def test_a_link_is_written_through(tmp_path: Path) -> None:
     write_whole(link, b"NEW")
     assert link.is_symlink()
     assert target.read_bytes() == b"NEW"
+
+
+def test_a_folder_that_is_not_there_is_told_by_the_files_own_name(tmp_path: Path) -> None:
+    path = tmp_path / "nowhere" / "a.bas"
+    with pytest.raises(FileNotFoundError) as error:
+        write_whole(path, b"NEW")
+    assert error.value.filename == str(path)
