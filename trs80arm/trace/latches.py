@@ -1,0 +1,145 @@
+"""The logic analyser: every write to the card's latches with its time, to a file.
+
+It is clipped on to the card as an observer. CSV and NPZ list the writes; VCD shows the coils as
+signals to a waveform viewer.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from array import array
+from contextlib import ExitStack
+from pathlib import Path
+from typing import BinaryIO, Protocol
+
+import numpy as np
+
+from trs80arm.machine.card import Card, Latch, Series
+from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
+from trs80arm.trace.files import kind_of, seconds, trace_file
+from trs80arm.trace.vcd import VcdSink
+
+NAMES = tuple(latch.name.lower().replace("_", " ") for latch in Latch)
+"""base, shoulder, elbow, left wrist, right wrist, hand, auxiliary."""
+
+
+class Probed(Protocol):
+    """What a trace is attached to: a rig."""
+
+    @property
+    def card(self) -> Card:
+        """The card whose latches are watched."""
+
+    @property
+    def clock(self) -> Clock:
+        """The clock that the card's writes are timed by."""
+
+
+class LatchSink(Protocol):
+    """One format of the analyser's file."""
+
+    def write(self, times: Series, latches: Series, nibbles: Series) -> None:
+        """Add writes, in order."""
+
+    def finish(self, time: int) -> None:
+        """The trace ends at a T-state."""
+
+
+class CsvSink:
+    """`t_states,seconds,latch,nibble`, one line a write; phi1 is the nibble's bit of value 8."""
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._text = io.TextIOWrapper(file, encoding="ascii", newline="", write_through=True)
+        self._rows = csv.writer(self._text, lineterminator="\n")
+        self._rows.writerow(("t_states", "seconds", "latch", "nibble"))
+
+    def write(self, times: Series, latches: Series, nibbles: Series) -> None:
+        """Add one line a write."""
+        self._rows.writerows(
+            (int(time), seconds(time), NAMES[latch], int(nibble))
+            for time, latch, nibble in zip(times, latches, nibbles, strict=True)
+        )
+
+    def finish(self, time: int) -> None:
+        """Leave the file to whoever opened it."""
+        self._text.detach()
+
+
+class NpzSink:
+    """Arrays `t_states`, `seconds`, `latch`, `nibble`, and `names` of the latches by number.
+
+    Ten bytes are kept for a write until the end.
+    """
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._file = file
+        self._times = array("q")
+        self._latches = array("B")
+        self._nibbles = array("B")
+
+    def write(self, times: Series, latches: Series, nibbles: Series) -> None:
+        """Keep the writes."""
+        for column, values in (
+            (self._times, times),
+            (self._latches, latches),
+            (self._nibbles, nibbles),
+        ):
+            column.frombytes(np.asarray(values).astype(column.typecode).tobytes())
+
+    def finish(self, time: int) -> None:
+        """Write the arrays, compressed."""
+        times = np.frombuffer(self._times, dtype=np.int64)
+        np.savez_compressed(
+            self._file,
+            t_states=times,
+            seconds=times / T_STATES_PER_SECOND,
+            latch=np.frombuffer(self._latches, dtype=np.uint8),
+            nibble=np.frombuffer(self._nibbles, dtype=np.uint8),
+            names=np.array(NAMES),
+        )
+
+
+class Trace:
+    """A running trace of the latches; a context manager.
+
+    Args:
+        rig: what to watch.
+        path: a `.csv`, `.npz` or `.vcd` file; it appears, complete, when the trace is closed.
+
+    Raises:
+        TraceError: the suffix is another one, or the file cannot be written.
+    """
+
+    each_step = False
+
+    def __init__(self, rig: Probed, path: Path) -> None:
+        kind = kind_of(path, (".csv", ".npz", ".vcd"))
+        self._card, self._clock = rig.card, rig.clock
+        self._opened = ExitStack()
+        file = self._opened.enter_context(trace_file(path))
+        self._sink: LatchSink
+        if kind == ".csv":
+            self._sink = CsvSink(file)
+        elif kind == ".npz":
+            self._sink = NpzSink(file)
+        else:
+            self._sink = VcdSink(file, self._clock.now, self._card.latches)
+        self._card.observers.append(self)
+
+    def wrote(self, times: Series, latches: Series, nibbles: Series) -> None:
+        """Note a burst of writes (the card calls this)."""
+        self._sink.write(times, latches, nibbles)
+
+    def close(self) -> None:
+        """End the trace and let the file have its name."""
+        if self in self._card.observers:
+            self._card.observers.remove(self)
+            with self._opened:
+                self._sink.finish(self._clock.now)
+
+    def __enter__(self) -> Trace:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
