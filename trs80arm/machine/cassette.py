@@ -7,7 +7,7 @@ from and written to them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 LEADER = bytes(256)
@@ -22,7 +22,6 @@ _DATA_END = 0x0D
 PROGRAM_START = 0x42E9
 """Where BASIC keeps its text: 17129 (Level II facts, Crunching)."""
 MAX_LINE_NUMBER = 65529
-_MAX_RECORDINGS = 10_000
 
 ProgramLine = tuple[int, bytes]
 """A line's number and its crunched text, without link and closing zero."""
@@ -165,12 +164,7 @@ def parse(data: bytes, *, keep_good: bool = False) -> list[Recording]:
         FileFormatError: there is no recording, or one is damaged.
     """
     recordings: list[Recording] = []
-    offset = 0
-    while len(recordings) < _MAX_RECORDINGS:
-        start = _behind_sync(data, offset)
-        if start is None:
-            break
-        recording, offset, fault = _parse_one(data, start)
+    for recording, fault in walk(data):
         if fault is not None and not keep_good:
             raise fault
         if recording is not None:
@@ -178,6 +172,17 @@ def parse(data: bytes, *, keep_good: bool = False) -> list[Recording]:
     if not recordings and not keep_good:
         raise FileFormatError("no recording: no sync byte A5H", len(data))
     return recordings
+
+
+def walk(data: bytes) -> Iterator[tuple[Recording | None, FileFormatError | None]]:
+    """The recordings of a cassette one by one, each with what is wrong with it.
+
+    Of a damaged one there is the part before the damage, or None if nothing of it is good.
+    """
+    offset = 0
+    while (start := _behind_sync(data, offset)) is not None:
+        recording, offset, fault = _parse_one(data, start)
+        yield recording, fault
 
 
 def _behind_sync(data: bytes, offset: int) -> int | None:
@@ -223,8 +228,3 @@ def _parse_system(data: bytes, start: int) -> tuple[Recording | None, int, FileF
         return broken("machine code without an entry address")
     entry = data[offset + 1] | data[offset + 2] << 8
     return SystemRecording(name, tuple(blocks), entry), offset + 3, None
-
-
-def programs(recordings: Sequence[Recording]) -> list[ProgramRecording]:
-    """The BASIC programs among recordings."""
-    return [recording for recording in recordings if isinstance(recording, ProgramRecording)]

@@ -1,0 +1,208 @@
+"""Program files: text, crunched and cassette, told apart by what is in them.
+
+The terminal's file commands, `trs80arm run` and `trs80arm convert` load and save through here. A
+program is a list of lines, each a number and its crunched text without the zero behind it, as the
+machine holds it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from enum import Enum
+from pathlib import Path
+
+from trs80arm import program_text
+from trs80arm.machine import cassette
+from trs80arm.machine.cassette import FileFormatError, ProgramLine
+from trs80arm.saving import write_whole
+
+__all__ = [
+    "FileFormatError",
+    "Kind",
+    "convert",
+    "encode_program",
+    "kind_of",
+    "load_program",
+    "parse_program",
+    "save_program",
+    "save_recovery",
+]
+
+CRUNCHED_MARK = 0xFF
+"""The first byte of a crunched program file."""
+_CASSETTE_HEAD = bytes((cassette.SYNC,)) + cassette.PROGRAM_MARK
+_HEAD_WITHIN = 4096
+"""How far into a file a cassette's first program may begin, behind a leader that is not clean."""
+
+
+class Kind(Enum):
+    """The kinds of program file."""
+
+    TEXT = "text"
+    CRUNCHED = "crunched"
+    CASSETTE = "cassette"
+
+
+def kind_of(data: bytes) -> Kind:
+    """The kind of a file by its content.
+
+    Raises:
+        FileFormatError: it is none of them.
+    """
+    if data[:1] == bytes((CRUNCHED_MARK,)):
+        return Kind.CRUNCHED
+    if data.lstrip(b"\0")[:1] == _CASSETTE_HEAD[:1] or _CASSETTE_HEAD in data[:_HEAD_WITHIN]:
+        return Kind.CASSETTE
+    zero = data.find(0)
+    if zero >= 0:
+        raise FileFormatError("neither text nor a crunched program nor a cassette: a zero", zero)
+    return Kind.TEXT
+
+
+def parse_program(data: bytes, *, keep_good: bool = False) -> list[ProgramLine]:
+    """The program in a file's content.
+
+    Args:
+        data: the content.
+        keep_good: take what is good of a damaged file instead of raising; of a text all lines
+            that are program lines, of the others what comes before the damage.
+
+    Raises:
+        FileFormatError: the content is damaged, or no program.
+    """
+    if not data:
+        return []
+    match kind_of(data):
+        case Kind.CRUNCHED:
+            found = cassette.parse_lines(data, 1)
+            lines, fault = list(found.lines), found.fault
+        case Kind.CASSETTE:
+            lines, fault = _first_program(data)
+        case Kind.TEXT:
+            return program_text.parse(data, keep_good=keep_good)
+    if fault is not None and not keep_good:
+        raise fault
+    return lines
+
+
+def load_program(path: Path, *, keep_good: bool = False) -> list[ProgramLine]:
+    """The program in a file.
+
+    Raises:
+        FileFormatError: the file is damaged or no program; the message begins with its path.
+        OSError: it cannot be read.
+    """
+    data = path.read_bytes()
+    try:
+        return parse_program(data, keep_good=keep_good)
+    except FileFormatError as error:
+        named = FileFormatError(f"{path}: {error}")
+        named.offset = error.offset
+        raise named from None
+
+
+def encode_program(lines: Iterable[ProgramLine], kind: Kind, name: str = "A") -> bytes:
+    """The content of a file with a program.
+
+    Args:
+        lines: the program.
+        kind: the kind of file.
+        name: the first letter or digit of it is the program's name on a cassette.
+
+    Raises:
+        FileFormatError: a line cannot be written as text.
+    """
+    lines = list(lines)
+    match kind:
+        case Kind.CRUNCHED:
+            return bytes((CRUNCHED_MARK,)) + cassette.encode_lines(lines)
+        case Kind.CASSETTE:
+            return cassette.encode_program(_cassette_name(name), lines)
+        case Kind.TEXT:
+            return program_text.encode(lines)
+
+
+def save_program(path: Path, lines: Iterable[ProgramLine], kind: Kind | None = None) -> None:
+    """Save a program, whole or not at all.
+
+    Args:
+        path: the file.
+        lines: the program.
+        kind: the kind of file; None for that of the suffix: `.cas` a cassette, `.bas` crunched
+            unless there is a file already and it is text, anything else text.
+
+    Raises:
+        FileFormatError: a line cannot be written as text.
+        OSError: the file cannot be written; an older one is untouched.
+    """
+    write_whole(path, encode_program(lines, kind or _kind_for(path), path.stem))
+
+
+def convert(source: Path, target: Path, *, keep_good: bool = False) -> int:
+    """Write the program of one file to another, in the kind of its suffix.
+
+    Returns:
+        How many lines were written.
+
+    Raises:
+        FileFormatError: the source is damaged or no program, or cannot be written as text.
+        OSError: a file cannot be read or written.
+    """
+    lines = load_program(source, keep_good=keep_good)
+    save_program(target, lines, _SUFFIXES.get(target.suffix.lower(), Kind.TEXT))
+    return len(lines)
+
+
+def save_recovery(folder: Path, lines: Iterable[ProgramLine], name: str = "program") -> Path:
+    """Save a copy of a program that its user could not save, beside older ones.
+
+    Returns:
+        The new file, crunched, for so it holds every program; an older copy is never replaced.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    number = 1
+    while (path := folder / f"{name}-{number}.recovered.bas").exists():
+        number += 1
+    save_program(path, lines, Kind.CRUNCHED)
+    return path
+
+
+_SUFFIXES = {".bas": Kind.CRUNCHED, ".cas": Kind.CASSETTE}
+
+
+def _kind_for(path: Path) -> Kind:
+    kind = _SUFFIXES.get(path.suffix.lower(), Kind.TEXT)
+    if kind is Kind.CRUNCHED:
+        try:
+            with path.open("rb") as file:
+                first = file.read(1)
+        except OSError:
+            return kind
+        # Programs of today are kept as text under .bas, too: what was text stays text.
+        if first and first[0] != CRUNCHED_MARK:
+            return Kind.TEXT
+    return kind
+
+
+def _cassette_name(name: str) -> int:
+    letters = [letter for letter in name.upper() if letter.isascii() and letter.isalnum()]
+    return ord(letters[0]) if letters else ord("A")
+
+
+def _first_program(data: bytes) -> tuple[list[ProgramLine], FileFormatError | None]:
+    """The first BASIC program of a cassette; what comes behind it does not matter."""
+    other = "nothing that is whole"
+    first_fault = None
+    for recording, fault in cassette.walk(data):
+        first_fault = first_fault or fault
+        match recording:
+            case cassette.ProgramRecording(lines=lines):
+                return list(lines), fault
+            case cassette.SystemRecording(name=name):
+                other = f"machine code, {name.decode('latin-1').rstrip()!r}"
+            case cassette.DataRecording():
+                other = "data"
+    return [], first_fault or FileFormatError(f"no BASIC program on the cassette, only {other}")
