@@ -1,0 +1,202 @@
+"""The program in memory: crunched lines from 42E9H, each with a link, a number, text and a zero.
+
+Everything that is known of the program is read from the machine's memory, so PEEK, POKE, the
+compiler and LIST see the same bytes. The dialogue stores and deletes lines here; the compiler asks
+for addresses.
+"""
+
+from __future__ import annotations
+
+import bisect
+from collections.abc import Iterable, Iterator
+
+from trs80arm.basic.host import Memory
+
+START = 17129
+"""42E9H, where the text of the first line's link stands on a machine without disk."""
+_START_POINTER = 0x40A4
+_END_POINTER = 0x40F9
+
+
+class Program:
+    """The lines in memory.
+
+    Attributes:
+        version: grows with every change of the text; whoever compiled it compares.
+    """
+
+    def __init__(self, memory: Memory) -> None:
+        self._memory = memory
+        self.version = 0
+        self._index: tuple[list[int], list[int]] | None = None
+
+    def __getstate__(self) -> dict[str, object]:
+        return {**self.__dict__, "_index": None}
+
+    @property
+    def start(self) -> int:
+        """Where the first line's link is (the pointer at 40A4H)."""
+        ram = self._memory.ram
+        return ram[_START_POINTER] | ram[_START_POINTER + 1] << 8
+
+    @property
+    def end(self) -> int:
+        """The first address behind the two zeros that end the program (the pointer at 40F9H)."""
+        ram = self._memory.ram
+        return ram[_END_POINTER] | ram[_END_POINTER + 1] << 8
+
+    @end.setter
+    def end(self, address: int) -> None:
+        self._memory.ram[_END_POINTER] = address & 0xFF
+        self._memory.ram[_END_POINTER + 1] = address >> 8
+
+    def changed(self) -> None:
+        """The text was changed from outside, by POKE or by a tape."""
+        self.version += 1
+        self._index = None
+
+    def _walk(self) -> tuple[list[int], list[int]]:
+        """Addresses of the lines' links and their numbers, in the order of the links."""
+        if self._index is None:
+            ram = self._memory.ram
+            addresses: list[int] = []
+            numbers: list[int] = []
+            address = self.start
+            while 0x4000 <= address < self._memory.top - 4:
+                link = ram[address] | ram[address + 1] << 8
+                if not ram[address + 1] and not ram[address]:
+                    break
+                addresses.append(address)
+                numbers.append(ram[address + 2] | ram[address + 3] << 8)
+                if link <= address:
+                    break
+                address = link
+            self._index = addresses, numbers
+        return self._index
+
+    def __len__(self) -> int:
+        return len(self._walk()[0])
+
+    def numbers(self) -> list[int]:
+        """The line numbers in the order of the lines."""
+        return list(self._walk()[1])
+
+    def find(self, number: int) -> int | None:
+        """The address of the link of a line, None if there is no such line.
+
+        The ROM walks the links and stops at the first number that is not smaller.
+        """
+        addresses, numbers = self._walk()
+        place = self.place(number)
+        if place < len(numbers) and numbers[place] == number:
+            return addresses[place]
+        return None
+
+    def place(self, number: int) -> int:
+        """How many lines the ROM passes before it stops at a number: the first not smaller."""
+        numbers = self._walk()[1]
+        return bisect.bisect_left(numbers, number)
+
+    def line_at(self, address: int) -> int | None:
+        """The link's address of the line that holds `address` in its text or its final zero."""
+        addresses = self._walk()[0]
+        place = bisect.bisect_right(addresses, address) - 1
+        return addresses[place] if place >= 0 and address < self.end else None
+
+    def number_at(self, line: int) -> int:
+        """The number of the line whose link is at `line`."""
+        ram = self._memory.ram
+        return ram[line + 2] | ram[line + 3] << 8
+
+    def text_at(self, line: int) -> bytes:
+        """The crunched text of the line whose link is at `line`."""
+        ram = self._memory.ram
+        return bytes(ram[line + 4 : ram.index(0, line + 4)])
+
+    def text(self, number: int) -> bytes | None:
+        """The crunched text of a line, None if there is none of that number."""
+        line = self.find(number)
+        return None if line is None else self.text_at(line)
+
+    def lines(self) -> Iterator[tuple[int, bytes]]:
+        """Every line's number and crunched text, in order."""
+        for line in list(self._walk()[0]):
+            yield self.number_at(line), self.text_at(line)
+
+    def clear(self) -> None:
+        """No lines: two zeros where the first link would be (NEW)."""
+        ram = self._memory.ram
+        start = self.start
+        ram[start - 1] = ram[start] = ram[start + 1] = 0
+        self.end = start + 2
+        self.changed()
+
+    def delete(self, number: int) -> bool:
+        """Take a line out; whether there was one."""
+        return self.delete_range(number, number)
+
+    def delete_range(self, first: int, last: int) -> bool:
+        """Take the lines from `first` to `last` out; whether there were any."""
+        addresses, numbers = self._walk()
+        low = bisect.bisect_left(numbers, first)
+        high = bisect.bisect_right(numbers, last)
+        if low >= high:
+            return False
+        start = addresses[low]
+        stop = addresses[high] if high < len(addresses) else self.end - 2
+        self._replace(start, stop, b"")
+        return True
+
+    def store(self, number: int, text: bytes) -> None:
+        """Put a line in its place, instead of one with the same number.
+
+        Args:
+            number: 0 to 65529.
+            text: crunched, not empty, without its final zero.
+        """
+        self.delete(number)
+        addresses, numbers = self._walk()
+        place = bisect.bisect_left(numbers, number)
+        at = addresses[place] if place < len(addresses) else self.end - 2
+        line = b"\x01\x01" + number.to_bytes(2, "little") + text.replace(b"\0", b"") + b"\0"
+        self._replace(at, at, line)
+
+    def load(self, lines: Iterable[tuple[int, bytes]]) -> None:
+        """Replace the whole program by lines in ascending order of their numbers."""
+        self.clear()
+        ram = self._memory.ram
+        address = self.start
+        for number, text in lines:
+            line = text.replace(b"\0", b"") + b"\0"
+            stop = address + 4 + len(line)
+            ram[address:stop] = stop.to_bytes(2, "little") + number.to_bytes(2, "little") + line
+            address = stop
+        ram[address : address + 2] = b"\0\0"
+        self.end = address + 2
+        self.changed()
+
+    def size_with(self, lines: Iterable[tuple[int, bytes]]) -> int:
+        """The bytes that a program of these lines takes, its final zeros included."""
+        return 2 + sum(5 + len(text) for _, text in lines)
+
+    def _replace(self, start: int, stop: int, new: bytes) -> None:
+        """Put `new` where `start <= address < stop` was, and mend the links, as 1AF8H does."""
+        ram = self._memory.ram
+        end = self.end
+        rest = bytes(ram[stop:end])
+        ram[start : start + len(new)] = new
+        ram[start + len(new) : start + len(new) + len(rest)] = rest
+        self.end = end + len(new) - (stop - start)
+        self.mend()
+
+    def mend(self) -> None:
+        """Set every link to the next line, found by its final zero."""
+        ram = self._memory.ram
+        address = self.start
+        end = self.end
+        while address < end - 2 and (ram[address] or ram[address + 1]):
+            following = ram.index(0, address + 4) + 1
+            ram[address] = following & 0xFF
+            ram[address + 1] = following >> 8
+            address = following
+        self.changed()

@@ -1,0 +1,203 @@
+"""String space: the bytes of computed strings at the top of memory, and the ten temporaries.
+
+Strings are allocated downward from the top of memory. What is no longer used stays as garbage until
+the space is full; then the live strings are pushed together. String values are descriptors (length
+and address), so POKEs into a string, FRE and OS come out as on the ROM (Level II facts,
+Statements, Strings).
+"""
+
+from __future__ import annotations
+
+from trs80arm.basic import costs
+from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.host import Clock, Memory
+from trs80arm.basic.variables import STRING, Descriptor, Variables
+
+TEMPORARIES = 10
+"""More strings than this pending in one expression are ?ST."""
+LONGEST = 255
+_PLAIN = 0x42E9
+"""From here on a string's bytes are plain RAM unless they lie among the variables."""
+
+
+class StringSpace:
+    """The space between `bottom` and `top`, and the temporaries of the expression at work.
+
+    Attributes:
+        top: the last address of string space (40B1H).
+        bottom: one below its first address (40A0H).
+        next: the last free address (40D6H).
+        temporaries: descriptors of the strings that are under way in an expression.
+    """
+
+    def __init__(self, memory: Memory, clock: Clock, variables: Variables) -> None:
+        self._memory = memory
+        self._ram = memory.ram
+        self._clock = clock
+        self._variables = variables
+        self.top = memory.top - 1
+        self.bottom = self.top - 50
+        self.next = self.top
+        self.temporaries: list[Descriptor] = []
+
+    def reset(self, size: int | None = None) -> None:
+        """Empty the space; `size` is its new size in bytes (CLEAR n)."""
+        if size is not None:
+            self.bottom = self.top - size
+        self.next = self.top
+        self.temporaries.clear()
+
+    def bytes_of(self, string: Descriptor) -> bytes:
+        """The characters of a string, wherever its descriptor points."""
+        length, address = string
+        end = address + length
+        if address >= _PLAIN and (
+            address >= self._variables.end or end <= self._variables.start
+        ):
+            return bytes(self._ram[address:end])
+        peek = self._memory.peek
+        return bytes([peek(place & 0xFFFF) for place in range(address, end)])
+
+    def free_bytes(self) -> int:
+        """Collect the garbage and count what is free (FRE of a string)."""
+        self.collect()
+        return self.next - self.bottom
+
+    # -- temporaries --------------------------------------------------------------------------
+
+    def push(self, string: Descriptor) -> Descriptor:
+        """Make a string a temporary; ST when there are ten already."""
+        if len(self.temporaries) >= TEMPORARIES:
+            raise BasicError(Code.ST)
+        self.temporaries.append(string)
+        return string
+
+    def literal(self, length: int, address: int) -> Descriptor:
+        """A temporary for characters that stand in memory already."""
+        if len(self.temporaries) >= TEMPORARIES:
+            raise BasicError(Code.ST)
+        string = [length, address]
+        self.temporaries.append(string)
+        return string
+
+    def free(self, string: Descriptor) -> None:
+        """Drop a temporary if it is the last one; its bytes too if they were allocated last."""
+        temporaries = self.temporaries
+        if temporaries and temporaries[-1] is string:
+            temporaries.pop()
+            if string[1] == self.next + 1:
+                self.next += string[0]
+
+    def take(self, string: Descriptor) -> bytes:
+        """The characters of a string whose temporary is no longer needed."""
+        text = self.bytes_of(string)
+        self.free(string)
+        return text
+
+    # -- allocation ---------------------------------------------------------------------------
+
+    def allocate(self, length: int) -> int:
+        """The address of `length` new bytes; OS when not even collecting makes room."""
+        end = self.next - length
+        if end < self.bottom:
+            self.collect()
+            end = self.next - length
+            if end < self.bottom:
+                raise BasicError(Code.OS)
+        self.next = end
+        return end + 1
+
+    def new(self, text: bytes) -> Descriptor:
+        """A temporary in string space with these characters; OS, ST."""
+        length = len(text)
+        address = self.allocate(length)
+        self._ram[address : address + length] = text
+        return self.push([length, address])
+
+    def concatenate(self, left: Descriptor, right: Descriptor) -> Descriptor:
+        """The two strings one after the other; LS above 255 characters, OS.
+
+        The room is found before the two temporaries are dropped, as the ROM does, so their bytes
+        become garbage (case `memory-mem-strings-literal`).
+        """
+        length = left[0] + right[0]
+        if length > LONGEST:
+            raise BasicError(Code.LS)
+        address = self.allocate(length)
+        text = self.bytes_of(left) + self.bytes_of(right)
+        self.free(right)
+        self.free(left)
+        self._ram[address : address + length] = text
+        self._clock.now += length * costs.STRING_BYTE
+        return self.push([length, address])
+
+    def part(self, string: Descriptor, start: int, length: int) -> Descriptor:
+        """`length` characters from `start` (0 for the first) as a new string (LEFT$ and so on)."""
+        length = max(0, min(length, string[0] - start))
+        address = self.allocate(length)
+        text = self.bytes_of(string)[start : start + length]
+        self.free(string)
+        self._ram[address : address + length] = text
+        self._clock.now += length * costs.STRING_BYTE
+        return self.push([length, address])
+
+    def assign(self, target: Descriptor, string: Descriptor, text_start: int) -> None:
+        """Make `target` the string, as LET, READ and INPUT do.
+
+        A temporary is taken over. Characters in the program text stay there. A string of the line
+        that was typed, or of another variable in string space, is copied.
+        """
+        temporaries = self.temporaries
+        temporary = bool(temporaries) and temporaries[-1] is string
+        address = string[1]
+        in_text = text_start <= address < self._variables.end
+        if string[0] and not in_text and not (temporary and address > self.bottom):
+            length = string[0]
+            address = self.allocate(length)
+            text = self.bytes_of(string)
+            self._ram[address : address + length] = text
+            self._clock.now += length * costs.STRING_BYTE
+        if temporary:
+            temporaries.pop()
+        target[0] = string[0]
+        target[1] = address
+
+    # -- garbage ------------------------------------------------------------------------------
+
+    def collect(self) -> None:
+        """Push the live strings together at the top, highest first, as the ROM's collector does.
+
+        The ROM looks through every descriptor for the highest string that is left, moves it, and
+        starts again: the time grows with the square of the number of strings.
+        """
+        live: list[Descriptor] = [s for s in self.temporaries if s[0] and self._holds(s)]
+        descriptors = len(self.temporaries)
+        for scalar in self._variables.order:
+            if scalar.kind == STRING:
+                descriptors += 1
+                if scalar.value[0] and self._holds(scalar.value):
+                    live.append(scalar.value)
+        for array in self._variables.arrays.values():
+            if array.kind == STRING:
+                descriptors += len(array.data)
+                live += [s for s in array.data if s[0] and self._holds(s)]
+        self._clock.now += costs.COLLECT + (len(live) + 1) * (
+            costs.COLLECT_PASS
+            + costs.COLLECT_DESCRIPTOR * descriptors
+            + costs.COLLECT_NUMBER * (len(self._variables.order) - descriptors)
+        )
+        live.sort(key=lambda string: string[1], reverse=True)
+        free = self.top
+        ram = self._ram
+        for string in live:
+            length, address = string
+            new = free - length + 1
+            if new != address:
+                ram[new : new + length] = bytes(ram[address : address + length])
+                string[1] = new
+            free -= length
+            self._clock.now += length * costs.STRING_BYTE
+        self.next = free
+
+    def _holds(self, string: Descriptor) -> bool:
+        return self.bottom < string[1] <= self.top
