@@ -44,7 +44,9 @@ class ClosingHand:
     ) -> int:
         for done, latch in enumerate(latches, start=1):
             self.steps -= latch == 5
-            if stop and self.inputs(int(times[done - 1])) & stop[0] == stop[1]:
+            time = int(times[done - 1])
+            ends = done == len(times) or times[done] != time
+            if stop and ends and self.inputs(time) & stop[0] == stop[1]:
                 return done
         return len(times)
 

@@ -100,9 +100,10 @@ class CardSettings:
 
 
 class InputStop(NamedTuple):
-    """A burst's stop condition: the first write after which `inputs & mask == value` is the last.
+    """A burst's stop condition: it ends where `inputs & mask == value` first holds after a write.
 
-    The bits are those of the plug: bit 0 is the grip switch, 0 when closed.
+    The writes of one T-state are one instant and are all done. The bits are those of the plug: bit
+    0 is the grip switch, 0 when closed.
     """
 
     mask: int
@@ -129,8 +130,8 @@ class Peripheral(Protocol):
             times: T-states, never falling, not before those of the burst before.
             latches: the `Latch` of each write.
             nibbles: the coils of each write, phi1 as bit 3.
-            stop: mask and value; the burst ends after the first write after which the input nibble
-                under the mask has the value.
+            stop: mask and value; the burst ends with the last write of the first T-state after
+                which the input nibble under the mask has the value.
 
         Returns:
             How many writes were done; all of them unless it was stopped.
@@ -229,9 +230,8 @@ class Card:
     ) -> int:
         """Send many writes through the card at once; a single OUT is a burst of one.
 
-        Args and result are those of `Peripheral.apply`. The writes of one T-state are one instant:
-        an observer that looks at each step sees the arm after all of them, unless the burst is
-        stopped between.
+        Args and result are those of `Peripheral.apply`. An observer that looks at each step sees
+        the arm after all writes of one T-state.
         """
         total = len(times)
         if not total:
@@ -244,9 +244,9 @@ class Card:
             while end < total and times[end] == times[begin]:
                 end += 1
             instant = slice(begin, end)
-            done = self._send(times[instant], latches[instant], nibbles[instant], stop)
-            begin += done
-            if begin < end or (stop and self.plug.inputs(int(times[end - 1])) & stop[0] == stop[1]):
+            self._send(times[instant], latches[instant], nibbles[instant], None)
+            begin = end
+            if stop and self.plug.inputs(int(times[end - 1])) & stop[0] == stop[1]:
                 break
         return begin
 
