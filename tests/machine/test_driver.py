@@ -450,3 +450,15 @@ def test_the_mode_tells_what_the_driver_does():
     modes.append(machine.driver.mode)
     idle = Mode.IDLE
     assert modes == [idle, Mode.STEP, idle, Mode.CLOSE, Mode.SET, idle]
+
+
+def test_a_motion_can_be_gone_through_tick_by_tick():
+    machine = Machine()
+    assert machine.driver.next_tick is None
+    machine.driver.step(50, (3, 0, 0, 0, 0, 0))
+    for done in range(3):
+        assert machine.driver.registers[0] == done
+        machine.run(machine.driver.next_tick + 1)
+    assert machine.driver.registers[0] == 3
+    machine.run()
+    assert machine.driver.next_tick is None

@@ -101,6 +101,11 @@ class Driver:
         """What the driver is doing."""
         return self._motion.mode if self._motion else Mode.IDLE
 
+    @property
+    def next_tick(self) -> int | None:
+        """The T-state of the motion's next tick, or None; running past it does one motor step."""
+        return self._motion.pace.time(self._motion.tick) if self._motion else None
+
     # -- the five commands --------------------------------------------------------------------
 
     def step(self, delay: int, steps: Sequence[int]) -> None:
@@ -263,6 +268,9 @@ def _wrapped(count: int) -> int:
 
 class _Motion(Protocol):
     """A command under way."""
+
+    pace: Pace
+    tick: int
 
     @property
     def mode(self) -> Mode: ...
