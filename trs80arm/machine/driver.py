@@ -13,6 +13,7 @@ from enum import Enum
 from typing import Any, Protocol
 
 import numpy as np
+import numpy.typing as npt
 
 from trs80arm.machine.card import GRIP_CLOSED, MOTORS, Card
 from trs80arm.machine.clock import Clock
@@ -245,7 +246,7 @@ class Driver:
         row, direction = self._rows[train.motor], train.direction
         return [HALF_STEPS[(row + direction * i) % RING] for i in range(1, len(train) + 1)]
 
-    def _pattern_array(self, train: Train) -> Any:
+    def _pattern_array(self, train: Train) -> npt.NDArray[np.int64]:
         steps = np.arange(1, len(train) + 1)
         return _PATTERNS[(self._rows[train.motor] + train.direction * steps) % RING]
 
