@@ -3,9 +3,19 @@ from __future__ import annotations
 import pickle
 from pathlib import Path
 
+import pytest
+
+from trs80arm.machine.clock import Clock
 from trs80arm.machine.memory import Memory
 from trs80arm.machine.ports import Ports, SystemPort
-from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer
+from trs80arm.machine.printer import (
+    LINES_PER_PAGE,
+    LINES_PRINTED,
+    PRINTER_START,
+    PRINTER_STOP,
+    Printer,
+    PrinterDriver,
+)
 from trs80arm.machine.video import Video
 
 
@@ -104,3 +114,38 @@ def test_a_pickled_printer_goes_on_with_its_line() -> None:
     copy = pickle.loads(pickle.dumps(printer))
     print_text(copy, "C\r")
     assert copy.text == "ABC\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "line", "code", "sent", "line_after", "t_states"),
+    [
+        (67, 5, 65, b"A", 5, 723),
+        (67, 5, 0, b"", 5, 619),
+        (67, 5, 13, b"\r", 6, 777),
+        (67, 5, 10, b"\r", 6, 783),
+        (67, 66, 13, b"\r", 0, 800),
+        (67, 5, 11, b"\n" * 62, 0, 6502),
+        (67, 5, 12, b"\n" * 62, 0, 6492),
+        (3, 5, 12, b"\n" * 254, 0, 24540),
+        (0, 0, 11, b"\n" * 256, 0, 24738),
+        (0, 0, 12, b"\0", 0, 704),
+    ],
+)
+def test_the_driver_does_with_each_code_what_the_rom_does(
+    page: int, line: int, code: int, sent: bytes, line_after: int, t_states: int
+) -> None:
+    # Recorded from the ROM's output routine.
+    clock, memory, printer = Clock(), Memory(16), Printer()
+    driver = PrinterDriver(clock, memory, printer)
+    memory.poke(LINES_PER_PAGE, page)
+    memory.poke(LINES_PRINTED, line)
+    driver.put(code)
+    assert printer.sent == sent
+    assert memory.peek(LINES_PRINTED) == line_after
+    assert clock.now == t_states
+
+
+def test_a_page_has_67_lines_at_power_on() -> None:
+    memory = Memory(16)
+    PrinterDriver(Clock(), memory, Printer())
+    assert (memory.peek(16424), memory.peek(16425)) == (67, 0)

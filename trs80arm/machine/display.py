@@ -2,8 +2,8 @@
 
 It keeps its state where the ROM does, in the device control block at 401DH and the flag at 403DH,
 so that PEEK and POKE see and move the cursor. Every code costs the T-states that the ROM's routine
-takes; the sums are of the Z-80's instructions on the way through it, and the cases of groups
-`layout` and `gfx` confirm them.
+takes, sums of the Z-80's instructions on the way through it; `tests/machine/golden` has what the
+ROM took.
 """
 
 from __future__ import annotations
@@ -47,10 +47,10 @@ _T_ERASE_LINE, _T_ERASE_SCREEN, _T_ERASE_SCROLLED = 48, 21, 10
 _T_ERASE_CELL, _T_ERASE_LAST_PAGE, _T_ERASE_END = 36, 15, 15
 # To find each control code among the others, and what it does itself.
 _T_FIND = {8: 40, 14: 73, 15: 87, 23: 101, 24: 115, 25: 129, 26: 143, 27: 157, 28: 171}
-_T_FIND |= {29: 183, 30: 200, 31: 217}
+_T_FIND |= {29: 183, 30: 202, 31: 216}
 _T_FIND |= dict.fromkeys(_NEWLINES, 66)
-_T_FIND_LOW, _T_FIND_NOTHING = 53, 227
-_T_DO = {8: 58, 14: 36, 15: 45, 23: 75, 24: 58, 25: 58, 26: 31, 27: 31, 28: 64, 29: 25}
+_T_FIND_LOW, _T_FIND_NOTHING = 53, 221
+_T_DO = {8: 58, 14: 36, 15: 45, 23: 75, 24: 58, 25: 28, 26: 31, 27: 31, 28: 64, 29: 25}
 _T_EDGE, _T_TWICE = 25, 35
 
 
@@ -89,7 +89,9 @@ class Display:
 
     def put(self, code: int) -> None:
         """Print one character or control code, 0 to 255, as PRINT does (routine 32AH)."""
-        self._clock.now += _T_PRINT_CALL + self._drive(code)
+        self._clock.now += self._drive(code) + (
+            _T_PRINT_CALL + _T_WIDE_COLUMN if self.wide else _T_PRINT_CALL
+        )
 
     def echo(self, code: int) -> None:
         """The same, as the line editor and EDIT do it (routine 33H)."""
@@ -148,7 +150,6 @@ class Display:
             took += _T_TAIL
         if self.wide:
             ram[COLUMN] = position >> 1 & 31
-            took += _T_WIDE_COLUMN
         else:
             ram[COLUMN] = position & 63
         return spent + took
@@ -201,11 +202,13 @@ class Display:
         elif code == 23:
             self._switch(wide=True)
             position = position + 1 & CELLS - 2
-        elif code in (24, 25):
-            # Around within the line; at its edge the line is counted back.
-            at_edge = column < step if code == 24 else column + step >= COLUMNS
-            spent += (step - 1) * _T_TWICE + at_edge * _T_EDGE
-            position = line + (column + (step if code == 25 else -step)) % COLUMNS
+        elif code == 24:
+            spent += (column < step) * _T_EDGE + (step - 1) * _T_TWICE
+            position = line + (column - step) % COLUMNS
+        elif code == 25:
+            # One cell, in 32-column mode too.
+            spent += (column == COLUMNS - 1) * _T_EDGE
+            position = line + (column + 1) % COLUMNS
         elif code == 26:
             position = (position + COLUMNS) % CELLS
         elif code == 27:

@@ -29,9 +29,10 @@ _DOWN_ROW, _DOWN_BIT = MATRIX[Key.DOWN]
 # Codes of row 6, plain and shifted, bit by bit (Level II facts, Typing).
 _ROW_6 = ((13, 13), (31, 31), (1, 1), (91, 27), (10, 26), (8, 24), (9, 25), (32, 32))
 
-# T-states of the scan. A look at a row costs 62; the pause is 3500 turns of a loop of 26. A run
+# T-states of the scan: a look at a row costs 62, and the pause is 3500 turns of a loop of 26. A run
 # that gets two keys takes 90983 longer than one that gets a single key (cases
 # keys-inkey-latched and keys-inkey-latched-last): these sums, and 52 in the statement loop.
+# `tests/machine/golden` has what the ROM's scan took for other keys.
 _T_ROW = 62
 _T_HIT = 41 + 31 + 20
 _T_BIT = 39
@@ -40,7 +41,9 @@ _T_PAUSE = 4 + 10 + 17 + 3500 * 26 - 5 + 10 + 4 + 7 + 11
 _T_IDLE = SCANNED_ROWS * _T_ROW + 10
 _T_LETTER, _T_SMALL_LETTER, _T_CONTROL = 45, 79, 101
 _T_FIGURE, _T_FIGURE_TURNED, _T_FIGURE_SHIFTED = 90, 2, 14
-_T_NAMED = 112
+_T_NAMED, _T_NAMED_SHIFTED = 112, 111
+_T_BREAK = 35
+_BREAK = 1
 
 
 class Matrix:
@@ -171,6 +174,8 @@ class KeyboardDriver:
             if new:
                 bit = (new & -new).bit_length() - 1
                 code, decoding = self._decode(row, bit)
+                if code == _BREAK:
+                    decoding += _T_BREAK  # by the vector at 400CH, which only returns
                 self._clock.now += (
                     row * _T_ROW + _T_HIT + bit * _T_BIT + decoding + _T_PAUSE - _T_IDLE
                 )
@@ -195,4 +200,4 @@ class KeyboardDriver:
             if shift:
                 code, decoding = code ^ 0x10, decoding + _T_FIGURE_SHIFTED
             return code, decoding
-        return _ROW_6[bit][shift], _T_SHIFT_READ + _T_NAMED
+        return _ROW_6[bit][shift], _T_SHIFT_READ + (_T_NAMED_SHIFTED if shift else _T_NAMED)

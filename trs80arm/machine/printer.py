@@ -1,18 +1,31 @@
-"""The line printer at 37E8H: LPRINT and LLIST end here.
+"""The line printer at 37E8H, and the ROM's driver for it: LPRINT and LLIST end here.
 
-Its paper is a file, or memory when there is none.
+The printer's paper is a file, or memory when there is none. The driver counts the lines of a page.
 """
 
 from __future__ import annotations
 
 from pathlib import Path
 
+from trs80arm.machine.clock import Clock
+from trs80arm.machine.memory import Memory
+
 PRINTER_START = 0x37E8
 PRINTER_STOP = 0x37EC
 READY = 0x3F
 """What the printer's address reads: not busy, paper in, selected, no fault; low bits undriven."""
 
-_CARRIAGE_RETURN = 13
+CONTROL_BLOCK = 0x4025
+_CONTROL_BLOCK = bytes((0x06, 0x8D, 0x05, 0x43, 0x00, 0x00, 0x50, 0x52))
+"""Printer: type 6, driver at 58DH, 67 lines a page, none printed yet, then its name, "PR"."""
+LINES_PER_PAGE = 0x4028
+LINES_PRINTED = 0x4029
+
+_LINE_FEED, _VERTICAL_TAB, _FORM_FEED, _CARRIAGE_RETURN = 10, 11, 12, 13
+
+# T-states from the call of the output routine at 32AH to its return, as the ROM takes them.
+_T_NOTHING, _T_CODE, _T_RETURN, _T_FULL_PAGE, _T_LINE_FEED_TURNED = 619, 723, 777, 23, 6
+_T_VERTICAL_TAB, _T_FORM_FEED, _T_EACH_FEED, _T_NO_PAGE = 674, 664, 94, 704
 
 
 def _as_text(codes: bytes | bytearray) -> str:
@@ -71,3 +84,50 @@ class Printer:
     def poke(self, address: int, value: int) -> None:
         """A byte stored at the printer's address is printed."""
         self.put(value)
+
+
+class PrinterDriver:
+    """The ROM's way to the printer, with its device control block.
+
+    It keeps the number of the line on the page at 4029H, from 0; programs set the lines of a page
+    at 4028H.
+    """
+
+    def __init__(self, clock: Clock, memory: Memory, printer: Printer) -> None:
+        """Connect the driver and write its device control block."""
+        self._clock = clock
+        self._ram = memory.ram
+        self._printer = printer
+        self._ram[CONTROL_BLOCK : CONTROL_BLOCK + len(_CONTROL_BLOCK)] = _CONTROL_BLOCK
+
+    def put(self, code: int) -> None:
+        """Print one character or control code, 0 to 255, and charge its time.
+
+        10 and 13 end the line; 11 and 12 feed the paper to the next page line by line; 0 does
+        nothing. With no lines a page (0 at 4028H) 12 sends a 0.
+        """
+        ram, printer = self._ram, self._printer
+        if code == 0:
+            self._clock.now += _T_NOTHING
+        elif code in (_LINE_FEED, _CARRIAGE_RETURN):
+            printer.put(_CARRIAGE_RETURN)
+            spent = _T_RETURN + (_T_LINE_FEED_TURNED if code == _LINE_FEED else 0)
+            ram[LINES_PRINTED] = ram[LINES_PRINTED] + 1 & 0xFF
+            if ram[LINES_PRINTED] == ram[LINES_PER_PAGE]:
+                ram[LINES_PRINTED] = 0
+                spent += _T_FULL_PAGE
+            self._clock.now += spent
+        elif code == _FORM_FEED and ram[LINES_PER_PAGE] == 0:
+            printer.put(0)
+            self._clock.now += _T_NO_PAGE
+        elif code in (_VERTICAL_TAB, _FORM_FEED):
+            # The ROM counts down to zero in one byte, so 0 is 256 times.
+            feeds = ram[LINES_PER_PAGE] - ram[LINES_PRINTED] & 0xFF or 256
+            for _ in range(feeds):
+                printer.put(_LINE_FEED)
+            ram[LINES_PRINTED] = 0
+            start = _T_VERTICAL_TAB if code == _VERTICAL_TAB else _T_FORM_FEED
+            self._clock.now += start + feeds * _T_EACH_FEED
+        else:
+            printer.put(code)
+            self._clock.now += _T_CODE
