@@ -1,0 +1,176 @@
+"""One look at the rig: everything that the panels and views show, read once a frame.
+
+Panels never hold the rig. The program reads it once and hands the same frozen `Readings` to each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import TYPE_CHECKING
+
+from trs80arm.arm.bench import Bench
+from trs80arm.arm.events import ArmEvent
+from trs80arm.arm.fixtures import LightBeam, Proximity, Sensor
+from trs80arm.arm.geometry import HAND_RANGE, HAND_STEPS, START_POSE, JointAngles, Pose, inverse
+from trs80arm.arm.settings import ArmSettings
+from trs80arm.arm.shapes import Box, upright
+from trs80arm.basic.activity import Waiting
+from trs80arm.machine.driver import Mode
+
+if TYPE_CHECKING:
+    from trs80arm.rig import Rig
+
+RING = 8
+"""Half-steps of one ring of Figure 8: what a motor loses, it loses in multiples of these."""
+
+_FLAT = 0.1
+"""How high a tray or a turntable, which are let into the table, is drawn, inches."""
+
+
+class Kind(Enum):
+    """What a thing on the table is."""
+
+    PART = "part"
+    FEEDER = "feeder"
+    TRAY = "tray"
+    OBSTACLE = "obstacle"
+    TURNTABLE = "turntable"
+    SENSOR = "sensor"
+
+
+@dataclass(frozen=True)
+class Thing:
+    """A box on the table: what it is, where it is, and whether the hand holds it."""
+
+    kind: Kind
+    name: str
+    box: Box
+    held: bool = False
+
+
+@dataclass(frozen=True)
+class Posture:
+    """How the arm stands: its joint angles, in radians, and the opening of the hand, in inches."""
+
+    angles: JointAngles
+    opening: float
+
+
+_START = inverse(START_POSE.x, START_POSE.y, START_POSE.z, START_POSE.pitch, START_POSE.roll)
+
+
+@dataclass(frozen=True)
+class Readings:
+    """What can be seen of the rig at one moment.
+
+    Attributes:
+        time: virtual seconds since power-on.
+        waiting: what the machine waits for.
+        mode: what the ARMBASIC driver is doing.
+        registers: J1 to J6 as commanded, half-steps.
+        joints: J1 to J6 as they truly are, in the same steps from the same zero.
+        slipped: how far each rotor is from where its field should have taken it, half-steps.
+        coils: the seven latches' nibbles, phi1 as bit 3; the last is the auxiliary output.
+        inputs: the input nibble: bit 0 the grip switch, 0 closed; the others free.
+        motors_on: whether any motor carries current.
+        posture: how the arm truly stands.
+        believed: how it would stand had no motor slipped; None while none has.
+        pose: where the fingertip truly is.
+        force: of the grip, pounds.
+        held: the name of the part in the hand, or None.
+        things: what stands on the table, the arm's own base left out.
+        events: what happened to the arm, oldest first.
+        fittings: the measures of base and body.
+    """
+
+    posture: Posture = Posture(_START, 0.0)
+    time: float = 0.0
+    waiting: Waiting = Waiting.NOTHING
+    mode: Mode = Mode.IDLE
+    registers: tuple[int, ...] = (0,) * 6
+    joints: tuple[int, ...] = (0,) * 6
+    slipped: tuple[int, ...] = (0,) * 6
+    coils: tuple[int, ...] = (0,) * 7
+    inputs: int = 0b1111
+    motors_on: bool = False
+    believed: Posture | None = None
+    pose: Pose = START_POSE
+    force: float = 0.0
+    held: str | None = None
+    things: tuple[Thing, ...] = ()
+    events: Sequence[ArmEvent] = ()
+    fittings: ArmSettings = field(default_factory=ArmSettings)
+
+    @property
+    def switch_closed(self) -> bool:
+        """Whether the grip switch is closed."""
+        return not self.inputs & 1
+
+    @classmethod
+    def of(cls, rig: Rig) -> Readings:
+        """Read the rig."""
+        state = rig.state
+        arm = rig.arm
+        believed = None
+        if any(abs(steps) >= RING for steps in state.slipped):
+            cable = arm.drive.cable(state.fields) / HAND_STEPS
+            believed = Posture(arm.drive.angles(state.fields), min(max(cable, 0.0), HAND_RANGE))
+        return cls(
+            posture=Posture(state.angles, state.pose.opening),
+            time=rig.time,
+            waiting=rig.waiting,
+            mode=rig.driver.mode,
+            registers=rig.registers,
+            joints=rig.joints,
+            slipped=state.slipped,
+            coils=state.coils,
+            inputs=arm.inputs(rig.clock.now),
+            motors_on=state.motors_on,
+            believed=believed,
+            pose=state.pose,
+            force=state.force,
+            held=state.held,
+            things=tuple(things_of(arm.bench)),
+            events=arm.events,
+            fittings=arm.settings,
+        )
+
+
+def things_of(bench: Bench) -> Iterator[Thing]:
+    """Everything on a bench that is drawn, the arm's own base and body left out."""
+    for tray in bench.trays:
+        yield Thing(
+            Kind.TRAY, tray.name, upright(tray.x, tray.y, 0.0, (tray.width, tray.depth, _FLAT), 0.0)
+        )
+    if bench.turntable is not None:
+        table = bench.turntable
+        size = (2 * table.radius, 2 * table.radius, _FLAT)
+        turn = 0.0
+        yield Thing(Kind.TURNTABLE, "turntable", upright(table.x, table.y, 0.0, size, turn))
+    for feeder in bench.feeders:
+        x, y, z = feeder.size
+        yield Thing(
+            Kind.FEEDER,
+            feeder.name,
+            upright(feeder.x, feeder.y, 0.0, (x + 0.5, y + 0.5, min(z, 4 * _FLAT)), feeder.turn),
+        )
+    for obstacle in bench.obstacles:
+        if obstacle.name not in ("base", "body"):
+            yield Thing(Kind.OBSTACLE, obstacle.name, obstacle.box)
+    for sensor in bench.sensors:
+        yield Thing(Kind.SENSOR, f"sensor {sensor.bit}", _sensor_box(sensor))
+    for part in bench.parts.values():
+        yield Thing(Kind.PART, part.name, part.box, part.held)
+
+
+def _sensor_box(sensor: Sensor) -> Box:
+    if isinstance(sensor, Proximity):
+        x, y, z = sensor.place
+        return upright(x, y, z - _FLAT / 2, (_FLAT, _FLAT, _FLAT), 0.0)
+    if isinstance(sensor, LightBeam):
+        (x0, y0, z0), (x1, y1, z1) = sensor.start, sensor.end
+        size = (abs(x1 - x0) + _FLAT, abs(y1 - y0) + _FLAT, abs(z1 - z0) + _FLAT)
+        return upright((x0 + x1) / 2, (y0 + y1) / 2, min(z0, z1) - _FLAT / 2, size, 0.0)
+    return sensor.pad

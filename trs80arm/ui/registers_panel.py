@@ -1,0 +1,77 @@
+"""The six position registers beside where the joints truly are: the heart of an open loop."""
+
+from __future__ import annotations
+
+from trs80arm.ui.panel import Panel
+from trs80arm.ui.readings import RING, Readings
+from trs80arm.ui.rows import Ink, Row
+
+JOINTS = ("base", "shoulder", "elbow", "left wrist", "right wrist", "hand")
+"""What J1 to J6 are called in the article."""
+
+_WIDE = 34
+_SLIPPED, _MOVED = "!", "~"
+
+
+class RegistersPanel(Panel):
+    """J1 to J6: commanded, true, and what the motors have lost."""
+
+    HELP = """
+## Position registers
+
+The registers count the half-steps that were *commanded* since `@RESET`; nothing on the arm tells
+the computer whether they were made. Beside them stands where each joint *truly* is, in the same
+steps. `!` marks a motor that has slipped, by multiples of 8 half-steps; `~` a joint that was moved
+otherwise: by hand, or by OUT. `@RESET` sets both to zero.
+"""
+
+    def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
+        """A line a joint, with a heading where there is room for one."""
+        wide = width >= _WIDE
+        rows: list[Row] = []
+        for joint in range(6):
+            rows.append(_wide_row(readings, joint) if wide else _narrow_row(readings, joint))
+        if height > len(rows):
+            heading = "joint        register   true slip" if wide else "      reg   true"
+            rows.insert(0, ((heading, Ink.LABEL),))
+        if height > len(rows) + 1:
+            rows.append(())
+            rows.append(_summary(readings, width))
+        return rows
+
+
+def _mark(readings: Readings, joint: int) -> tuple[str, Ink]:
+    if abs(readings.slipped[joint]) >= RING:
+        return _SLIPPED, Ink.ALARM
+    if readings.registers[joint] != readings.joints[joint]:
+        return _MOVED, Ink.STRONG
+    return " ", Ink.PLAIN
+
+
+def _narrow_row(readings: Readings, joint: int) -> Row:
+    mark, ink = _mark(readings, joint)
+    register, true = readings.registers[joint], readings.joints[joint]
+    return ((f"J{joint + 1}", Ink.LABEL), (f"{register:7d}{true:6d}{mark}", ink))
+
+
+def _wide_row(readings: Readings, joint: int) -> Row:
+    mark, ink = _mark(readings, joint)
+    register, true = readings.registers[joint], readings.joints[joint]
+    slipped = readings.slipped[joint]
+    lost = f"{slipped:+5d}" if abs(slipped) >= RING else " " * 5
+    return (
+        (f"J{joint + 1} {JOINTS[joint]:11}", Ink.LABEL),
+        (f"{register:7d}{true:7d}{lost}{mark}", ink),
+    )
+
+
+def _summary(readings: Readings, width: int) -> Row:
+    lost = [joint for joint in range(6) if abs(readings.slipped[joint]) >= RING]
+    if lost:
+        names = ",".join(f"J{joint + 1}" for joint in lost)
+        text = f"slipped: {names}"
+        return ((text if len(text) <= width else f"slip {len(lost)} motors", Ink.ALARM),)
+    moved = any(
+        register != true for register, true in zip(readings.registers, readings.joints, strict=True)
+    )
+    return (("moved by hand" if moved else "no step lost", Ink.LABEL),)

@@ -1,0 +1,75 @@
+"""Rows of drawn text: what every panel and view beside the tube is made of.
+
+A row is a few spans, each a run of characters in one ink. Panels and canvases make rows without
+knowing the screen; `ui/panel.py` turns an ink into a colour of the theme.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import TypeAlias
+
+
+class Ink(Enum):
+    """What a run of characters stands for. Its glyphs say the same without any colour."""
+
+    PLAIN = "plain"
+    FAINT = "faint"
+    LABEL = "label"
+    STRONG = "strong"
+    ARM = "arm"
+    HAND = "hand"
+    PART = "part"
+    FURNITURE = "furniture"
+    GHOST = "ghost"
+    TRAIL = "trail"
+    ALARM = "alarm"
+    LAMP_ON = "lamp-on"
+    LAMP_OFF = "lamp-off"
+
+
+Span: TypeAlias = tuple[str, Ink]
+Row: TypeAlias = tuple[Span, ...]
+
+
+def text_of(row: Row) -> str:
+    """The characters of a row, without their inks."""
+    return "".join(text for text, _ in row)
+
+
+def fitted(row: Row, width: int) -> Row:
+    """The row cut or filled up with blanks to exactly `width` cells."""
+    spans: list[Span] = []
+    room = width
+    for text, ink in row:
+        if room <= 0:
+            break
+        spans.append((text[:room], ink))
+        room -= len(text)
+    if room > 0:
+        spans.append((" " * room, Ink.PLAIN))
+    return tuple(spans)
+
+
+def inked(characters: list[str], inks: list[Ink]) -> Row:
+    """One row from a character and an ink for each cell, runs of one ink joined.
+
+    A blank takes the ink of its left neighbour, so that it never begins a new span.
+    """
+    spans: list[Span] = []
+    run: list[str] = []
+    current = Ink.PLAIN
+    for character, ink in zip(characters, inks, strict=True):
+        if ink is not current and character != " ":
+            if run:
+                spans.append(("".join(run), current))
+            run, current = [], ink
+        run.append(character)
+    if run:
+        spans.append(("".join(run), current))
+    return tuple(spans)
+
+
+def signed(value: float, digits: int) -> str:
+    """A number with its sign and so many decimals; what rounds to zero is +0."""
+    return f"{round(value, digits) + 0.0:+.{digits}f}"
