@@ -7,9 +7,8 @@ for: the tube, the registers, the pose, traces.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TextIO
 
@@ -18,7 +17,6 @@ from trs80arm.basic.activity import Waiting
 from trs80arm.basic.interpreter import OutcomeKind
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
-from trs80arm.machine.driver import DriverSettings
 from trs80arm.operator import Hold, Operator, ScriptError, parse_holds
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.trace import PoseTrace, Trace, TraceError
@@ -43,13 +41,9 @@ class BatchOptions:
     screen: bool = False
     registers: bool = False
     pose: bool = False
-    ram: str = "16"
-    no_armbasic: bool = False
-    break_now: bool = False
-    tapes: Path | None = None
-    printer: Path | None = None
     trace: Path | None = None
     trace_pose: Path | None = None
+    rig: RigSettings = field(default_factory=RigSettings)
 
 
 def bench_beside(program: Path) -> Path | None:
@@ -136,16 +130,7 @@ def _run(options: BatchOptions, stream: TextIO) -> int:
     lines = load_program(options.program)
     bench = options.bench or bench_beside(options.program)
     sets = [parse_holds(holds) for holds in options.sets]
-    rig = Rig(
-        RigSettings(
-            ram_kib=int(options.ram),
-            armbasic=not options.no_armbasic,
-            driver=DriverSettings(break_now=options.break_now),
-            tape_folder=options.tapes,
-            printer_file=options.printer,
-        ),
-        load_bench(bench) if bench else None,
-    )
+    rig = Rig(options.rig, load_bench(bench) if bench else None)
     rig.load_lines(lines)
     with ExitStack() as traces:
         if options.trace:

@@ -8,18 +8,21 @@ unreadable file, with one line on standard error.
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 import click
 
 from trs80arm import __version__
 
 if TYPE_CHECKING:
-    from trs80arm.arm.bench import Bench
+    from trs80arm.options import TerminalOptions
+    from trs80arm.settings import Settings
 
-PROGRAM_ERROR = 1
 USAGE_ERROR = 2
+A_PATH = click.Path(path_type=Path)
+Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 class ProgramFirst(click.Group):
@@ -29,15 +32,14 @@ class ProgramFirst(click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put the default command in front of arguments that do not begin with a command."""
-        words = [word for word in args if word in self.commands]
-        if args[:1] not in (["--help"], ["--version"], ["-h"]) and not (
-            words and args[0] == words[0]
+        if args[:1] not in (["--help"], ["-h"], ["--version"]) and (
+            not args or args[0] not in self.commands
         ):
             args = [self.default, *args]
         return super().parse_args(ctx, args)
 
 
-def fail(message: str) -> NoReturn:
+def fail(message: object) -> NoReturn:
     """Say one clear line on standard error and leave with the code for bad usage."""
     click.echo(f"trs80arm: {message}", err=True)
     sys.exit(USAGE_ERROR)
@@ -52,53 +54,148 @@ def cli() -> None:
     """
 
 
-def read_program(path: Path) -> bytes:
-    """The content of a program file; a file that cannot be read ends the command."""
+# -- options that several commands share -----------------------------------------------------------
+
+_SETTING_FLAGS = {
+    "ram": ("machine", "K of RAM: 4, 16, 32 or 48."),
+    "memory-size": ("machine", "What is typed at MEMORY SIZE?"),
+    "tapes": ("machine", "The folder of the cassettes."),
+    "printer": ("machine", "The file for the printer's paper."),
+}
+_SCREEN_FLAGS = {
+    "speed": ("terminal", "Virtual seconds a second: 1, 2, 5, 20 or max."),
+    "keys": ("terminal", "auto, events, repeat or latch."),
+    "glyphs": ("terminal", "auto, sextant, braille, quadrant or ascii."),
+    "theme": ("terminal", "green, white, amber, contrast or paper."),
+    "arm": ("terminal", "How the arm is drawn: ascii or braille."),
+    "cursor": ("terminal", "blink or steady."),
+    "fps": ("terminal", "The most frames a second."),
+}
+
+
+def _settings_options(flags: dict[str, tuple[str, str]]) -> Callable[[Command], Command]:
+    """The flags that are settings; each stands for `--option TABLE.KEY=VALUE`."""
+
+    def decorate(command: Command) -> Command:
+        for name, (_, text) in reversed(flags.items()):
+            command = click.option(f"--{name}", metavar="VALUE", help=text)(command)
+        return command
+
+    return decorate
+
+
+def _machine_options(command: Command) -> Command:
+    """The options of every command that builds a rig."""
+    for option in (
+        click.option("--config", type=A_PATH, help="The settings file instead of the usual one."),
+        click.option("--option", multiple=True, help="Any setting: TABLE.KEY=VALUE (repeatable)."),
+        click.option(
+            "--break-now/--break-at-end",
+            default=None,
+            help="BREAK stops a motion at once, or is seen when it has ended.",
+        ),
+        click.option("--no-armbasic", is_flag=True, help="The bare ROM: @ words are ?SN."),
+        _settings_options(_SETTING_FLAGS),
+        click.option("--bench", type=A_PATH, help="The bench file (TOML)."),
+    ):
+        command = option(command)
+    return command
+
+
+def _take_settings(given: dict[str, Any], *defaults: str) -> Settings:
+    """Read settings file, environment and flags; takes the flags out of `given`."""
+    from trs80arm import settings
+
+    flags = []
+    for name, (table, _) in (_SETTING_FLAGS | _SCREEN_FLAGS).items():
+        value = given.pop(name.replace("-", "_"), None)
+        if value is not None:
+            flags.append(f"{table}.{name.replace('-', '_')}={value}")
+    if given.pop("no_armbasic", False):
+        flags.append("machine.armbasic=false")
+    break_now = given.pop("break_now")
+    if break_now is not None:
+        flags.append(f"driver.break_now={str(break_now).lower()}")
+    flags += given.pop("option")
     try:
-        return path.read_bytes()
-    except OSError as error:
-        fail(f"{path}: {error.strerror or error}")
+        return settings.load(given.pop("config"), flags, defaults=defaults)
+    except settings.SettingsError as error:
+        fail(error)
 
 
-def find_bench(bench: Path | None, program: Path | None) -> Bench | None:
-    """The bench asked for, or the one named like the program and standing beside it."""
-    from trs80arm.arm.bench import Bench, BenchError
-
-    if bench is None and program is not None and program.with_suffix(".toml").is_file():
-        bench = program.with_suffix(".toml")
-    if bench is None:
-        return None
-    try:
-        return Bench.load(bench)
-    except OSError as error:
-        fail(f"{bench}: {error.strerror or error}")
-    except BenchError as error:
-        fail(str(error))
+# -- the terminal ----------------------------------------------------------------------------------
 
 
 @cli.command()
-@click.argument("program", type=click.Path(path_type=Path))
-@click.option("--bench", type=click.Path(path_type=Path), help="The bench file (TOML).")
+@click.argument("program", type=A_PATH, required=False)
+@click.option("--run", is_flag=True, help="Type RUN at once.")
+@click.option("--record", type=A_PATH, help="Write everything that the operator does to a file.")
+@click.option("--replay", type=A_PATH, help="Play a recorded session.")
+@click.option("--plain", is_flag=True, help="Line by line, for screen readers and pipes.")
+@_settings_options(_SCREEN_FLAGS)
+@_machine_options
+def terminal(**given: Any) -> None:
+    """Open the terminal, with PROGRAM loaded if one is given."""
+    _open_terminal(given)
+
+
+@cli.command()
+@_settings_options(_SCREEN_FLAGS)
+@_machine_options
+def demo(**given: Any) -> None:
+    """Watch the article's pick-and-place task; any key ends the demonstration."""
+    _open_terminal(given, demo=True)
+
+
+def _open_terminal(given: dict[str, Any], **more: Any) -> NoReturn:
+    options = _terminal_options(given, **more)
+    from trs80arm.ui.app import run_terminal
+
+    sys.exit(run_terminal(options))
+
+
+def _terminal_options(given: dict[str, Any], **more: Any) -> TerminalOptions:
+    from trs80arm import settings as settings_module
+
+    config = given.get("config")
+    # A person who presses BREAK wants the arm to stop, unless the settings say otherwise.
+    settings = _take_settings(given, "driver.break_now=true")
+    return settings.options(config or settings_module.default_path(), **given, **more)
+
+
+@cli.command()
+@click.option("--host", default="127.0.0.1", show_default=True, help="The address to listen at.")
+@click.option("--port", default=8000, show_default=True, type=click.IntRange(1, 65535))
+@click.argument("program", type=A_PATH, required=False)
+def serve(host: str, port: int, program: Path | None) -> None:
+    """Serve the terminal to a browser (extra `web`)."""
+    from trs80arm.ui.serve import ServeError, serve_terminal
+
+    try:
+        serve_terminal(host, port, program)
+    except ServeError as error:
+        fail(error)
+
+
+# -- without a screen ------------------------------------------------------------------------------
+
+
+@cli.command()
+@click.argument("program", type=A_PATH)
 @click.option(
     "--seconds",
     type=click.FloatRange(min=0),
-    default=3600.0,
-    show_default=True,
-    help="Stop after so many virtual seconds from RUN.",
+    help="Stop after so many virtual seconds from RUN; 3600 unless given.",
 )
 @click.option("--input", "inputs", multiple=True, help="The answer to the next INPUT.")
 @click.option("--set", "sets", multiple=True, help='The next @SET, as in "6:1.0 1+W:0.5 0".')
 @click.option("--screen", is_flag=True, help="Print the final 16 lines of the tube.")
 @click.option("--registers", is_flag=True, help="Print J1 to J6 at the end.")
 @click.option("--pose", is_flag=True, help="Print x y z pitch roll opening at the end.")
-@click.option("--ram", type=click.Choice(["4", "16", "32", "48"]), default="16", help="K of RAM.")
-@click.option("--no-armbasic", is_flag=True, help="The bare ROM: @ words are ?SN.")
-@click.option("--break-now", is_flag=True, help="BREAK stops a motion at once.")
-@click.option("--tapes", type=click.Path(path_type=Path), help="The folder of the cassettes.")
-@click.option("--printer", type=click.Path(path_type=Path), help="The file for the printer's paper.")
-@click.option("--trace", type=click.Path(path_type=Path), help="Latch writes: .csv, .npz or .vcd.")
-@click.option("--trace-pose", type=click.Path(path_type=Path), help="Pose at each step: .csv, .npz.")
-def run(**options: Any) -> None:
+@click.option("--trace", type=A_PATH, help="Latch writes to a .csv, .npz or .vcd file.")
+@click.option("--trace-pose", type=A_PATH, help="Angles, pose, force, switch to .csv or .npz.")
+@_machine_options
+def run(**given: Any) -> None:
     """Run PROGRAM without a screen, as fast as the computer can.
 
     What the program prints goes to standard output. It runs until it ends, until the limit of
@@ -106,7 +203,26 @@ def run(**options: Any) -> None:
     """
     from trs80arm.batch import BatchOptions, run_program
 
-    sys.exit(run_program(BatchOptions(**options)))
+    settings = _take_settings(given)
+    sys.exit(run_program(BatchOptions(rig=settings.rig(), **given)))
+
+
+@cli.command()
+@click.argument("source", type=A_PATH)
+@click.argument("target", type=A_PATH)
+@click.option("--keep-good", is_flag=True, help="Take what is good of a damaged file.")
+def convert(source: Path, target: Path, keep_good: bool) -> None:
+    """Convert a program file: text, crunched (.bas) or cassette (.cas), by TARGET's suffix."""
+    from trs80arm import files
+    from trs80arm.batch import reason
+
+    try:
+        count = files.convert(source, target, keep_good=keep_good)
+    except files.FileFormatError as error:
+        fail(error)
+    except OSError as error:
+        fail(f"{error.filename}: {reason(error)}")
+    click.echo(f"{target}: {count} line{'' if count == 1 else 's'}")
 
 
 def main() -> None:

@@ -22,19 +22,19 @@ from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.host import Host
 from trs80arm.basic.interpreter import Interpreter, Outcome
-from trs80arm.machine.card import Card, CardSettings
+from trs80arm.machine.card import Card, CardSettings, Latch
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.machine.console import Console
 from trs80arm.machine.display import Display
 from trs80arm.machine.driver import Driver, DriverSettings
-from trs80arm.machine.keyboard import KeyboardDriver, Matrix
+from trs80arm.machine.keyboard import KEYBOARD_START, KEYBOARD_STOP, KeyboardDriver, Matrix
 from trs80arm.machine.keys import Key
 from trs80arm.machine.memory import Memory
-from trs80arm.machine.ports import Ports
-from trs80arm.machine.printer import Printer
+from trs80arm.machine.ports import Ports, SystemPort
+from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.typist import Typist
-from trs80arm.machine.video import Video
+from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
 
 Counts = tuple[int, int, int, int, int, int]
 
@@ -140,8 +140,10 @@ class Rig:
         driver = Driver(clock, card, matrix, settings.driver)
         ports = Ports()
         ports.attach(card)
-        memory.attach(0x3800, 0x3C00, matrix)
-        memory.attach(0x3C00, 0x4000, video)
+        ports.attach(SystemPort(video))
+        memory.attach(PRINTER_START, PRINTER_STOP, printer)
+        memory.attach(KEYBOARD_START, KEYBOARD_STOP, matrix)
+        memory.attach(VIDEO_START, VIDEO_STOP, video)
         host = Host(
             clock, memory, console, printer, ports, tape, driver if settings.armbasic else None
         )
@@ -367,7 +369,7 @@ class Rig:
         self._record("reset")
         old = self._works
         old.driver.reset()
-        old.card.write_latch(AUXILIARY, 0)
+        old.card.write_latch(Latch.AUXILIARY, 0)
         self._works = self._build(old.arm, old.clock)
         self._works.tape = old.tape
         self._switch_on()
@@ -383,18 +385,21 @@ class Rig:
         self._record("refill")
         self._works.arm.refill()
 
-    def move_joint(self, joint: int, steps: int) -> None:
-        """Turn a joint by hand, as the operator can while the motors are off.
+    def move_joint(self, joint: str, value: float) -> None:
+        """Turn one joint by hand, as the operator can while the motors are off.
 
         Args:
-            joint: 1 to 6.
-            steps: how far, in half-steps of that joint's motor.
+            joint: "base", "shoulder", "elbow", "pitch" or "roll" with `value` in degrees, or "hand"
+                with `value` in inches.
+            value: where to.
 
         Raises:
             MotorsOn: the motors hold the arm.
+            InTheWay: something on the bench is there.
+            ValueError: the joint does not go that far.
         """
-        self._record("move_joint", joint, steps)
-        self._works.arm.move_joint(joint, steps)
+        self._works.arm.move_joint(joint, value)
+        self._record("move_joint", joint, value)
 
     def move_to(self, pose: Pose) -> None:
         """Put the hand by hand to a pose, as the operator can while the motors are off.
@@ -402,9 +407,11 @@ class Rig:
         Raises:
             MotorsOn: the motors hold the arm.
             OutOfReach: the arm cannot take that pose.
+            InTheWay: something on the bench is there.
+            ValueError: a joint or the hand does not go that far.
         """
-        self._record("move_to", pose)
         self._works.arm.move_to(pose)
+        self._record("move_to", pose)
 
     # -- what there is to see -----------------------------------------------------------------
 

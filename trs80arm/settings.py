@@ -1,0 +1,475 @@
+"""The settings: one TOML file, the environment, and flags, each stronger than the one before.
+
+The file has one table a room: `[terminal]`, `[machine]`, `[card]`, `[driver]`, `[arm]`. What a key
+may be is what the room's own settings class says, so that there is one truth. The command line and
+the terminal program both come here; nothing of it knows Textual.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import tomllib
+import types
+import typing
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields, is_dataclass
+from enum import Enum, IntEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from platformdirs import user_config_path
+
+from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, TerminalOptions
+from trs80arm.saving import write_whole
+
+if TYPE_CHECKING:
+    from trs80arm.rig import RigSettings
+
+T = TypeVar("T")
+PREFIX = "TRS80ARM"
+"""Environment variables are `TRS80ARM_SPEED` for the tables `[terminal]` and `[machine]`, and
+`TRS80ARM_CARD_BASE` for a key of another table."""
+SHORT = ("terminal", "machine")
+"""The tables whose keys need not name their table in the environment and in `--option`."""
+FILE_NAME = "settings.toml"
+
+
+class SettingsError(Exception):
+    """A setting that cannot be; one line that names the file, its line and the key."""
+
+
+class Speed(Enum):
+    """Virtual seconds per second of the wall."""
+
+    ONE = "1"
+    TWO = "2"
+    FIVE = "5"
+    TWENTY = "20"
+    FLAT_OUT = "max"
+
+    @property
+    def factor(self) -> float | None:
+        """The number; None for flat out."""
+        return None if self is Speed.FLAT_OUT else float(self.value)
+
+
+@dataclass(frozen=True)
+class TerminalSettings:
+    """The table `[terminal]`.
+
+    Attributes:
+        speed: "1", "2", "5", "20" or "max".
+        keys: "auto", "events", "repeat" or "latch".
+        glyphs: "auto", "sextant", "braille", "quadrant" or "ascii".
+        theme: "green", "white", "amber", "contrast", "paper", or any theme of Textual.
+        arm: "ascii" or "braille".
+        cursor: "blink" or "steady".
+        fps: the most frames a second, 1 to 60.
+        tap_ms, repeat_ms: how long the timer holds a key after a press and after a repeat.
+    """
+
+    speed: Speed = Speed.ONE
+    keys: KeyMode = KeyMode.AUTO
+    glyphs: GlyphSet = GlyphSet.AUTO
+    theme: str = "green"
+    arm: ArmStyle = ArmStyle.ASCII
+    cursor: CursorStyle = CursorStyle.BLINK
+    fps: int = 30
+    tap_ms: int = 100
+    repeat_ms: int = 120
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.fps <= 60:
+            raise ValueError(f"fps must be 1 to 60, not {self.fps}")
+        for name in ("tap_ms", "repeat_ms"):
+            if not 10 <= getattr(self, name) <= 2000:
+                raise ValueError(f"{name} must be 10 to 2000, not {getattr(self, name)}")
+
+
+@dataclass(frozen=True)
+class MachineSettings:
+    """The table `[machine]`.
+
+    Attributes:
+        ram: K of RAM: 4, 16, 32 or 48.
+        memory_size: what is typed at MEMORY SIZE?
+        armbasic: whether ARMBASIC is loaded.
+        blocks: whether BASIC is compiled in blocks, or statement by statement.
+        ghosting: whether three keys at the corners of a rectangle show a fourth.
+        tapes: the folder of the cassettes.
+        printer: the file for the printer's paper.
+    """
+
+    ram: int = 16
+    memory_size: str = ""
+    armbasic: bool = True
+    blocks: bool = True
+    ghosting: bool = False
+    tapes: Path | None = None
+    printer: Path | None = None
+
+    def __post_init__(self) -> None:
+        if self.ram not in (4, 16, 32, 48):
+            raise ValueError(f"ram must be 4, 16, 32 or 48, not {self.ram}")
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Everything that is set, table by table."""
+
+    terminal: TerminalSettings
+    machine: MachineSettings
+    card: Any
+    driver: Any
+    arm: Any
+
+    def rig(self) -> RigSettings:
+        """The machine's fittings."""
+        from trs80arm.rig import RigSettings
+
+        machine = self.machine
+        return RigSettings(
+            ram_kib=machine.ram,
+            memory_size=machine.memory_size,
+            armbasic=machine.armbasic,
+            blocks=machine.blocks,
+            ghosting=machine.ghosting,
+            tape_folder=machine.tapes,
+            printer_file=machine.printer,
+            card=self.card,
+            driver=self.driver,
+            arm=self.arm,
+        )
+
+    def options(self, path: Path | None = None, **more: Any) -> TerminalOptions:
+        """How the terminal program is to start.
+
+        Args:
+            path: the settings file, where choices made in the program are remembered.
+            more: the other fields of `TerminalOptions`.
+        """
+        terminal = self.terminal
+        values: dict[str, Any] = {
+            "speed": terminal.speed.factor,
+            "keys": terminal.keys,
+            "glyphs": terminal.glyphs,
+            "theme": terminal.theme,
+            "arm_style": terminal.arm,
+            "cursor": terminal.cursor,
+            "fps": terminal.fps,
+            "tap_ms": terminal.tap_ms,
+            "repeat_ms": terminal.repeat_ms,
+            "rig": self.rig(),
+            "settings_file": path,
+        }
+        return TerminalOptions(**(values | more))
+
+
+def tables() -> dict[str, type]:
+    """The settings class of each table. The rooms are imported here, not before."""
+    from trs80arm.arm.settings import ArmSettings
+    from trs80arm.machine.card import CardSettings
+    from trs80arm.machine.driver import DriverSettings
+
+    return {
+        "terminal": TerminalSettings,
+        "machine": MachineSettings,
+        "card": CardSettings,
+        "driver": DriverSettings,
+        "arm": ArmSettings,
+    }
+
+
+def default_path() -> Path:
+    """The settings file: that of `TRS80ARM_CONFIG`, or the one in the platform's folder."""
+    named = os.environ.get(f"{PREFIX}_CONFIG")
+    return Path(named) if named else user_config_path("trs80arm", appauthor=False) / FILE_NAME
+
+
+def load(
+    path: Path | None = None,
+    options: Iterable[str] = (),
+    environment: Mapping[str, str] | None = None,
+    defaults: Iterable[str] = (),
+) -> Settings:
+    """Read the settings.
+
+    Args:
+        path: the file; None takes the default one, which need not exist.
+        options: flags, as `speed=5` or `card.base=0x98`; the strongest.
+        environment: the environment's variables; None for the process's own.
+        defaults: settings in the form of flags that the file and everything else overrule.
+
+    Raises:
+        SettingsError: something is set that is unknown or cannot be.
+    """
+    content, where = _read(path)
+    values: dict[str, dict[str, Any]] = {name: {} for name in tables()}
+    sources: dict[tuple[str, str], str] = {}
+    for name, key, text, source in _from_flags(defaults):
+        values[name][key] = _value(text)
+        sources[name, key] = source
+    for name, table in _tables_of(content, where).items():
+        for key, value in table.items():
+            values[name][key] = value
+            sources[name, key] = _place(where, content, name, key)
+    for name, key, text, source in (*_from_environment(environment), *_from_flags(options)):
+        values[name][key] = _value(text)
+        sources[name, key] = source
+    made = {name: _checked(name, cls, values[name], sources) for name, cls in tables().items()}
+    return Settings(**made)
+
+
+def _read(path: Path | None) -> tuple[str, Path]:
+    where = path or default_path()
+    try:
+        return where.read_text(encoding="utf-8"), where
+    except FileNotFoundError:
+        if path is None:
+            return "", where
+        raise SettingsError(f"{where}: no such file") from None
+    except UnicodeDecodeError:
+        raise SettingsError(f"{where}: not a text file") from None
+    except OSError as error:
+        raise SettingsError(f"{where}: {error.strerror or error}") from None
+
+
+def _tables_of(content: str, where: Path) -> dict[str, dict[str, Any]]:
+    try:
+        parsed = tomllib.loads(content)
+    except tomllib.TOMLDecodeError as error:
+        raise SettingsError(f"{where}: {error}") from None
+    for name, table in parsed.items():
+        place = _place(where, content, None, name)
+        if name not in tables():
+            raise SettingsError(f"{place}: unknown table; there are {', '.join(tables())}")
+        if not isinstance(table, dict):
+            raise SettingsError(f"{place}: must be a table, [{name}]")
+    return parsed
+
+
+def _from_environment(
+    environment: Mapping[str, str] | None,
+) -> list[tuple[str, str, str, str]]:
+    variables = os.environ if environment is None else environment
+    found = []
+    for table, cls in tables().items():
+        for field in fields(cls):
+            short = f"{PREFIX}_{field.name.upper()}"
+            long = f"{PREFIX}_{table.upper()}_{field.name.upper()}"
+            for name in (long, short) if table in SHORT else (long,):
+                if name in variables:
+                    found.append((table, field.name, variables[name], name))
+                    break
+    return found
+
+
+def _from_flags(options: Iterable[str]) -> list[tuple[str, str, str, str]]:
+    found = []
+    for option in options:
+        name, equals, text = option.partition("=")
+        if not equals:
+            raise SettingsError(f"--option {option}: must be KEY=VALUE")
+        table, dot, key = name.strip().rpartition(".")
+        if not dot:
+            holders = [table for table in SHORT if key in _keys(tables()[table])]
+            table = holders[0] if holders else SHORT[0]
+        if table not in tables():
+            raise SettingsError(
+                f"--option {option}: unknown table {table}; there are {', '.join(tables())}"
+            )
+        found.append((table, key, text, f"--option {option}"))
+    return found
+
+
+def _value(text: str) -> Any:
+    """What a flag or variable says: a TOML value if it is one, else the text itself."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        return text
+
+
+def _checked(
+    name: str, cls: type, values: dict[str, Any], sources: Mapping[tuple[str, str], str]
+) -> Any:
+    built = {}
+    for key, value in values.items():
+        place = sources[name, key]
+        try:
+            if key not in _keys(cls):
+                raise SettingsError(f"unknown key; there are {', '.join(sorted(_keys(cls)))}")
+            built[key] = _fit(typing.get_type_hints(cls)[key], value)
+            cls(**{key: built[key]})
+        except (SettingsError, ValueError) as error:
+            raise SettingsError(f"{place}: {error}") from None
+    try:
+        return cls(**built)
+    except ValueError as error:
+        raise SettingsError(f"[{name}]: {error}") from None
+
+
+def _place(where: Path, content: str, table: str | None, key: str) -> str:
+    """`file: line N: table.key`, as far as the key can be found."""
+    inside = None
+    named = f"{table}.{key}" if table else key
+    for number, line in enumerate(content.splitlines(), start=1):
+        if header := re.match(r"\s*\[\s*([^\]]+?)\s*\]", line):
+            inside = header[1]
+            if table is None and inside.split(".")[0] == key:
+                return f"{where}: line {number}: {named}"
+        elif inside == table and re.match(rf"\s*\"?{re.escape(key)}\"?\s*[=.]", line):
+            return f"{where}: line {number}: {named}"
+    return f"{where}: {named}"
+
+
+# -- between tables and classes --------------------------------------------------------------------
+
+
+def _keys(cls: type) -> set[str]:
+    return {field.name for field in fields(cls)}
+
+
+def from_table(cls: type[T], table: Mapping[str, Any], where: str) -> T:
+    """Make a settings class from a table of plain values.
+
+    Args:
+        cls: a dataclass of plain values, enums, tuples and other such classes.
+        table: the values by name; those left out have their defaults.
+        where: what errors call the table.
+
+    Raises:
+        SettingsError: a key is unknown, or its value cannot be.
+    """
+    hints = typing.get_type_hints(cls)
+    values = {}
+    for key, value in table.items():
+        if key not in hints:
+            raise SettingsError(f"{where}: unknown key {key}")
+        try:
+            values[key] = _fit(hints[key], value)
+        except (SettingsError, ValueError) as error:
+            raise SettingsError(f"{where}: {key}: {error}") from None
+    try:
+        return cls(**values)
+    except (TypeError, ValueError) as error:
+        raise SettingsError(f"{where}: {error}") from None
+
+
+def as_table(settings: Any) -> dict[str, Any]:
+    """The plain values of a settings class, those that differ from the defaults."""
+    defaults = type(settings)()
+    table = {}
+    for field in fields(settings):
+        value = getattr(settings, field.name)
+        if value != getattr(defaults, field.name):
+            table[field.name] = _plain(value)
+    return table
+
+
+def _plain(value: Any) -> Any:
+    if is_dataclass(value):
+        return as_table(value)
+    if isinstance(value, IntEnum):
+        return value.name.lower()
+    if isinstance(value, Enum):
+        return str(value.value)
+    if isinstance(value, Path):
+        return str(value)
+    if isinstance(value, tuple):
+        return ["" if item is None else _plain(item) for item in value]
+    return value
+
+
+def _fit(hint: Any, value: Any) -> Any:
+    """A plain value as what a field wants."""
+    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+    if origin in (typing.Union, types.UnionType):
+        if value in (None, ""):
+            return None
+        [wanted] = [argument for argument in arguments if argument is not type(None)]
+        return _fit(wanted, value)
+    if origin is tuple:
+        return _fit_tuple(arguments, value)
+    if isinstance(hint, type) and issubclass(hint, Enum):
+        return _fit_enum(hint, value)
+    if is_dataclass(hint) and isinstance(hint, type):
+        if not isinstance(value, Mapping):
+            raise SettingsError("must be a table")
+        return from_table(hint, value, hint.__name__)
+    return _fit_plain(hint, value)
+
+
+def _fit_tuple(arguments: tuple[Any, ...], value: Any) -> tuple[Any, ...]:
+    if not isinstance(value, list | tuple):
+        raise SettingsError(f"must be a list, not {value!r}")
+    if arguments[-1] is Ellipsis:
+        return tuple(_fit(arguments[0], item) for item in value)
+    if len(arguments) != len(value):
+        raise SettingsError(f"must be a list of {len(arguments)}, not of {len(value)}")
+    return tuple(_fit(hint, item) for hint, item in zip(arguments, value, strict=True))
+
+
+def _fit_enum(hint: type[Enum], value: Any) -> Enum:
+    by_name = issubclass(hint, IntEnum)
+    for member in hint:
+        if str(member.name if by_name else member.value).lower() == str(value).lower():
+            return member
+    names = ", ".join(str(m.name.lower() if by_name else m.value) for m in hint)
+    raise SettingsError(f"must be one of {names}, not {value!r}")
+
+
+def _fit_plain(hint: Any, value: Any) -> Any:
+    if hint is Path and isinstance(value, str):
+        return Path(value).expanduser()
+    if hint is float and isinstance(value, int) and not isinstance(value, bool):
+        return float(value)
+    if hint is str and isinstance(value, int | float) and not isinstance(value, bool):
+        return str(value)
+    if type(value) is not hint:
+        words = {bool: "true or false", int: "a whole number", float: "a number", str: "a text"}
+        raise SettingsError(f"must be {words.get(hint, hint.__name__)}, not {value!r}")
+    return value
+
+
+# -- remembering -----------------------------------------------------------------------------------
+
+
+def remember(path: Path, key: str, value: str | int | bool, table: str = "terminal") -> None:
+    """Set one key in the settings file; everything else in it stays as it is, comments too.
+
+    Raises:
+        OSError: the file cannot be written; it is then as before.
+    """
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except FileNotFoundError:
+        lines = []
+    path.parent.mkdir(parents=True, exist_ok=True)
+    entry = f"{key} = {_toml(value)}"
+    write_whole(path, ("\n".join(_with_entry(lines, table, key, entry)) + "\n").encode())
+
+
+def _with_entry(lines: list[str], table: str, key: str, entry: str) -> list[str]:
+    inside = None
+    head: int | None = None
+    for number, line in enumerate(lines):
+        if header := re.match(r"\s*\[\s*([^\]]+?)\s*\]", line):
+            inside = header[1]
+            head = number if inside == table else head
+        elif inside == table and re.match(rf"\s*{re.escape(key)}\s*=", line):
+            return [*lines[:number], entry, *lines[number + 1 :]]
+    if head is None:
+        gap = [""] if lines and lines[-1].strip() else []
+        return [*lines, *gap, f"[{table}]", entry]
+    return [*lines[: head + 1], entry, *lines[head + 1 :]]
+
+
+def _toml(value: str | int | bool) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int):
+        return str(value)
+    escaped = value.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
