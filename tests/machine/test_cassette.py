@@ -27,10 +27,10 @@ systems = st.builds(
 
 def test_a_saved_program_is_leader_mark_name_and_lines() -> None:
     content = cassette.encode_program(ord("A"), [(10, b"\x84")])
-    assert content[:256] == bytes(256)
-    assert content[256:261] == b"\xa5\xd3\xd3\xd3A"
+    assert content[:255] == bytes(255)
+    assert content[255:260] == b"\xa5\xd3\xd3\xd3A"
     # Line 10 lies at 17129, the next would at 17135: case memory-peek-line-link.
-    assert content[261:] == (17135).to_bytes(2, "little") + b"\x0a\0\x84\0" + b"\0\0"
+    assert content[260:] == (17135).to_bytes(2, "little") + b"\x0a\0\x84\0" + b"\0\0"
 
 
 @given(st.integers(0, 255), listings)

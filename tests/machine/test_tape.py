@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 from trs80arm.machine import cassette
 from trs80arm.machine.tape import BadCassetteName, Tape
 
+BEHIND_SYNC = len(cassette.LEADER) + 1
+
 
 def record(tape: Tape, content: bytes) -> None:
     tape.start_writing()
@@ -55,7 +57,7 @@ def tape(request: pytest.FixtureRequest, tmp_path: Path) -> Tape:
 
 def test_what_was_saved_is_loaded_next(tape: Tape) -> None:
     record(tape, program("A"))
-    assert play(tape) == program("A")[257:]
+    assert play(tape) == program("A")[BEHIND_SYNC:]
 
 
 def test_csave_makes_a_cassette_of_the_programs_name(tmp_path: Path) -> None:
@@ -144,7 +146,7 @@ def test_the_position_moves_as_the_tape_plays(tape: Tape) -> None:
     tape.rewind()
     tape.start_reading()
     tape.find_sync()
-    assert tape.position == 257
+    assert tape.position == BEHIND_SYNC
 
 
 @pytest.mark.parametrize(
@@ -181,7 +183,7 @@ def test_a_recording_that_cannot_be_written_is_kept_in_the_recorder(tmp_path: Pa
     tape = Tape(blocked)
     record(tape, program("A"))
     assert tape.fault is not None
-    assert play(tape) == program("A")[257:]
+    assert play(tape) == program("A")[BEHIND_SYNC:]
 
 
 def test_a_folder_is_made_with_the_first_recording(tmp_path: Path) -> None:
@@ -204,4 +206,4 @@ def test_a_pickled_recorder_goes_on_recording(tape: Tape) -> None:
     for value in program("A")[100:]:
         copy.write(value)
     copy.stop()
-    assert play(copy) == program("A")[257:]
+    assert play(copy) == program("A")[BEHIND_SYNC:]

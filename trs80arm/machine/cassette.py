@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-LEADER = bytes(256)
+LEADER = bytes(255)
+"""As many zeros as the ROM writes before the sync byte; playing takes any number."""
 SYNC = 0xA5
 PROGRAM_MARK = b"\xd3\xd3\xd3"
 """Behind the sync byte of a BASIC program; the next byte is its one-letter name."""
