@@ -150,7 +150,21 @@ def test_the_position_moves_as_the_tape_plays(tape: Tape) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["", "../out", "a/b", "a\\b", ".hidden", "/etc/passwd", "..", "con", "NUL.x", "a\0"]
+    "name",
+    [
+        "",
+        "../out",
+        "a/b",
+        "a\\b",
+        ".hidden",
+        "/etc/passwd",
+        "..",
+        "con",
+        "NUL.x",
+        "a\0",
+        "A~",
+        "C:x",
+    ],
 )
 def test_no_name_leads_out_of_the_folder(tmp_path: Path, name: str) -> None:
     with pytest.raises(BadCassetteName):
@@ -207,3 +221,14 @@ def test_a_pickled_recorder_goes_on_recording(tape: Tape) -> None:
         copy.write(value)
     copy.stop()
     assert play(copy) == program("A")[BEHIND_SYNC:]
+
+
+@pytest.mark.parametrize("file", ["Game (1979).cas", "GAME.CAS"])
+def test_cassettes_from_elsewhere_may_have_other_names(tmp_path: Path, file: str) -> None:
+    (tmp_path / file).write_bytes(program("G"))
+    tape = Tape(tmp_path)
+    assert names_heard(tape) == "G"
+    tape.insert(file)
+    record(tape, program("H"))
+    assert os.listdir(tmp_path) == [file]
+    assert (tmp_path / file).read_bytes() == program("G") + program("H")

@@ -16,12 +16,12 @@ from trs80arm.saving import write_whole
 SUFFIX = ".cas"
 DATA_CASSETTE = "data"
 """Where PRINT#-1 records while no cassette was put in by hand."""
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]{0,99}")
+_NAME = re.compile(r"""[^./\\:*?"<>|~\x00-\x1f\x7f][^/\\:*?"<>|\x00-\x1f\x7f]{0,99}(?<![ ~])""")
 _RESERVED = re.compile(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?")
 
 
 class BadCassetteName(ValueError):  # noqa: N818
-    """No name for a cassette: letters, digits, blank and `._+-`, a letter or digit first."""
+    """No name for a cassette: one that could be another folder's, or no file's at all."""
 
 
 class Shelf(Protocol):
@@ -74,11 +74,14 @@ class FolderShelf:
             found = sorted(self._folder.iterdir())
         except OSError:
             return []
-        return [
+        stems = [
             path.stem
             for path in found
-            if path.suffix == SUFFIX and _is_cassette_name(path.stem) and self._is_inside(path)
+            if path.suffix in (SUFFIX, SUFFIX.upper())
+            and _is_cassette_name(path.stem)
+            and self._is_inside(path)
         ]
+        return list(dict.fromkeys(stems))
 
     def load(self, name: str) -> bytes:
         """What is on a cassette; nothing on a new one."""
@@ -98,6 +101,9 @@ class FolderShelf:
 
     def _path(self, name: str) -> Path:
         path = self._folder / (name + SUFFIX)
+        capital = path.with_suffix(SUFFIX.upper())
+        if not path.exists() and capital.exists():
+            path = capital
         if not self._is_inside(path):
             raise OSError(f"{path} is a link that leads out of the tape folder")
         return path
@@ -172,10 +178,10 @@ class Tape:
         Raises:
             BadCassetteName: the name cannot be one.
         """
-        name = name.removesuffix(SUFFIX)
+        name = name.removesuffix(SUFFIX).removesuffix(SUFFIX.upper())
         if not _is_cassette_name(name):
             raise BadCassetteName(
-                f"{name!r} is no cassette name: letters, digits, blank and ._+- only"
+                f"{name!r} is no name for a cassette: it must be a plain file name"
             )
         self.stop()
         self._by_hand = True
