@@ -109,7 +109,8 @@ def divide(a: Register, b: Register, bits: int) -> Register:
     """The quotient of two registers; division by zero or OV.
 
     The ROM sets the exponent two too small at first, so a quotient near the lower end is already
-    zero: 1E-38/2 is 0 (case `numfmt-min-values`).
+    zero: 1E-38/2 is 0 (case `numfmt-min-values`). At the upper end the correction wraps round in
+    its byte: 1E38/.5 is 0, and a quotient twice as large is one of the smallest numbers or OV.
     """
     if not b[0]:
         raise BasicError(Code.DIVISION)
@@ -118,11 +119,13 @@ def divide(a: Register, b: Register, bits: int) -> Register:
     exponent = _exponent(a[0] + 255 - b[0])
     if not exponent:
         return ZERO
-    exponent += 2
+    exponent = (exponent + 2) & 0xFF
     dividend, divisor = abs(a[1]), abs(b[1])
     if dividend < divisor:
+        if exponent == 1:
+            raise BasicError(Code.OV)
         dividend <<= 1
-        exponent -= 1
+        exponent = (exponent - 1) & 0xFF
     extended = (dividend << (bits + GUARD - 1)) // divisor
     return rounded((a[1] < 0) != (b[1] < 0), exponent, extended, bits)
 

@@ -28,7 +28,9 @@ def rnd(seed: int, n: int) -> tuple[int, float]:
         n: the argument, already rounded down to an integer (OV above 32767 comes from there).
 
     Returns:
-        The new seed and a single: between 0 and 1 for n = 0, else a whole number from 1 to n.
+        The new seed and a single: between 0 and 1 for n = 0, else a whole number from 1 to n. The
+        one is added before the fraction is cut, so the largest fraction can round up to n + 1:
+        RND(1) is 2 when the new seed is FFFFFFH.
 
     Raises:
         BasicError: FC for a negative argument.
@@ -39,4 +41,4 @@ def rnd(seed: int, n: int) -> tuple[int, float]:
     fraction = seed / 16777216.0
     if not n:
         return seed, fraction
-    return seed, single.add(single.floor(single.mul(fraction, float(n))), 1.0)
+    return seed, single.floor(single.add(single.mul(fraction, float(n)), 1.0))

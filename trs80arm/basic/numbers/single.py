@@ -25,8 +25,11 @@ AWAY = 1.0 + 2.0**-52
 SPLIT = 2.0**29 + 1.0
 """Veltkamp's constant: `c = x * SPLIT; c - (c - x)` is `x` rounded to 24 bits."""
 
-_LOW = 2.0**-126
-_HIGH = 2.0**126
+_NEARLY = 1.0 + 2.0**-30
+"""A factor that moves a value by at least 1/128 of its 24th bit."""
+_LOW = 2.0**-125
+_HIGH = 2.0**125
+"""Between these magnitudes no operation can overflow or underflow, not even by exponents alone."""
 
 
 def to_register(x: float) -> Register:
@@ -55,32 +58,60 @@ def round_away(x: float) -> float:
 def add(a: float, b: float) -> float:
     """The sum as the ROM rounds it; OV.
 
-    Operands of unlike signs whose exponents are more than 8 apart lose bits below the guard byte;
-    only there may the sum differ from the correctly rounded one.
+    Operands of unlike signs whose exponents are more than 8 apart lose bits below the guard byte,
+    which raises the magnitude by up to 1/128 of the last place: where that much could change the
+    rounding, and near the ends of the range, the registers decide.
     """
     s = a + b
-    c = s * SPLIT
-    r = c - (c - s)
-    if r == s and (_LOW <= s <= _HIGH or -_HIGH <= s <= -_LOW):
-        return s
-    return _add(a, b)
+    x = s * AWAY
+    c = x * SPLIT
+    r = c - (c - x)
+    if _LOW < r < _HIGH or -_HIGH < r < -_LOW:
+        if r == s:
+            return r
+        ratio = a / b
+        if ratio > 0.0 or -256.0 <= ratio <= -0.00390625:
+            return r
+        if -16777216.0 <= ratio <= -5.9604644775390625e-08:
+            x = s * _NEARLY
+            c = x * SPLIT
+            if c - (c - x) == r:
+                return r
+    elif not s:
+        return 0.0
+    return from_register(registers.add(to_register(a), to_register(b), BITS))
 
 
 def sub(a: float, b: float) -> float:
     """The difference as the ROM rounds it; OV. The ROM adds the negated second operand."""
-    return add(a, -b)
-
-
-def _add(a: float, b: float) -> float:
-    return from_register(registers.add(to_register(a), to_register(b), BITS))
+    s = a - b
+    x = s * AWAY
+    c = x * SPLIT
+    r = c - (c - x)
+    if _LOW < r < _HIGH or -_HIGH < r < -_LOW:
+        if r == s:
+            return r
+        ratio = a / b
+        if ratio < 0.0 or 0.00390625 <= ratio <= 256.0:
+            return r
+        if 5.9604644775390625e-08 <= ratio <= 16777216.0:
+            x = s * _NEARLY
+            c = x * SPLIT
+            if c - (c - x) == r:
+                return r
+    elif not s:
+        return 0.0
+    return from_register(registers.add(to_register(a), to_register(-b), BITS))
 
 
 def mul(a: float, b: float) -> float:
     """The product as the ROM rounds it; OV, also for some products just below 2^127."""
     x = a * b * AWAY
-    if _LOW <= x <= _HIGH or -_HIGH <= x <= -_LOW:
+    if _LOW < x < _HIGH or -_HIGH < x < -_LOW:
         c = x * SPLIT
         return c - (c - x)
+    if not x:
+        return 0.0
     return from_register(registers.multiply(to_register(a), to_register(b), BITS))
 
 
@@ -88,7 +119,7 @@ def div(a: float, b: float) -> float:
     """The quotient as the ROM rounds it; division by zero, OV."""
     if b:
         x = a / b * AWAY
-        if _LOW <= x <= _HIGH or -_HIGH <= x <= -_LOW:
+        if _LOW < x < _HIGH or -_HIGH < x < -_LOW:
             c = x * SPLIT
             return c - (c - x)
     return from_register(registers.divide(to_register(a), to_register(b), BITS))

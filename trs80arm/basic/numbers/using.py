@@ -72,12 +72,10 @@ class NumberField:
         magnitude = convert.negate(number) if negative else number
         assert isinstance(magnitude, (float, Double))
         if self.exponent:
-            body, tail = self._scientific(magnitude)
-        elif _is_too_large(magnitude):
-            return "%" + decimal.number_text(number)
-        else:
-            body, tail = self._plain(magnitude), ""
-        return self._fitted(body, tail, negative)
+            return self._scientific(magnitude, negative)
+        if _is_too_large(magnitude):
+            return "%" + decimal.number_text(magnitude)
+        return self._fitted(self._plain(magnitude), "", negative)
 
     def _plain(self, magnitude: float | Double) -> str:
         """The magnitude rounded to the places behind the point."""
@@ -90,8 +88,13 @@ class NumberField:
             whole = ",".join(groups)
         return whole if self.right is None else f"{whole}.{fraction}"
 
-    def _scientific(self, magnitude: float | Double) -> tuple[str, str]:
-        """The digits and the exponent part."""
+    def _scientific(self, magnitude: float | Double, negative: bool) -> str:
+        """The number with an exponent part.
+
+        One place before the point is kept for a sign that does not trail. Where a field has more
+        such places than the number has digits and nothing behind the point, the ROM leaves the last
+        zero out, never comes to the point, and takes the number for too wide.
+        """
         right = self.right or 0
         left = self.left if self.trailing else self.left - 1
         letter = "D" if isinstance(magnitude, Double) else "E"
@@ -102,27 +105,34 @@ class NumberField:
             x, places = decimal.scaled(magnitude)
             for _ in range(count - left - right):
                 x = decimal.tenth(x)
-            figures = decimal.digits(decimal.cut(x), count).lstrip("0")
-            figures += "0" * (left + right - count)
+            figures = str(decimal.cut(x)) + "0" * (left + right - count)
             exponent = count - places - left
+        tail = f"{letter}{'-' if exponent < 0 else '+'}{abs(exponent):02d}"
+        if left > count and not right:
+            body = figures if self.right is not None else figures[:-1]
+            return self._fitted(body.lstrip("0") or "0", tail, negative, too_wide=True)
+        figures = figures.lstrip("0").rjust(right + 1, "0")
         split = len(figures) - right
-        body = figures[:split] or "0"
+        body = figures[:split]
         if self.right is not None:
             body += "." + figures[split:]
-        sign = "-" if exponent < 0 else "+"
-        return body, f"{letter}{sign}{abs(exponent):02d}"
+        return self._fitted(body, tail, negative)
 
-    def _fitted(self, body: str, tail: str, negative: bool) -> str:
-        """Sign, dollar sign and filling around the digits."""
+    def _fitted(self, body: str, tail: str, negative: bool, too_wide: bool = False) -> str:
+        """Sign, dollar sign and filling around the digits.
+
+        A lone zero before the point gives way when the field is too narrow. The blank that stands
+        for a trailing plus becomes an asterisk like the others.
+        """
         mark = "-" if negative else "+" if self.plus else ""
+        fill = "*" if self.stars else " "
         front = ("" if self.trailing else mark) + ("$" if self.dollar else "")
         width = self.left + (0 if self.right is None else self.right + 1)
-        if len(front + body) > width and body.startswith("0."):
+        if len(front + body) > width and body.startswith("0.") and self.right:
             body = body[1:]
-        text = (front + body).rjust(width, "*" if self.stars else " ")
-        if len(text) > width:
-            text = "%" + text
-        return text + tail + ((mark or " ") if self.trailing else "")
+        text = front + body
+        text = "%" + text if too_wide or len(text) > width else text.rjust(width, fill)
+        return text + tail + ((mark or fill) if self.trailing else "")
 
 
 def _is_too_large(magnitude: float | Double) -> bool:
@@ -136,12 +146,10 @@ def _fixed(magnitude: float | Double, right: int) -> tuple[str, str]:
     if not convert.sign(magnitude):
         return "0", "0" * right
     x, places = decimal.scaled(magnitude)
-    count = decimal.SINGLE_DIGITS if isinstance(x, float) else decimal.DOUBLE_DIGITS
     for _ in range(places - right):
         x = decimal.tenth(x)
-    figures = decimal.digits(decimal.cut(x), count).lstrip("0")
-    figures += "0" * (right - places)
-    figures = figures.rjust(right + 1, "0")
+    figures = str(decimal.cut(x)) + "0" * (right - places)
+    figures = figures.lstrip("0").rjust(right + 1, "0")
     split = len(figures) - right
     return figures[:split], figures[split:]
 
