@@ -357,13 +357,13 @@ def from_table(cls: type[T], table: Mapping[str, Any], where: str) -> T:
         raise SettingsError(f"{where}: {error}") from None
 
 
-def as_table(settings: Any) -> dict[str, Any]:
-    """The plain values of a settings class, those that differ from the defaults."""
+def as_table(settings: Any, *, with_defaults: bool = False) -> dict[str, Any]:
+    """The plain values of a settings class: those that differ from the defaults, or all."""
     defaults = type(settings)()
     table = {}
     for field in fields(settings):
         value = getattr(settings, field.name)
-        if value != getattr(defaults, field.name):
+        if with_defaults or value != getattr(defaults, field.name):
             table[field.name] = _plain(value)
     return table
 

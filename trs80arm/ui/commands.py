@@ -1,0 +1,165 @@
+"""The program's own commands: one table for keys, footer, palette and the help page.
+
+Plain keys belong to the TRS-80, so a command is on a function key, on Ctrl, or in the palette only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import partial
+
+from textual.binding import Binding, BindingType
+from textual.command import DiscoveryHit, Hit, Hits, Provider
+
+
+@dataclass(frozen=True)
+class Command:
+    """A command.
+
+    Attributes:
+        action: Textual's action, `run_action` does it.
+        title: as the palette has it, `group: what it does`.
+        help: one sentence.
+        keys: the keys, comma separated.
+        footer: its word in the footer, empty when it is not there.
+        priority: whether its keys work in dialogs, too.
+    """
+
+    action: str
+    title: str
+    help: str
+    keys: str = ""
+    footer: str = ""
+    priority: bool = False
+
+    @property
+    def group(self) -> str:
+        """The word before the colon."""
+        return self.title.partition(":")[0]
+
+
+COMMANDS: tuple[Command, ...] = (
+    Command("help", "Help: one page", "Keys, BREAK, and programs to try.", "f1", "Help"),
+    Command("open", "Program: open", "Load a program file.", "f2,ctrl+o", "Open"),
+    Command("save", "Program: save", "Save the program in memory.", "f3,ctrl+s", "Save"),
+    Command("run_program", "Program: run", "Type RUN.", "f5", "Run"),
+    Command("break_program", "Program: BREAK", "Press BREAK, as Escape does.", "f9", "Break"),
+    Command("paste_listing", "Program: paste a listing", "Type in or load a listing.", "ctrl+v"),
+    Command("pause", "Machine: pause or go on", "Stop the clock of the machine.", "f6", "Pause"),
+    Command(
+        "step_statement", "Machine: one statement", "Pause, and do one statement.", "f7", "Step"
+    ),
+    Command(
+        "step_motor",
+        "Machine: one motor step",
+        "Pause, and go on to the next change of a latch.",
+        "shift+f7,ctrl+f7,f19",
+    ),
+    Command("speed", "Machine: choose the speed", "How fast time goes.", "f8", "Speed"),
+    Command("set_speed('1')", "Speed: 1, as it was", "As fast as the real machine."),
+    Command("set_speed('2')", "Speed: 2", "Twice as fast."),
+    Command("set_speed('5')", "Speed: 5", "Five times as fast."),
+    Command("set_speed('20')", "Speed: 20", "Twenty times as fast."),
+    Command("set_speed('max')", "Speed: flat out", "As fast as this computer can."),
+    Command("reset", "Machine: off and on", "Switch the TRS-80 off and on again."),
+    Command("panel", "View: next panel", "Switch the panel under the tube.", "f4", "Panel"),
+    Command("zoom", "View: arm large, and back", "The arm's views fill the screen.", "f11", "Zoom"),
+    Command(
+        "show_bottom('keyboard')",
+        "View: keyboard",
+        "The TRS-80's keys, to see and to click.",
+        "ctrl+k",
+    ),
+    Command("show_bottom('arm')", "View: arm", "The arm from the side and from above."),
+    Command("show_bottom('motors')", "View: motors", "The coils of the motors, and the inputs."),
+    Command("show_bottom('log')", "View: log", "What happened to the arm."),
+    Command("maximise('registers')", "View: registers large", "Registers fill the screen."),
+    Command("maximise('pose')", "View: pose large", "The pose fills the screen."),
+    Command("maximise('coils')", "View: motors large", "The coils fill the screen."),
+    Command("maximise('events')", "View: log large", "The log fills the screen."),
+    Command("arm_style", "Arm view: ASCII or braille", "Draw the arm the other way.", "ctrl+a"),
+    Command("arm_option('envelope')", "Arm view: envelope", "Where the hand can reach."),
+    Command("arm_option('trail')", "Arm view: trail", "Where the fingertip has been."),
+    Command("arm_option('labels')", "Arm view: labels", "Names in the arm's views."),
+    Command("clear_trail", "Arm view: clear the trail", "Forget where the fingertip has been."),
+    Command("arm_zoom('in')", "Arm view: closer", "Show the arm larger.", "ctrl+up"),
+    Command("arm_zoom('out')", "Arm view: farther", "Show the arm smaller.", "ctrl+down"),
+    Command("arm_zoom('fit')", "Arm view: fit", "Show all of the arm and the bench."),
+    Command("teach", "Arm: teach", "The positions taught, and programs of them.", "f12", "Teach"),
+    Command("teach_here", "Arm: teach this position", "Add where the arm is.", "ctrl+t"),
+    Command("hand_move", "Arm: move by hand", "While the motors are off.", "ctrl+g"),
+    Command("bench", "Bench: choose", "Set up another bench.", "ctrl+b"),
+    Command("refill", "Bench: put the parts back", "Every part to where it was at the start."),
+    Command("latch", "Keys: latch on or off", "A press turns a key on in @SET.", "ctrl+d"),
+    Command("key_test", "Keys: test", "What the terminal tells about keys."),
+    Command("copy_screen", "Screen: copy", "Copy the tube's text.", "ctrl+y"),
+    Command("save_screen('txt')", "Screen: save as text", "The tube as a text file."),
+    Command("save_screen('svg')", "Screen: save as picture", "The whole window as SVG."),
+    Command("glyphs", "Screen: graphics glyphs", "Sextants, braille, quadrants or ASCII."),
+    Command("cursor", "Screen: cursor blinks or not", "The ROM's own is steady."),
+    Command("save_recording", "Session: save a recording", "All that was done since power-on."),
+    Command("replay", "Session: play a recording", "Play a recorded session."),
+    Command("demo", "Session: demonstration", "The article's pick and place, with captions."),
+    Command("settings", "Settings: show", "What is set, and where."),
+    Command("leave", "Leave", "Ask if the program is unsaved.", "f10,ctrl+q,ctrl+c", "Quit", True),
+)
+
+
+LAST_IN_FOOTER = ("step_statement", "zoom", "teach")
+"""What an 80 column footer has no room for any more."""
+
+
+def _footer_order(command: Command) -> tuple[bool, int]:
+    first = command.keys.partition(",")[0]
+    return command.action in LAST_IN_FOOTER, int(first[1:]) if first[1:].isdecimal() else 99
+
+
+def bindings() -> list[BindingType]:
+    """The commands' keys, those of the footer in its order."""
+    made: list[BindingType] = []
+    for command in sorted(COMMANDS, key=_footer_order):
+        for number, key in enumerate(filter(None, command.keys.split(","))):
+            made.append(
+                Binding(
+                    key,
+                    command.action,
+                    command.footer or command.title,
+                    show=bool(command.footer) and number == 0,
+                    priority=command.priority,
+                    tooltip=command.help,
+                )
+            )
+    return made
+
+
+class Palette(Provider):
+    """The commands in the palette, each with its key."""
+
+    def _entries(self) -> Iterator[tuple[str, Command]]:
+        for command in COMMANDS:
+            key = command.keys.partition(",")[0]
+            yield (f"{command.title}  ({_spoken(key)})" if key else command.title), command
+
+    async def discover(self) -> Hits:
+        """All of them, before anything is typed."""
+        for title, command in self._entries():
+            yield DiscoveryHit(
+                title, partial(self.app.run_action, command.action), help=command.help
+            )
+
+    async def search(self, query: str) -> Hits:
+        """Those that fit what was typed."""
+        matcher = self.matcher(query)
+        for title, command in self._entries():
+            if (score := matcher.match(title)) > 0:
+                yield Hit(
+                    score,
+                    matcher.highlight(title),
+                    partial(self.app.run_action, command.action),
+                    help=command.help,
+                )
+
+
+def _spoken(key: str) -> str:
+    return "+".join(part.capitalize() for part in key.split("+"))

@@ -1,0 +1,209 @@
+"""The keyboard of the TRS-80 on the screen: to see what is down, and to click.
+
+The left button holds a key as long as it is down, wherever it is let go; the right one latches it.
+On the keys of manual mode stands the joint that they move, as in the article's Figure 11.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rich.segment import Segment
+from rich.style import Style
+from textual import events
+from textual.message import Message
+from textual.strip import Strip
+from textual.widget import Widget
+
+from trs80arm.machine.jog_keys import JogKeys
+from trs80arm.machine.keys import Key
+
+# fmt: off
+ROWS_OF_KEYS: tuple[tuple[Key, ...], ...] = (
+    (Key.N1, Key.N2, Key.N3, Key.N4, Key.N5, Key.N6, Key.N7, Key.N8, Key.N9, Key.N0, Key.COLON,
+     Key.MINUS, Key.BREAK),
+    (Key.UP, Key.Q, Key.W, Key.E, Key.R, Key.T, Key.Y, Key.U, Key.I, Key.O, Key.P, Key.AT,
+     Key.LEFT, Key.RIGHT),
+    (Key.DOWN, Key.A, Key.S, Key.D, Key.F, Key.G, Key.H, Key.J, Key.K, Key.L, Key.SEMICOLON,
+     Key.ENTER, Key.CLEAR),
+    (Key.SHIFT, Key.Z, Key.X, Key.C, Key.V, Key.B, Key.N, Key.M, Key.COMMA, Key.POINT, Key.SLASH,
+     Key.SHIFT),
+    (Key.SPACE,),
+)
+"""The keys as they lie on a Model I, row by row."""
+# fmt: on
+INDENT = (2, 0, 1, 0, 12)
+_CAPS = {
+    Key.UP: "↑",
+    Key.DOWN: "↓",
+    Key.LEFT: "←",
+    Key.RIGHT: "→",
+    Key.SPACE: "          SPACE          ",
+}
+_ASCII_CAPS = {Key.UP: "^", Key.DOWN: "v", Key.LEFT: "<-", Key.RIGHT: "->"}
+_SHORT_KEY = 3
+JOINTS = ("BASE", "SHOULDER", "ELBOW", "L.WRIST", "R.WRIST", "HAND")
+"""The joints of J1 to J6, short enough for a key."""
+TALL = 10
+"""Rows from which on each row of keys has a row of labels under it."""
+
+
+@dataclass(frozen=True)
+class _Cap:
+    """One key on the screen: its columns are `start` to `stop` - 1."""
+
+    key: Key
+    start: int
+    stop: int
+    text: str
+    label: str
+
+
+class KeyHeld(Message):
+    """The mouse went down on a key: to be held until `KeysLetGo`."""
+
+    def __init__(self, key: Key) -> None:
+        super().__init__()
+        self.key = key
+
+
+class KeysLetGo(Message):
+    """The mouse button was let go."""
+
+
+class KeyLatched(Message):
+    """A key was clicked with the right button: to be turned on, or off if it was."""
+
+    def __init__(self, key: Key) -> None:
+        super().__init__()
+        self.key = key
+
+
+class MatrixView(Widget):
+    """The clickable keyboard."""
+
+    HELP = """
+    # The keyboard
+
+    The TRS-80's keys as they lie. Hold one with the left mouse button; the right one latches it, so
+    that several can be down at once. The keys of manual mode name their joints: `+` is a positive
+    count, `-` a negative one.
+    """
+    ALLOW_SELECT = False
+    COMPONENT_CLASSES = {"matrix--key", "matrix--down", "matrix--jog", "matrix--label"}
+    DEFAULT_CSS = """
+    MatrixView .matrix--key { color: $foreground; background: $panel; }
+    MatrixView .matrix--jog { color: $accent; background: $panel; text-style: bold; }
+    MatrixView .matrix--down { color: $background; background: $warning; text-style: bold; }
+    MatrixView .matrix--label { color: $text-muted; }
+    """
+
+    def __init__(self, jog: JogKeys | None = None, *, id: str | None = None) -> None:
+        super().__init__(id=id)
+        self.jog = jog or JogKeys()
+        self.ascii = False
+        self._down: frozenset[Key] = frozenset()
+
+    def show(self, down: frozenset[Key]) -> None:
+        """Draw the keys that are down, if others were."""
+        if down != self._down:
+            self._down = down
+            self.refresh()
+
+    @property
+    def _tall(self) -> bool:
+        return self.size.height >= TALL
+
+    def _label(self, key: Key) -> str:
+        for joint, (plus, minus) in enumerate(
+            zip(self.jog.positive, self.jog.negative, strict=True), start=1
+        ):
+            if key in (plus, minus):
+                return f"J{joint}{'+' if key is plus else '-'}"
+        return "END" if key is self.jog.leave else ""
+
+    def _caps(self, row: int) -> list[_Cap]:
+        """The keys of a row and where they are."""
+        gap = 1
+        width = 5 if self.size.width >= 76 else 4
+        caps: list[_Cap] = []
+        at = INDENT[row]
+        for key in ROWS_OF_KEYS[row]:
+            text = (_ASCII_CAPS if self.ascii else _CAPS).get(key) or _CAPS.get(key, key.value)
+            stop = at + max(width - gap, len(text) + (2 if len(text) > 1 else 0))
+            caps.append(_Cap(key, at, stop, text, self._label(key)))
+            at = stop + gap
+        return caps
+
+    def _row_at(self, y: int) -> tuple[int, bool] | None:
+        """The row of keys that a line of the widget shows, and whether it is its label line."""
+        row, second = divmod(y, 2) if self._tall else (y, 0)
+        return (row, bool(second)) if row < len(ROWS_OF_KEYS) else None
+
+    def key_at(self, x: int, y: int) -> Key | None:
+        """The key under a cell of the widget."""
+        place = self._row_at(y)
+        if place is None:
+            return None
+        return next((cap.key for cap in self._caps(place[0]) if cap.start <= x < cap.stop), None)
+
+    def render_line(self, y: int) -> Strip:
+        """A row of keys, a row of labels, or the line that says what the keys do."""
+        width, ground = self.size.width, self.rich_style
+        place = self._row_at(y)
+        if place is None:
+            text = self._legend() if y == len(ROWS_OF_KEYS) * (2 if self._tall else 1) else ""
+            style = self.get_component_rich_style("matrix--label")
+            return Strip([Segment(text[:width].ljust(width), style)], width)
+        row, is_label = place
+        segments: list[Segment] = []
+        at = 0
+        for cap in self._caps(row):
+            segments.append(Segment(" " * (cap.start - at), ground))
+            if is_label:
+                style = self.get_component_rich_style("matrix--label")
+                segments.append(Segment(cap.label.center(cap.stop - cap.start), style))
+            else:
+                segments.append(Segment(self._face(cap), self._style(cap)))
+            at = cap.stop
+        return Strip(segments).adjust_cell_length(width, ground)
+
+    def _face(self, cap: _Cap) -> str:
+        """A key's top; one that is down shows it without colour, too."""
+        width = cap.stop - cap.start
+        if cap.key in self._down:
+            return f"[{cap.text.strip()[: width - 2].center(width - 2)}]"
+        return cap.text.center(width)
+
+    def _style(self, cap: _Cap) -> Style:
+        if cap.key in self._down:
+            return self.get_component_rich_style("matrix--down")
+        return self.get_component_rich_style("matrix--jog" if cap.label else "matrix--key")
+
+    def _legend(self) -> str:
+        plus = "".join(self.jog.positive)
+        minus = "".join(self.jog.negative)
+        joints = " ".join(f"{number}{name.lower()}" for number, name in enumerate(JOINTS, start=1))
+        return f"@SET: {plus} forward, {minus} back, {self.jog.leave} ends: {joints}"
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        """Hold or latch the key under the mouse."""
+        key = self.key_at(event.x, event.y)
+        if key is None:
+            return
+        event.stop()
+        if event.button == 1:
+            self.capture_mouse()
+            self.post_message(KeyHeld(key))
+        else:
+            self.post_message(KeyLatched(key))
+
+    def on_mouse_up(self, event: events.MouseUp) -> None:
+        """Let go, wherever the mouse is."""
+        if self.app.mouse_captured is self:
+            self.release_mouse()
+            self.post_message(KeysLetGo())
+
+    def on_mouse_release(self, event: events.MouseRelease) -> None:
+        """The capture was taken away: the finger is off."""
+        self.post_message(KeysLetGo())

@@ -1,0 +1,137 @@
+"""The wall's clock and the machine's: how much virtual time each slice of the event loop gets.
+
+The app calls `Pacer.advance` from a timer. It owes the machine the wall's time times the speed,
+pays in small slices until its budget is used up, carries a little over and drops the rest visibly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from trs80arm.basic.activity import Waiting
+
+TICK = 1 / 60
+"""Seconds of the wall between two calls of the timer."""
+BUDGET = 0.004
+"""Seconds of the wall that one call may use at a chosen speed."""
+FLAT_OUT_BUDGET = 0.008
+"""The same when the machine is to go as fast as it can."""
+SLICE = 0.004
+"""Virtual seconds in one slice at the start; slices grow and shrink with what they cost."""
+LONGEST_SLICE = 0.25
+SHORTEST_SLICE = 0.0005
+MOST_OWED = 0.25
+"""Seconds of the wall that may be owed; after a suspend the rest is forgotten."""
+ACHIEVED_OVER = 1.0
+"""Seconds of the wall over which the achieved speed is told."""
+
+
+class Machine(Protocol):
+    """What is paced: the rig, or a session that feeds it recorded keys."""
+
+    @property
+    def time(self) -> float:
+        """Virtual seconds since power-on."""
+
+    @property
+    def waiting(self) -> Waiting:
+        """What the machine waits for."""
+
+    @property
+    def typing(self) -> bool:
+        """Whether typed text is still on its way."""
+
+    def run_for(self, seconds: float) -> None:
+        """Let virtual time pass."""
+
+
+class Pacer:
+    """Paces one machine.
+
+    Args:
+        machine: what is paced.
+        wall: the wall's clock in seconds; a test gives its own.
+
+    Attributes:
+        speed: virtual seconds per second of the wall; None is flat out.
+        paused: whether no time passes at all.
+        achieved: what was reached of the speed lately, as virtual seconds per second of the wall.
+    """
+
+    def __init__(self, machine: Machine, wall: Callable[[], float], speed: float | None) -> None:
+        self._wall = wall
+        self.machine = machine
+        self.speed = speed
+        self.paused = False
+        self.achieved = speed or 1.0
+        self._slice = SLICE
+        self._target = machine.time
+        self._last = wall()
+        self._measured = (self._last, machine.time)
+
+    def set_speed(self, speed: float | None) -> None:
+        """Go at another speed from now on; nothing is owed from before."""
+        self.speed = speed
+        self.forgive()
+
+    def pause(self, paused: bool) -> None:
+        """Stop time, or let it go on."""
+        self.paused = paused
+        self.forgive()
+
+    def forgive(self) -> None:
+        """Begin anew from here: after a reset, a suspend, a single step."""
+        self._last = self._wall()
+        self._target = self.machine.time
+        self._measured = (self._last, self.machine.time)
+
+    def advance(self) -> None:
+        """Give the machine its time; never longer than the budget of the wall."""
+        now = self._wall()
+        passed, self._last = min(now - self._last, MOST_OWED), now
+        if self.paused:
+            self.achieved = 0.0
+            return
+        if self.speed is None:
+            self._flat_out(now, passed)
+        else:
+            self._target += passed * self.speed
+            self._pay(now + BUDGET)
+            # What cannot be made up soon is dropped; the achieved speed tells it.
+            self._target = max(self._target, self.machine.time - MOST_OWED)
+            self._target = min(self._target, self.machine.time + MOST_OWED * self.speed)
+        self._measure(now)
+
+    def _flat_out(self, now: float, passed: float) -> None:
+        """As fast as can be while it works; while it waits for a person, at a person's speed."""
+        machine = self.machine
+        self._target = machine.time + passed
+        end = now + FLAT_OUT_BUDGET
+        while machine.waiting is Waiting.NOTHING or machine.typing:
+            self._one_slice(self._slice)
+            if self._wall() >= end:
+                return
+        self._pay(end)
+
+    def _pay(self, end: float) -> None:
+        machine = self.machine
+        while (owed := self._target - machine.time) > 0:
+            self._one_slice(min(owed, self._slice))
+            if self._wall() >= end:
+                return
+
+    def _one_slice(self, seconds: float) -> None:
+        began = self._wall()
+        self.machine.run_for(seconds)
+        cost = self._wall() - began
+        if cost > BUDGET / 2:
+            self._slice = max(self._slice / 2, SHORTEST_SLICE)
+        elif cost < BUDGET / 8 and seconds >= self._slice:
+            self._slice = min(self._slice * 1.5, LONGEST_SLICE)
+
+    def _measure(self, now: float) -> None:
+        began, virtual = self._measured
+        if now - began >= ACHIEVED_OVER:
+            self.achieved = (self.machine.time - virtual) / (now - began)
+            self._measured = (now, self.machine.time)

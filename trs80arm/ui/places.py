@@ -1,0 +1,81 @@
+"""Where the program keeps things: the state folder, recent files, what comes along."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from platformdirs import user_state_path
+
+from trs80arm.saving import write_whole
+
+APP = "trs80arm"
+MOST_RECENT = 12
+PROGRAM_SUFFIXES = (".bas", ".txt", ".lst", ".cas")
+
+
+def state_folder() -> Path:
+    """The folder for recovery copies, recent files and remembered choices.
+
+    `TRS80ARM_STATE` names another one.
+    """
+    return Path(os.environ.get("TRS80ARM_STATE") or user_state_path(APP, appauthor=False))
+
+
+def programs_that_come_along() -> Path | None:
+    """The folder of the programs that come with trs80arm, None where it was not installed."""
+    for folder in (Path(__file__).parents[2] / "programs", Path(__file__).parents[1] / "programs"):
+        if (folder / "table4.bas").is_file():
+            return folder
+    return None
+
+
+class RecentFiles:
+    """The program files opened lately, newest first.
+
+    Args:
+        path: the file that remembers them; one that cannot be read is an empty list.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+
+    def all(self) -> list[Path]:
+        """Those that still exist."""
+        try:
+            names = json.loads(self._path.read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return []
+        if not isinstance(names, list):
+            return []
+        return [path for path in map(Path, filter(_is_text, names)) if path.is_file()]
+
+    def add(self, path: Path) -> None:
+        """Put a file in front; a state folder that cannot be written is no trouble."""
+        newest = path.resolve()
+        paths = [newest, *(other for other in self.all() if other != newest)][:MOST_RECENT]
+        try:
+            self._path.parent.mkdir(parents=True, exist_ok=True)
+            write_whole(self._path, json.dumps([str(path) for path in paths]).encode())
+        except OSError:
+            return
+
+
+def _is_text(value: object) -> bool:
+    return isinstance(value, str)
+
+
+def recovered_copies(folder: Path, own: Path) -> list[Path]:
+    """Copies of programs that sessions that ended badly have left, newest first."""
+    copies = [path for path in folder.glob("recovered-*.bas") if path != own]
+    return sorted(copies, key=lambda path: path.name, reverse=True)
+
+
+def program_files(folder: Path) -> Sequence[Path]:
+    """The program files of a folder, by name."""
+    try:
+        return sorted(path for path in folder.iterdir() if path.suffix.lower() in PROGRAM_SUFFIXES)
+    except OSError:
+        return ()

@@ -1,0 +1,183 @@
+"""What all dialogs have in common, and the three plain ones: a question, a choice, a file's name."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import ClassVar, Generic, TypeVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal, Vertical
+from textual.screen import ModalScreen
+from textual.widgets import Button, Input, OptionList, Static
+from textual.widgets.option_list import Option
+
+Answer = TypeVar("Answer")
+
+
+class Dialog(ModalScreen[Answer | None], Generic[Answer]):
+    """A dialog: Escape leaves it without an answer."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Back")]
+    DEFAULT_CSS = """
+    Dialog { align: center middle; background: $background 60%; }
+    Dialog > .dialog {
+        width: 76; max-width: 96%; height: auto; max-height: 96%;
+        border: round $primary; border-title-color: $accent; border-subtitle-color: $text-muted;
+        background: $surface; padding: 0 1;
+    }
+    Dialog .hint { color: $text-muted; }
+    Dialog .wrong { color: $error; height: auto; }
+    Dialog OptionList { height: auto; max-height: 20; border: none; background: $surface; }
+    Dialog Input { border: none; height: 1; background: $panel; padding: 0 1; }
+    Dialog Input:focus { border: none; }
+    Dialog .buttons { height: auto; align-horizontal: right; margin-top: 1; }
+    Dialog Button { margin-left: 2; min-width: 10; height: 1; border: none; }
+    Dialog Button:focus { text-style: reverse bold; border: none; }
+    """
+
+    def action_cancel(self) -> None:
+        """Leave without an answer."""
+        self.dismiss(None)
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of several answers: what it gives, what is shown, and a word about it."""
+
+    value: str
+    label: str
+    note: str = ""
+
+
+class Choose(Dialog[str]):
+    """Asks for one of a list.
+
+    Args:
+        title: of the dialog.
+        choices: the list.
+        now: the value that is chosen now.
+    """
+
+    def __init__(self, title: str, choices: Sequence[Choice], now: str = "") -> None:
+        super().__init__()
+        self._title = title
+        self._choices = choices
+        self._now = now
+
+    def compose(self) -> ComposeResult:
+        """The list."""
+        width = max(len(choice.label) for choice in self._choices) + 2
+        with Vertical(classes="dialog") as box:
+            box.border_title = self._title
+            box.border_subtitle = "Enter chooses, Escape goes back"
+            yield OptionList(
+                *(
+                    Option(
+                        f"{'*' if choice.value == self._now else ' '} "
+                        f"{choice.label.ljust(width)}{choice.note}",
+                        id=f"choice-{number}",
+                    )
+                    for number, choice in enumerate(self._choices)
+                ),
+                markup=False,
+            )
+
+    def on_mount(self) -> None:
+        """Begin at what is chosen now."""
+        values = [choice.value for choice in self._choices]
+        options = self.query_one(OptionList)
+        options.highlighted = values.index(self._now) if self._now in values else 0
+        options.focus()
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        """Answer."""
+        self.dismiss(self._choices[event.option_index].value)
+
+
+class Ask(Dialog[str]):
+    """Asks a question with a few answers.
+
+    Args:
+        title: of the dialog.
+        question: the question.
+        answers: what can be said; the first is what Enter says.
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("left,up", "app.focus_previous", show=False),
+        Binding("right,down", "app.focus_next", show=False),
+    ]
+
+    def __init__(self, title: str, question: str, answers: Sequence[Choice]) -> None:
+        super().__init__()
+        self._title = title
+        self._question = question
+        self._answers = answers
+
+    def compose(self) -> ComposeResult:
+        """Question and buttons."""
+        with Vertical(classes="dialog") as box:
+            box.border_title = self._title
+            yield Static(self._question, markup=False)
+            with Horizontal(classes="buttons"):
+                for number, answer in enumerate(self._answers):
+                    yield Button(answer.label, id=f"answer-{number}", tooltip=answer.note or None)
+
+    def on_button_pressed(self, event: Button.Pressed) -> None:
+        """Answer."""
+        number = int((event.button.id or "answer-0").rpartition("-")[2])
+        self.dismiss(self._answers[number].value)
+
+
+class AskPath(Dialog[Path]):
+    """Asks for the name of a file.
+
+    Args:
+        title: of the dialog.
+        hint: what kind of file it will be.
+        proposal: the name to begin with.
+        to_write: whether the file will be written: one that exists is asked about.
+    """
+
+    def __init__(self, title: str, hint: str, proposal: Path | str, *, to_write: bool) -> None:
+        super().__init__()
+        self._title = title
+        self._hint = hint
+        self._proposal = str(proposal)
+        self._to_write = to_write
+        self._warned = ""
+
+    def compose(self) -> ComposeResult:
+        """The name."""
+        with Vertical(classes="dialog") as box:
+            box.border_title = self._title
+            box.border_subtitle = "Enter does it, Escape goes back"
+            yield Static(self._hint, classes="hint", markup=False)
+            yield Input(self._proposal, select_on_focus=False)
+            yield Static("", classes="wrong", markup=False)
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Answer, if the name can be used."""
+        path = Path(event.value.strip()).expanduser()
+        problem = self._problem(event.value.strip(), path)
+        if problem:
+            self.query_one(".wrong", Static).update(problem)
+        else:
+            self.dismiss(path)
+
+    def _problem(self, text: str, path: Path) -> str:
+        if not text:
+            return "Type a name."
+        if path.is_dir():
+            return f"{path} is a folder."
+        if not self._to_write:
+            return "" if path.is_file() else f"There is no file {path}."
+        if not path.parent.is_dir():
+            return f"There is no folder {path.parent}."
+        if path.exists() and text not in (self._warned, self._proposal):
+            self._warned = text
+            return f"{path.name} exists. Enter again replaces it."
+        return ""

@@ -1,0 +1,147 @@
+"""The dialog that opens a program: recent files, those that come along, a folder, a preview."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal, Vertical
+from textual.widgets import Input, OptionList, Static
+from textual.widgets.option_list import Option
+
+from trs80arm.files import FileFormatError, load_program
+from trs80arm.program_text import spell
+from trs80arm.ui.places import program_files
+from trs80arm.ui.screens.dialog import Dialog
+
+PREVIEW_LINES = 40
+MOST_BYTES = 1 << 20
+"""Files larger than this are no TRS-80 programs and are not read for a preview."""
+
+
+@dataclass(frozen=True)
+class Shelf:
+    """A titled list of files."""
+
+    title: str
+    files: Sequence[Path]
+
+
+class OpenScreen(Dialog[Path]):
+    """Asks for a program file.
+
+    Args:
+        shelves: lists of files to show, those that are empty left out.
+        folder: the folder to show below them.
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("down", "to_list", show=False),
+        Binding("tab", "app.focus_next", show=False),
+    ]
+    DEFAULT_CSS = """
+    OpenScreen > .dialog { width: 110; height: 90%; }
+    OpenScreen Horizontal { height: 1fr; margin-top: 1; }
+    OpenScreen OptionList { width: 36; height: 100%; max-height: 100%; }
+    OpenScreen #preview { width: 1fr; height: 100%; padding-left: 1; border-left: solid $panel;
+        overflow: hidden; color: $text-muted; }
+    """
+
+    def __init__(self, shelves: Sequence[Shelf], folder: Path) -> None:
+        super().__init__()
+        self._shelves = shelves
+        self._folder = folder
+        self._paths: list[Path] = []
+
+    def compose(self) -> ComposeResult:
+        """Name, list and preview."""
+        with Vertical(classes="dialog") as box:
+            box.border_title = "Open a program"
+            box.border_subtitle = "Type to filter or give a path; Enter opens, Escape goes back"
+            yield Input(placeholder="name, path or folder/", id="name")
+            yield Static("", classes="wrong", markup=False)
+            with Horizontal():
+                yield OptionList(markup=False)
+                yield Static("", id="preview", markup=False)
+
+    def on_mount(self) -> None:
+        """Show everything."""
+        self._fill("")
+        self.query_one(Input).focus()
+
+    def _fill(self, wanted: str) -> None:
+        options = self.query_one(OptionList)
+        options.clear_options()
+        self._paths = []
+        folder, part = self._folder, wanted
+        typed = Path(wanted).expanduser() if wanted else Path()
+        if wanted and (wanted.endswith("/") or typed.parent != Path()):
+            folder = typed if wanted.endswith("/") else typed.parent
+            part = "" if wanted.endswith("/") else typed.name
+        shelves = [*self._shelves, Shelf(str(folder), program_files(folder))]
+        for shelf in shelves:
+            files = [path for path in shelf.files if part.lower() in path.name.lower()]
+            if files:
+                options.add_option(Option(shelf.title, disabled=True))
+                self._paths.append(Path())
+            for path in files:
+                options.add_option(Option(f"  {path.name}"))
+                self._paths.append(path)
+        first = next((n for n, path in enumerate(self._paths) if path != Path()), None)
+        options.highlighted = first
+        if first is None:
+            self._preview(None)
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        """Show what fits."""
+        self.query_one(".wrong", Static).update("")
+        self._fill(event.value.strip())
+
+    def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
+        """Show the beginning of the file."""
+        if event.option_index < len(self._paths):
+            self._preview(self._paths[event.option_index])
+
+    def _preview(self, path: Path | None) -> None:
+        self.query_one("#preview", Static).update(preview(path) if path else "")
+
+    def action_to_list(self) -> None:
+        """Go from the name to the list."""
+        options = self.query_one(OptionList)
+        if self.query_one(Input).has_focus:
+            options.focus()
+        options.action_cursor_down()
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Open what was typed if it is a file, else what is marked in the list."""
+        path = Path(event.value.strip()).expanduser()
+        if event.value.strip() and path.is_file():
+            self.dismiss(path)
+            return
+        number = self.query_one(OptionList).highlighted
+        if number is None:
+            self.query_one(".wrong", Static).update(f"There is no file {event.value.strip()}.")
+        else:
+            self.dismiss(self._paths[number])
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        """Open it."""
+        self.dismiss(self._paths[event.option_index])
+
+
+def preview(path: Path) -> str:
+    """The beginning of a program file as LIST would show it, or why it cannot be opened."""
+    try:
+        if path.stat().st_size > MOST_BYTES:
+            return "Too large for a program of the TRS-80."
+        lines = load_program(path)
+    except OSError as error:
+        return error.strerror or str(error)
+    except FileFormatError as error:
+        return str(error)
+    shown = [f"{number} {spell(text)}" for number, text in lines[:PREVIEW_LINES]]
+    return "\n".join(shown) or "An empty program."

@@ -1,0 +1,1 @@
+"""Textual's private hooks, one module each: key releases, which Textual itself does not report."""
