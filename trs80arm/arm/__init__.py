@@ -1,1 +1,26 @@
 """The MiniMover 5: stepper motors, cables, joints, hand, and the bench it works on."""
+
+from __future__ import annotations
+
+from trs80arm.arm.bench import Bench, BenchError
+from trs80arm.arm.events import ArmEvent, EventKind, Reason
+from trs80arm.arm.geometry import JointAngles, Motor, OutOfReach, Pose
+from trs80arm.arm.minimover import ArmState, InTheWay, MiniMover, MotorsOn
+from trs80arm.arm.settings import ArmSettings
+
+__all__ = [
+    "ArmEvent",
+    "ArmSettings",
+    "ArmState",
+    "Bench",
+    "BenchError",
+    "EventKind",
+    "InTheWay",
+    "JointAngles",
+    "MiniMover",
+    "Motor",
+    "MotorsOn",
+    "OutOfReach",
+    "Pose",
+    "Reason",
+]

@@ -1,0 +1,269 @@
+"""Reading a bench from a TOML file, with errors that name file, key and what was expected.
+
+A bench lies beside the program that works on it. Every key is checked; unknown ones are errors.
+The reference of the format is in `docs/arm.md`.
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from trs80arm.arm.bench import Bench, BenchError
+from trs80arm.arm.fixtures import (
+    Feeder,
+    LightBeam,
+    Obstacle,
+    Proximity,
+    Tactile,
+    Tray,
+    Turntable,
+)
+from trs80arm.arm.geometry import HAND_RANGE, OutOfReach, Pose, inverse
+from trs80arm.arm.shapes import Box, Vector, overlap, upright
+
+FAR = 60.0
+"""Farthest that anything may be from the base axis, inches."""
+
+
+class _Table:
+    """One table of the file, whose keys are taken one by one."""
+
+    def __init__(self, source: str, path: str, data: object) -> None:
+        self.source = source
+        self.path = path
+        if not isinstance(data, dict):
+            raise BenchError(f"{source}: {path}: expected a table")
+        self.data: dict[str, Any] = dict(data)
+
+    def fail(self, key: str, expected: str) -> BenchError:
+        where = f"{self.path}.{key}" if self.path else key
+        return BenchError(f"{self.source}: {where}: expected {expected}")
+
+    def number(self, key: str, low: float, high: float, default: float | None = None) -> float:
+        value = self.data.pop(key, default)
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise self.fail(key, f"a number from {low:g} to {high:g}")
+        if not math.isfinite(value) or not low <= value <= high:
+            raise self.fail(key, f"a number from {low:g} to {high:g}")
+        return float(value)
+
+    def integer(self, key: str, low: int, high: int, default: int | None = None) -> int:
+        value = self.data.pop(key, default)
+        if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
+            raise self.fail(key, f"a whole number from {low} to {high}")
+        return value
+
+    def vector(self, key: str, count: int, low: float, high: float) -> tuple[float, ...]:
+        value = self.data.pop(key, None)
+        expected = f"{count} numbers from {low:g} to {high:g}"
+        if not isinstance(value, list) or len(value) != count:
+            raise self.fail(key, expected)
+        for item in value:
+            if isinstance(item, bool) or not isinstance(item, int | float):
+                raise self.fail(key, expected)
+            if not math.isfinite(item) or not low <= item <= high:
+                raise self.fail(key, expected)
+        return tuple(float(item) for item in value)
+
+    def text(self, key: str, default: str | None = None) -> str:
+        value = self.data.pop(key, default)
+        if not isinstance(value, str) or not value.strip() or not value.isprintable():
+            raise self.fail(key, "a name")
+        return value
+
+    def tables(self, key: str) -> list[_Table]:
+        value = self.data.pop(key, [])
+        if not isinstance(value, list):
+            raise self.fail(key, f"tables, written [[{key}]]")
+        prefix = f"{self.path}.{key}" if self.path else key
+        return [_Table(self.source, f"{prefix}[{i}]", item) for i, item in enumerate(value, 1)]
+
+    def table(self, key: str) -> _Table | None:
+        value = self.data.pop(key, None)
+        if value is None:
+            return None
+        if not isinstance(value, dict):
+            raise self.fail(key, f"a table, written [{key}]")
+        return _Table(self.source, key, value)
+
+    def done(self, known: str) -> None:
+        for key in self.data:
+            raise self.fail(key, f"nothing by that name; the keys here are {known}")
+
+
+def load(path: str | Path) -> Bench:
+    """Read a bench from a file.
+
+    Raises:
+        BenchError: one line, if the file cannot be read or is not a bench.
+    """
+    name = str(path)
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise BenchError(f"{name}: expected a text file in UTF-8") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "no such file"
+        raise BenchError(f"{name}: cannot be read: {reason}") from None
+    return parse(text, name)
+
+
+def parse(text: str, name: str = "bench") -> Bench:
+    """Read a bench from TOML text.
+
+    Args:
+        text: the file's content.
+        name: of the file, for errors.
+
+    Raises:
+        BenchError: one line, if the text is not a bench.
+    """
+    try:
+        data = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        line = " ".join(str(error).split())
+        raise BenchError(f"{name}: expected TOML: {line}") from None
+    top = _Table(name, "", data)
+    bench = Bench(top.text("name", Path(name).stem or "bench"))
+    _arm(bench, top.table("arm"))
+    for item in top.tables("obstacle"):
+        _obstacle(bench, item)
+    for item in top.tables("part"):
+        _part(bench, item)
+    for item in top.tables("feeder"):
+        _feeder(bench, item)
+    for item in top.tables("tray"):
+        _tray(bench, item)
+    for item in top.tables("proximity"):
+        place = _vector(item.vector("at", 3, -FAR, FAR))
+        sensor = Proximity(_bit(bench, item), place, item.number("range", 0.05, FAR))
+        bench.sensors.append(sensor)
+        item.done("at, range, bit")
+    for item in top.tables("tactile"):
+        _tactile(bench, item)
+    for item in top.tables("beam"):
+        start = _vector(item.vector("from", 3, -FAR, FAR))
+        end = _vector(item.vector("to", 3, -FAR, FAR))
+        if math.dist(start, end) < 0.01:
+            raise item.fail("to", "another place than from")
+        bench.sensors.append(LightBeam(_bit(bench, item), start, end))
+        item.done("from, to, bit")
+    table = top.table("turntable")
+    if table is not None:
+        x, y = table.vector("at", 2, -FAR, FAR)
+        radius = table.number("radius", 0.1, FAR)
+        bench.turntable = Turntable(x, y, radius, table.integer("steps", 8, 1_000_000, 96))
+        table.done("at, radius, steps")
+    top.done("name, arm, part, feeder, tray, obstacle, proximity, tactile, beam, turntable")
+    return bench
+
+
+def _vector(values: tuple[float, ...]) -> Vector:
+    return values[0], values[1], values[2]
+
+
+def _size(item: _Table) -> Vector:
+    return _vector(item.vector("size", 3, 0.1, FAR))
+
+
+def _arm(bench: Bench, item: _Table | None) -> None:
+    """Where the arm stands when it is switched on."""
+    if item is None:
+        return
+    x, y, z = item.vector("at", 3, -FAR, FAR)
+    pose = Pose(
+        x,
+        y,
+        z,
+        item.number("pitch", -360, 360, -90.0),
+        item.number("roll", -360, 360, 0.0),
+        item.number("opening", 0, HAND_RANGE, 0.0),
+    )
+    item.done("at, pitch, roll, opening")
+    try:
+        inverse(pose.x, pose.y, pose.z, pose.pitch, pose.roll)
+    except OutOfReach as error:
+        raise item.fail("at", f"a pose within reach; {error}") from None
+    bench.start = pose
+
+
+def _bit(bench: Bench, item: _Table) -> int:
+    bit = item.integer("bit", 1, 3)
+    if any(sensor.bit == bit for sensor in bench.sensors):
+        raise item.fail("bit", "an input bit that no other sensor uses")
+    return bit
+
+
+def _standing(bench: Bench, item: _Table, key: str, box: Box) -> None:
+    """Refuse a box in something else."""
+    for obstacle in bench.obstacles:
+        if overlap(box, obstacle.box):
+            raise item.fail(key, f"a free place; it overlaps {obstacle.name}")
+    for part in bench.parts.values():
+        if overlap(box, part.box):
+            raise item.fail(key, f"a free place; it overlaps {part.name}")
+
+
+def _obstacle(bench: Bench, item: _Table) -> None:
+    """[[obstacle]]."""
+    name = item.text("name", f"obstacle {len(bench.obstacles) - 1}")
+    at = item.vector("at", 2, -FAR, FAR)
+    bottom = item.number("bottom", 0, FAR, 0.0)
+    turn = math.radians(item.number("turn", -360, 360, 0.0))
+    box = upright(at[0], at[1], bottom, _size(item), turn)
+    item.done("name, at, bottom, turn, size")
+    bench.obstacles.append(Obstacle(name, box))
+
+
+def _part(bench: Bench, item: _Table) -> None:
+    """[[part]]."""
+    name = item.text("name", f"part {len(bench.parts) + 1}")
+    if name in bench.parts:
+        raise item.fail("name", "a name that no other part has")
+    x, y = item.vector("at", 2, -FAR, FAR)
+    bottom = item.number("bottom", 0, FAR, 0.0)
+    turn = math.radians(item.number("turn", -360, 360, 0.0))
+    size = _size(item)
+    weight = item.number("weight", 0.01, 1600, 2.0)
+    item.done("name, at, bottom, turn, size, weight")
+    _standing(bench, item, "at", upright(x, y, bottom, size, turn))
+    bench.add_part(name, size, weight, x, y, bottom, turn)
+
+
+def _feeder(bench: Bench, item: _Table) -> None:
+    """[[feeder]]."""
+    name = item.text("name", f"feeder {len(bench.feeders) + 1}")
+    x, y = item.vector("at", 2, -FAR, FAR)
+    turn = math.radians(item.number("turn", -360, 360, 0.0))
+    size = _size(item)
+    weight = item.number("weight", 0.01, 1600, 2.0)
+    count = item.integer("count", 1, 1_000_000) if "count" in item.data else None
+    item.done("name, at, turn, size, weight, count")
+    feeder = Feeder(name, x, y, turn, size, weight, count)
+    _standing(bench, item, "at", feeder.place)
+    for other in bench.feeders:
+        if overlap(feeder.place, other.place):
+            raise item.fail("at", f"a free place; it overlaps {other.name}")
+    bench.feeders.append(feeder)
+
+
+def _tray(bench: Bench, item: _Table) -> None:
+    """[[tray]]."""
+    name = item.text("name", f"tray {len(bench.trays) + 1}")
+    x, y = item.vector("at", 2, -FAR, FAR)
+    width, depth = item.vector("size", 2, 0.1, FAR)
+    item.done("name, at, size")
+    bench.trays.append(Tray(name, x, y, width, depth))
+
+
+def _tactile(bench: Bench, item: _Table) -> None:
+    """[[tactile]]."""
+    x, y = item.vector("at", 2, -FAR, FAR)
+    width, depth = item.vector("size", 2, 0.1, FAR)
+    height = item.number("height", 0, FAR, 0.0)
+    pad = upright(x, y, height - 0.05, (width, depth, 0.1), 0.0)
+    bench.sensors.append(Tactile(_bit(bench, item), pad))
+    item.done("at, size, height, bit")

@@ -1,0 +1,82 @@
+"""The hand's hold: cable, opening, force, switch, and the part between the fingers.
+
+Springs open the hand and the cable closes it. Once the fingers have met something, a part or
+each other, further cable stretches a spring instead: force grows by a pound in 52 steps (article,
+on joint 6; Figures 5 and 6). `World` keeps it in line with the bench.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from trs80arm.arm.body import Hold
+from trs80arm.arm.geometry import HAND_RANGE, HAND_STEPS
+from trs80arm.arm.limits import FULL_GRIP
+from trs80arm.arm.motors import POUND_STEPS
+
+SWITCH_FORCE = 2 / 16
+"""Pounds at which the tension switch closes: 2 ounces (article, on joint 6)."""
+MOST_STEPS = round(FULL_GRIP * POUND_STEPS)
+"""Half-steps of squeeze at which the hand motor gives up."""
+
+
+@dataclass
+class Grip:
+    """What the hand does with its cable.
+
+    Attributes:
+        cable: half-steps of cable paid out; 0 where an empty hand has just closed.
+        contact: half-steps of cable at which the fingers met what is between them.
+        part: name of the part that both fingers press on, or None.
+        hold: how that part sits in the hand if friction carries it, or None.
+        weight: of the part carried, ounces.
+        slid: how far the part has been pushed along the fingers in this grip, inches.
+    """
+
+    cable: int = 0
+    contact: int = 0
+    part: str | None = None
+    hold: Hold | None = None
+    weight: float = 0.0
+    slid: float = 0.0
+
+    @property
+    def squeeze(self) -> int:
+        """Half-steps of cable taken up since the fingers met."""
+        return max(0, self.contact - self.cable)
+
+    @property
+    def force(self) -> float:
+        """Gripping force, pounds."""
+        return self.squeeze / POUND_STEPS
+
+    @property
+    def opening(self) -> float:
+        """Between the fingers, inches."""
+        return self.opening_at(self.cable)
+
+    def opening_at(self, cable: int) -> float:
+        """Opening (inches) with so much cable paid out; beyond 3 inches the cable is slack."""
+        return min(HAND_RANGE, max(cable, self.contact) / HAND_STEPS)
+
+    @property
+    def switch_closed(self) -> bool:
+        """Whether the tension in the cable closes the grip switch."""
+        return self.force >= SWITCH_FORCE
+
+    @property
+    def held(self) -> str | None:
+        """Name of the part carried."""
+        return self.part if self.hold is not None else None
+
+    def excess(self, cable: int) -> int:
+        """Half-steps of squeeze beyond what the hand motor can hold."""
+        return max(0, self.contact - cable - MOST_STEPS)
+
+    def carries(self, friction: float) -> float:
+        """Ounces that the two pads can carry by friction."""
+        return 2 * friction * self.force * 16
+
+    def forget(self) -> None:
+        """Nothing is between the fingers any more."""
+        self.contact, self.part, self.hold, self.weight, self.slid = 0, None, None, 0.0, 0.0

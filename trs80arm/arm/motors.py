@@ -1,0 +1,193 @@
+"""A stepper motor of the MiniMover 5: four coils, a field, and a rotor that follows it or not.
+
+The card's latch decides which coils carry current (article, Figures 7 and 8). Field and rotor
+are two things: the rotor goes to the nearest equilibrium of the field, so whatever it loses it
+loses in whole rings of eight half-steps. `MiniMover` asks a motor where a pattern pulls its
+rotor, and tells it how far the rotor got.
+"""
+
+from __future__ import annotations
+
+from trs80arm.arm.events import Reason
+from trs80arm.arm.geometry import BASE_SHOULDER_STEPS, ELBOW_STEPS, HAND_STEPS, WRIST_STEPS
+
+T_STATES_PER_SECOND = 1_774_080
+"""The unit of the times on latch writes."""
+
+PHASES = (0b0101, 0b0100, 0b0110, 0b0010, 0b1010, 0b1000, 0b1001, 0b0001)
+"""Figure 8 from top to bottom, phi1 the high bit; downwards is clockwise, a positive count."""
+
+RING = 8
+"""Half-steps after which the pattern, and the rotor's equilibria, repeat."""
+
+
+def _row(nibble: int) -> int:
+    """Row of Figure 8 whose field `nibble` makes, or -1 where the coils make none."""
+    # The two coils of a pair share a magnetic path and oppose each other (Figure 7).
+    x = (nibble >> 3 & 1) - (nibble >> 2 & 1)
+    y = (nibble >> 1 & 1) - (nibble & 1)
+    for row, pattern in enumerate(PHASES):
+        if (x, y) == (
+            (pattern >> 3 & 1) - (pattern >> 2 & 1),
+            (pattern >> 1 & 1) - (pattern & 1),
+        ):
+            return row
+    return -1
+
+
+ROWS = tuple(_row(nibble) for nibble in range(16))
+"""Row of Figure 8 for each of the sixteen coil patterns; -1 where there is no field."""
+
+NO_LOAD_RATES = (
+    0.42 * BASE_SHOULDER_STEPS,
+    0.36 * BASE_SHOULDER_STEPS,
+    0.82 * ELBOW_STEPS,
+    2.02 * WRIST_STEPS,
+    2.02 * WRIST_STEPS,
+    0.80 * HAND_STEPS,
+)
+"""Half-steps per second of the six motors with nothing in the hand (Table 1)."""
+
+POUND_STEPS = 52
+"""Half-steps of cable per pound of gripping force (article, on joint 6)."""
+
+FULL_LOAD_RATES = (
+    0.37 * BASE_SHOULDER_STEPS,
+    0.15 * BASE_SHOULDER_STEPS,
+    0.23 * ELBOW_STEPS,
+    1.31 * WRIST_STEPS,
+    1.31 * WRIST_STEPS,
+    3.0 * POUND_STEPS,
+)
+"""Half-steps per second with 8 oz at full extension; the hand against 3 lb (Table 1)."""
+
+NEVER = 1 << 40
+"""Period, in T-states, of a motor whose load is more than it can move."""
+
+
+def shortest_period(motor: int, load: float, margin: float) -> int:
+    """T-states that a motor needs for a half-step.
+
+    The rate falls in a straight line from no load through full load and on to zero.
+
+    Args:
+        motor: 0 base to 5 hand; the turntable's motor (6) is of the base's kind, unloaded.
+        load: torque as a fraction of full load.
+        margin: multiple of Table 1's rates at which the motor drops out.
+    """
+    index = motor if motor < 6 else 0
+    free, full = NO_LOAD_RATES[index], FULL_LOAD_RATES[index]
+    rate = margin * (free - (free - full) * load)
+    return int(T_STATES_PER_SECOND / rate) if rate > 1.0 else NEVER
+
+
+class StepperMotor:
+    """Coils, field and rotor of one motor.
+
+    Attributes:
+        coils: the latch's nibble, phi1 its high bit.
+        row: row of Figure 8 that the field points to, -1 without a field.
+        field: unwrapped position of the field in half-steps.
+        rotor: position of the rotor in half-steps.
+        ring: rings that the equilibrium holding the rotor lies behind the field; the rotor has
+            slipped by -8 times this.
+        anchor: place around which a rotor that has dropped out of step quivers; None in step.
+        dropped: why it dropped out of step.
+        moved: time of the last write that turned the field, T-states.
+        done: time at which the rotor has caught up with all writes so far, T-states.
+    """
+
+    __slots__ = ("anchor", "coils", "done", "dropped", "field", "moved", "ring", "rotor", "row")
+
+    def __init__(self) -> None:
+        self.coils = 0
+        self.row = -1
+        self.field = 0
+        self.rotor = 0
+        self.ring = 0
+        self.anchor: int | None = None
+        self.dropped = Reason.RATE
+        self.moved = -NEVER
+        self.done = -NEVER
+
+    @property
+    def energised(self) -> bool:
+        """Whether any coil carries current."""
+        return self.coils != 0
+
+    @property
+    def target(self) -> int:
+        """Where the field pulls the rotor: its nearest equilibrium, or where it is.
+
+        Against a field that points exactly the other way the rotor has no torque and stays.
+        """
+        if self.row < 0:
+            return self.rotor
+        if self.anchor is not None:
+            return self.anchor + (self.row - self.anchor + 4) % RING - 4
+        pull = (self.row - self.rotor) % RING
+        if pull == 4:
+            return self.rotor
+        return self.rotor + (pull if pull < 4 else pull - RING)
+
+    @property
+    def strained(self) -> bool:
+        """Whether something keeps the rotor from where the field pulls it."""
+        return self.row >= 0 and self.target != self.rotor
+
+    def release(self) -> None:
+        """No field: nothing pulls the rotor, and slip is counted anew from where it stands."""
+        self.row = -1
+        self.field = self.rotor
+        self.ring = 0
+        self.anchor = None
+
+    def turn_field(self, row: int) -> int:
+        """Let the field point to a row of Figure 8.
+
+        Returns:
+            Half-steps that it turned, -3 to 3. A reversal (4 rows) has no direction and
+            counts 0; so does the first field after none, which the rotor jumps to.
+        """
+        if self.row < 0:
+            pull = (row - self.rotor) % RING
+            self.field = self.rotor + (0 if pull == 4 else (pull if pull < 4 else pull - RING))
+            self.row = row
+            return self.field - self.rotor
+        turn = (row - self.field) % RING
+        self.row = row
+        if turn == 4:
+            return 0
+        turn = turn if turn < 4 else turn - RING
+        self.field += turn
+        return turn
+
+    def keep_pace(self, time: int, turn: int, period: int, lag: int) -> bool:
+        """Whether the rotor is in step after a write that turned the field.
+
+        Args:
+            time: of the write, T-states.
+            turn: half-steps that the field turned.
+            period: T-states that the rotor needs for a half-step under its present load.
+            lag: half-steps that it may be behind.
+        """
+        work = abs(turn) * period
+        if self.anchor is not None:
+            if time - self.moved < work:
+                self.moved = time
+                return False
+            self.anchor = None
+            self.done = time
+        self.moved = time
+        self.done = max(self.done, time) + work
+        if self.done - time > lag * period:
+            self.anchor = self.rotor
+            return False
+        return True
+
+    def __getstate__(self) -> tuple[object, ...]:
+        return tuple(getattr(self, name) for name in self.__slots__)
+
+    def __setstate__(self, state: tuple[object, ...]) -> None:
+        for name, value in zip(self.__slots__, state, strict=True):
+            setattr(self, name, value)

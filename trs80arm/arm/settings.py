@@ -1,0 +1,60 @@
+"""What the record of the MiniMover 5 leaves open, decided in one place.
+
+Every field is a choice that neither the article nor the fact sheet settles, or a tolerance of
+the model; what they do settle is a named constant in `geometry` or `motors`. `MiniMover` and its
+`Bench` read these and nothing else. Lengths in inches, weights in ounces, forces in pounds.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class ArmSettings:
+    """The open choices about arm and hand.
+
+    Attributes:
+        speed_margin: a motor keeps up to this multiple of Table 1's speed. The article's own
+            program drives the shoulder 10 % above the speed listed (facts 8), so the list
+            cannot be the limit.
+        pull_out_lag: half-steps that a rotor may be behind its field before it drops out of
+            step; beyond half a ring the field pulls it backwards (facts 1).
+        pad_friction: coefficient between finger pads and a part; two pads hold
+            2 x friction x force.
+        table_friction: coefficient between a part and what it stands on. A part pushed higher
+            up than its depth over this number (halved) falls over.
+        push_limit: the arm is blocked by a part whose friction on the table exceeds this force;
+            the static load force of Table 1.
+        grip_slide: how far a held part may be pushed up or down between the fingers, in one
+            grip, before it blocks the arm.
+        touch: how far the fingertips may be pressed into something before cables and links
+            give no more and the arm is blocked.
+        base_front, base_rear: edges of the base plate ahead of and behind the base axis
+            (facts 6: 1 5/8 and 6.9 in.).
+        base_width: full width of the base plate.
+        base_height: height of the base plate; the later manual's reach test (facts 11.7)
+            lets the hand pass above 1.25 in.
+        body_radius: half width of the body that carries the motors.
+        body_top: height of the body; the shoulder axis lies above it.
+        finger_length: fingertip to finger root along the hand (facts 7: a 1.700 in link).
+        pad_length: the part of a finger, from its tip, that can grip.
+        events_kept: number of events that the arm remembers.
+    """
+
+    speed_margin: float = 1.15
+    pull_out_lag: int = 4
+    pad_friction: float = 0.5
+    table_friction: float = 0.5
+    push_limit: float = 4.0
+    grip_slide: float = 0.15
+    touch: float = 0.03
+    base_front: float = 1.625
+    base_rear: float = 6.9
+    base_width: float = 6.0
+    base_height: float = 1.25
+    body_radius: float = 1.5
+    body_top: float = 6.5
+    finger_length: float = 1.7
+    pad_length: float = 0.6
+    events_kept: int = 2000

@@ -1,0 +1,209 @@
+"""Boxes and line segments in space: the geometry of contact.
+
+Everything on the bench is a box, and the arm meets it with the segments of its links and
+fingers. `bench` and `contact` use these; nothing here knows what the boxes are. Inches, radians.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+Vector = tuple[float, float, float]
+
+UP: Vector = (0.0, 0.0, 1.0)
+SKIN = 1e-6
+"""Boxes that share less than this much depth touch but do not overlap, inches."""
+
+
+def dot(a: Vector, b: Vector) -> float:
+    """Scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """Vector product."""
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
+
+
+def plus(a: Vector, b: Vector, factor: float = 1.0) -> Vector:
+    """`a` plus `factor` times `b`."""
+    return (a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2])
+
+
+def minus(a: Vector, b: Vector) -> Vector:
+    """`a` less `b`."""
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+@dataclass(frozen=True)
+class Box:
+    """A box anywhere in space.
+
+    Attributes:
+        center: of the box, inches.
+        axes: three unit vectors along its edges, right-handed.
+        half: half its size along each axis, inches.
+    """
+
+    center: Vector
+    axes: tuple[Vector, Vector, Vector]
+    half: Vector
+
+    @cached_property
+    def radius(self) -> float:
+        """Of the sphere around it, inches."""
+        return math.sqrt(dot(self.half, self.half))
+
+    @cached_property
+    def rise(self) -> float:
+        """From its centre to its highest corner, inches."""
+        return sum(h * abs(axis[2]) for h, axis in zip(self.half, self.axes, strict=True))
+
+    @property
+    def bottom(self) -> float:
+        """Height of its lowest corner, inches."""
+        return self.center[2] - self.rise
+
+    @property
+    def top(self) -> float:
+        """Height of its highest corner, inches."""
+        return self.center[2] + self.rise
+
+    def moved(self, by: Vector) -> Box:
+        """The same box elsewhere."""
+        return Box(plus(self.center, by), self.axes, self.half)
+
+    def corners(self) -> list[Vector]:
+        """Its eight corners."""
+        out = [self.center]
+        for axis, half in zip(self.axes, self.half, strict=True):
+            out = [plus(point, axis, sign * half) for point in out for sign in (-1.0, 1.0)]
+        return out
+
+
+def upright(x: float, y: float, bottom: float, size: Vector, turn: float) -> Box:
+    """A box standing on its base.
+
+    Args:
+        x: of its centre, inches.
+        y: of its centre, inches.
+        bottom: height of its base, inches.
+        size: along its own x, y and z, inches.
+        turn: about the vertical, radians counter-clockwise.
+    """
+    c, s = math.cos(turn), math.sin(turn)
+    half = (size[0] / 2, size[1] / 2, size[2] / 2)
+    return Box((x, y, bottom + half[2]), ((c, s, 0.0), (-s, c, 0.0), UP), half)
+
+
+def overlap(a: Box, b: Box, skin: float = SKIN) -> bool:
+    """Whether two boxes share more than a touch (separating axes)."""
+    d = minus(b.center, a.center)
+    if abs(d[2]) >= a.rise + b.rise - skin:
+        return False
+    reach = a.radius + b.radius - skin
+    if reach <= 0 or dot(d, d) >= reach * reach:
+        return False
+    axes = [*a.axes, *b.axes]
+    if not (a.axes[2] == UP and b.axes[2] == UP):
+        for one in a.axes:
+            for other in b.axes:
+                axis = cross(one, other)
+                length = math.sqrt(dot(axis, axis))
+                if length > 1e-6:
+                    axes.append((axis[0] / length, axis[1] / length, axis[2] / length))
+    return all(abs(dot(d, axis)) < _span(a, axis) + _span(b, axis) - skin for axis in axes)
+
+
+def _span(box: Box, axis: Vector) -> float:
+    """Half the shadow of a box on a line."""
+    h, (u, v, w) = box.half, box.axes
+    return h[0] * abs(dot(u, axis)) + h[1] * abs(dot(v, axis)) + h[2] * abs(dot(w, axis))
+
+
+def interval(box: Box, start: Vector, end: Vector, skin: float = 0.0) -> tuple[float, float] | None:
+    """The part of a segment inside a box.
+
+    Args:
+        box: the box.
+        start: of the segment.
+        end: of the segment.
+        skin: depth by which the box is taken smaller on every side.
+
+    Returns:
+        From and to, as fractions of the segment between 0 and 1, or None if it misses.
+    """
+    low, high = 0.0, 1.0
+    offset, along = minus(start, box.center), minus(end, start)
+    for axis, half in zip(box.axes, box.half, strict=True):
+        half -= skin
+        if half <= 0:
+            return None
+        p, v = dot(offset, axis), dot(along, axis)
+        if -1e-12 < v < 1e-12:
+            if abs(p) >= half:
+                return None
+            continue
+        t0, t1 = (-half - p) / v, (half - p) / v
+        if t0 > t1:
+            t0, t1 = t1, t0
+        low, high = max(low, t0), min(high, t1)
+        if low >= high:
+            return None
+    return low, high
+
+
+def footprint(box: Box) -> list[tuple[float, float]]:
+    """Corners of an upright box's base, counter-clockwise."""
+    (x, y, _), (u, v, _), (hx, hy, _) = box.center, box.axes, box.half
+    return [
+        (x + a * hx * u[0] + b * hy * v[0], y + a * hx * u[1] + b * hy * v[1])
+        for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    ]
+
+
+def common_ground(a: Box, b: Box) -> list[tuple[float, float]]:
+    """Corners of the area that the bases of two upright boxes share; empty if none."""
+    area = footprint(a)
+    edge = footprint(b)
+    for i in range(4):
+        (x0, y0), (x1, y1) = edge[i], edge[(i + 1) % 4]
+        inside = [(x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) for x, y in area]
+        kept: list[tuple[float, float]] = []
+        for j, point in enumerate(area):
+            k = (j + 1) % len(area)
+            if inside[j] >= 0:
+                kept.append(point)
+            if inside[j] * inside[k] < 0:
+                t = inside[j] / (inside[j] - inside[k])
+                kept.append(
+                    (
+                        point[0] + t * (area[k][0] - point[0]),
+                        point[1] + t * (area[k][1] - point[1]),
+                    )
+                )
+        area = kept
+        if not area:
+            return []
+    return area
+
+
+def surrounds(points: list[tuple[float, float]], x: float, y: float) -> bool:
+    """Whether (x, y) lies within the hull of points: some of them in every direction."""
+    bearings = sorted(
+        math.atan2(py - y, px - x) for px, py in points if abs(px - x) + abs(py - y) > 1e-9
+    )
+    if len(bearings) < len(points):
+        return True
+    if len(bearings) < 3:
+        return False
+    gaps = [b - a for a, b in pairwise(bearings)]
+    gaps.append(bearings[0] + 2 * math.pi - bearings[-1])
+    return max(gaps) < math.pi
