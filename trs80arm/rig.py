@@ -31,7 +31,7 @@ from trs80arm.machine.keyboard import KEYBOARD_START, KEYBOARD_STOP, KeyboardDri
 from trs80arm.machine.keys import Key
 from trs80arm.machine.memory import Memory
 from trs80arm.machine.ports import Ports, SystemPort
-from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer
+from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer, PrinterDriver
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.typist import Typist
 from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
@@ -126,16 +126,16 @@ class Rig:
         self._works.typist.add(self.settings.memory_size + "\r")
         self.run_until(lambda rig: rig.waiting is Waiting.COMMAND and not rig.typing, seconds=30)
 
-    def _build(self, arm: MiniMover, clock: Clock | None = None) -> _Works:
+    def _build(self, arm: MiniMover, old: _Works | None = None) -> _Works:
         settings = self.settings
-        clock = clock or Clock()
+        clock = old.clock if old else Clock()
         memory = Memory(settings.ram_kib)
         matrix = Matrix(ghosting=settings.ghosting)
         video = Video()
         display = Display(clock, memory, video)
         console = Console(display, KeyboardDriver(clock, memory, matrix))
-        printer = Printer(settings.printer_file)
-        tape = Tape(settings.tape_folder)
+        printer = old.printer if old else Printer(settings.printer_file)
+        tape = old.tape if old else Tape(settings.tape_folder)
         card = Card(clock, settings.card, arm)
         driver = Driver(clock, card, matrix, settings.driver)
         ports = Ports()
@@ -145,7 +145,13 @@ class Rig:
         memory.attach(KEYBOARD_START, KEYBOARD_STOP, matrix)
         memory.attach(VIDEO_START, VIDEO_STOP, video)
         host = Host(
-            clock, memory, console, printer, ports, tape, driver if settings.armbasic else None
+            clock=clock,
+            memory=memory,
+            console=console,
+            printer=PrinterDriver(clock, memory, printer),
+            ports=ports,
+            tape=tape,
+            arm=driver if settings.armbasic else None,
         )
         basic = Interpreter(host, blocks=settings.blocks)
         return _Works(
@@ -357,6 +363,7 @@ class Rig:
         """Save the program in memory in the format of the file's suffix, whole or not at all.
 
         Raises:
+            FileFormatError: a line holds what a file of that kind cannot.
             OSError: the file cannot be written; an older one is then untouched.
         """
         files.save_program(Path(path), self._works.basic.program.lines())
@@ -370,8 +377,7 @@ class Rig:
         old = self._works
         old.driver.reset()
         old.card.write_latch(Latch.AUXILIARY, 0)
-        self._works = self._build(old.arm, old.clock)
-        self._works.tape = old.tape
+        self._works = self._build(old.arm, old)
         self._switch_on()
 
     def set_bench(self, bench: Bench) -> None:
