@@ -31,7 +31,7 @@ class Scanned(NamedTuple):
     end: int
 
 
-def scan(text: bytes, position: int = 0) -> Scanned:
+def scan(text: bytes, position: int = 0, start: Number = 0) -> Scanned:
     """Read the number at `position`; text that is no number is the integer 0.
 
     Blanks (also tabs and line feeds) are skipped everywhere, in the number and behind it.
@@ -39,6 +39,8 @@ def scan(text: bytes, position: int = 0) -> Scanned:
     Args:
         text: typed text or a crunched line; its end counts as the end of the number.
         position: where to begin; an ASCII sign may stand there.
+        start: the zero to begin with, which is the narrowest type of the result: VAL, and READ and
+            INPUT into a double, begin with a double zero, so their `.1` is .1 to 16 digits.
 
     Returns:
         The value and the index of the first character that does not belong to it.
@@ -58,7 +60,7 @@ def scan(text: bytes, position: int = 0) -> Scanned:
     negative = code == 0x2D
     if negative or code == 0x2B:
         position, code = at(position + 1)
-    value: Number = 0
+    value = start
     decimals = 0
     point = False
     exponent = 0
