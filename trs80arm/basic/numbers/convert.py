@@ -46,36 +46,33 @@ def to_double(value: object) -> Double:
 
 def add(a: Number, b: Number) -> Number:
     """The sum in the wider type of the two; OV, TM."""
-    kind, other = type(a), type(b)
-    if kind is float and other is float:
-        return single.add(a, b)  # type: ignore[arg-type]
-    if kind is int and other is int:
-        return integer.add(a, b)  # type: ignore[arg-type]
-    if kind is Double or other is Double:
+    if type(a) is float and type(b) is float:
+        return single.add(a, b)
+    if type(a) is int and type(b) is int:
+        return integer.add(a, b)
+    if type(a) is Double or type(b) is Double:
         return double.add(to_double(a), to_double(b))
     return single.add(to_single(a), to_single(b))
 
 
 def sub(a: Number, b: Number) -> Number:
     """The difference in the wider type of the two; OV, TM."""
-    kind, other = type(a), type(b)
-    if kind is float and other is float:
-        return single.sub(a, b)  # type: ignore[arg-type]
-    if kind is int and other is int:
-        return integer.sub(a, b)  # type: ignore[arg-type]
-    if kind is Double or other is Double:
+    if type(a) is float and type(b) is float:
+        return single.sub(a, b)
+    if type(a) is int and type(b) is int:
+        return integer.sub(a, b)
+    if type(a) is Double or type(b) is Double:
         return double.sub(to_double(a), to_double(b))
     return single.sub(to_single(a), to_single(b))
 
 
 def mul(a: Number, b: Number) -> Number:
     """The product in the wider type of the two; OV, TM."""
-    kind, other = type(a), type(b)
-    if kind is float and other is float:
-        return single.mul(a, b)  # type: ignore[arg-type]
-    if kind is int and other is int:
-        return integer.mul(a, b)  # type: ignore[arg-type]
-    if kind is Double or other is Double:
+    if type(a) is float and type(b) is float:
+        return single.mul(a, b)
+    if type(a) is int and type(b) is int:
+        return integer.mul(a, b)
+    if type(a) is Double or type(b) is Double:
         return double.mul(to_double(a), to_double(b))
     return single.mul(to_single(a), to_single(b))
 

@@ -107,13 +107,13 @@ def log(x: float) -> float:
 
 
 def exp(x: float) -> float:
-    """e to the power of `x`; OV from about 87.4 on, 0 below about -88.7."""
-    power = mul(x, LOG2_E)
-    if power >= 128.0:
+    """The power `x` of e; OV from about 87.4 on, 0 below about -88.7."""
+    binary = mul(x, LOG2_E)
+    if binary >= 128.0:
         raise BasicError(Code.OV)
-    if power <= -128.0:
+    if binary <= -128.0:
         return 0.0
-    whole = math.floor(power)
+    whole = math.floor(binary)
     if whole > 125:
         raise BasicError(Code.OV)
     t = sub(mul(float(whole + 1), LN_2), x)

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import convert, decimal, double
-from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.numbers.double import Double
 
 MOST_PLACES = 24
@@ -118,7 +117,7 @@ class NumberField:
             body += "." + figures[split:]
         return self._fitted(body, tail, negative)
 
-    def _fitted(self, body: str, tail: str, negative: bool, too_wide: bool = False) -> str:
+    def _fitted(self, body: str, tail: str, negative: bool, *, too_wide: bool = False) -> str:
         """Sign, dollar sign and filling around the digits.
 
         A lone zero before the point gives way when the field is too narrow. The blank that stands
