@@ -105,7 +105,7 @@ def _line(entry: Entry, width: int) -> Row:
     event = entry.event
     time = clock_text(event.time / T_STATES_PER_SECOND)
     ink = Ink.ALARM if event.kind in _TROUBLE else Ink.PLAIN
-    count = f" ({entry.count} times)" if entry.count > 1 else ""
+    count = f" x{entry.count}" if entry.count > 1 else ""
     glyph = _GLYPHS.get(event.kind, "-")
     room = width - len(time) - 3 - len(count)
     return ((f"{time} ", Ink.LABEL), (f"{glyph} ", ink), (event.text[: max(0, room)] + count, ink))

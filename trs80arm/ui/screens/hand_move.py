@@ -1,0 +1,198 @@
+"""The dialog with which the operator moves the arm by hand, while its motors are off.
+
+It shows both views of the arm, changes nothing itself, and tells the program what is wanted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from math import degrees
+from typing import ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal, Vertical
+from textual.events import Key
+from textual.message import Message
+from textual.widgets import Input, Static
+
+from trs80arm.arm.geometry import START_POSE, Pose
+from trs80arm.ui.readings import Readings
+from trs80arm.ui.rows import signed
+from trs80arm.ui.screens.dialog import Dialog
+from trs80arm.ui.side_view import SideView
+from trs80arm.ui.top_view import TopView
+
+FRAMES_PER_SECOND = 15
+JOINTS = ("base", "shoulder", "elbow", "pitch", "roll", "hand")
+"""What can be turned by hand, as the arm names them."""
+NUDGE = {"hand": 0.1}
+"""How far an arrow key moves, inches; all others go by one degree."""
+PLACES = ("x", "y", "z", "pitch", "roll", "opening")
+
+
+@dataclass
+class MoveJoint(Message):
+    """Turn one joint by hand.
+
+    Attributes:
+        joint: its name in `JOINTS`.
+        value: where to: degrees, or inches for the hand.
+    """
+
+    joint: str
+    value: float
+
+
+@dataclass
+class MoveTo(Message):
+    """Put the hand to a pose by hand."""
+
+    pose: Pose
+
+
+class HandMoveScreen(Dialog[None]):
+    """Moves the arm by hand, joint by joint or to a pose.
+
+    It posts `MoveJoint` and `MoveTo` to the app, which does it and answers with `say`.
+
+    Args:
+        look: reads the rig.
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("up", "choose(-1)", "Joint", show=False),
+        Binding("down", "choose(1)", "Joint", show=False),
+        Binding("left", "nudge(-1)", "Less"),
+        Binding("right", "nudge(1)", "More"),
+        Binding("shift+left,pageup", "nudge(-10)", "Less x10", show=False),
+        Binding("shift+right,pagedown", "nudge(10)", "More x10", show=False),
+        Binding("home", "home", "Start"),
+        Binding("tab", "app.focus_next", show=False),
+    ]
+    AUTO_FOCUS = ""
+    DEFAULT_CSS = """
+    HandMoveScreen > .dialog { width: 96; height: 26; max-height: 96%; }
+    HandMoveScreen Horizontal { height: 1fr; }
+    HandMoveScreen SideView { width: 3fr; height: 100%; }
+    HandMoveScreen TopView { width: 2fr; height: 100%; }
+    HandMoveScreen #joints { height: 6; width: 24; }
+    HandMoveScreen #entry { height: auto; }
+    HandMoveScreen #below { height: 6; }
+    HandMoveScreen #pose { width: 1fr; height: 6; }
+    """
+    HELP = """
+## Moving the arm by hand
+
+With the motors off, before the first step or after `@RESET`, the arm turns freely. Choose a joint
+with Up and Down and turn it with Left and Right, with Shift ten times as far; or type a value, or
+a whole pose, and press Enter. Angles of upper arm, forearm and hand are to the horizontal. With the
+motors on the arm does not give way; `@RESET` turns them off.
+"""
+
+    def __init__(self, look: Callable[[], Readings]) -> None:
+        super().__init__()
+        self._look = look
+        self._joint = 0
+
+    def compose(self) -> ComposeResult:
+        """The views, the joints, a line to type in, an answer."""
+        with Vertical(classes="dialog") as box:
+            box.border_title = "Move the arm by hand"
+            box.border_subtitle = "Arrows turn, Shift ten times as far, Escape goes back"
+            with Horizontal():
+                yield SideView()
+                yield TopView()
+            with Horizontal(id="below"):
+                yield Static("", id="joints", markup=False)
+                with Vertical(id="pose"):
+                    yield Static(
+                        "Type a value for the joint marked, or a pose:\nx y z pitch roll hand",
+                        classes="hint",
+                        markup=False,
+                    )
+                    yield Input(id="entry", placeholder="8 0 1.5 -90 0 0.5", select_on_focus=False)
+                    yield Static("", classes="wrong", markup=False)
+
+    def on_mount(self) -> None:
+        """Look at the arm, again and again."""
+        self.set_interval(1 / FRAMES_PER_SECOND, self._show)
+        self.call_after_refresh(self._show)
+
+    def on_key(self, event: Key) -> None:
+        """Begin to type a value: a figure goes to the line at once."""
+        entry = self.query_one(Input)
+        if not entry.has_focus and event.character and event.character in "0123456789.-":
+            entry.focus()
+            entry.insert_text_at_cursor(event.character)
+            event.stop()
+
+    def say(self, text: str) -> None:
+        """Tell the operator what became of a move; an empty text is that it was made."""
+        self.query_one(".wrong", Static).update(text)
+        self._show()
+
+    def _show(self) -> None:
+        readings = self._look()
+        self.query_one(SideView).show(readings)
+        self.query_one(TopView).show(readings)
+        lines = []
+        for place, (joint, value) in enumerate(zip(JOINTS, joint_values(readings), strict=True)):
+            mark = ">" if place == self._joint else " "
+            unit = "in" if joint == "hand" else "°"
+            digits = 2 if joint == "hand" else 1
+            lines.append(f"{mark} {joint:9}{signed(value, digits):>7} {unit}")
+        self.query_one("#joints", Static).update("\n".join(lines))
+        if readings.motors_on:
+            self.query_one(".wrong", Static).update("The motors are on: @RESET turns them off.")
+
+    def action_choose(self, by: int) -> None:
+        """Another joint."""
+        self._joint = (self._joint + by) % len(JOINTS)
+        self._show()
+
+    def action_nudge(self, times: int) -> None:
+        """Turn the joint a little."""
+        joint = JOINTS[self._joint]
+        value = joint_values(self._look())[self._joint] + times * NUDGE.get(joint, 1.0)
+        if joint == "hand":
+            value = min(max(value, 0.0), 3.0)
+        self.app.post_message(MoveJoint(joint, value))
+
+    def action_home(self) -> None:
+        """Put the arm where Table 4 wants it to begin."""
+        self.app.post_message(MoveTo(START_POSE))
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Do what was typed."""
+        event.stop()
+        words = event.value.replace(",", " ").split()
+        try:
+            numbers = [float(word) for word in words]
+        except ValueError:
+            self.say("numbers are wanted")
+            return
+        if len(numbers) == 1:
+            self.app.post_message(MoveJoint(JOINTS[self._joint], numbers[0]))
+        elif 3 <= len(numbers) <= len(PLACES):
+            now = self._look().pose
+            changed = dict(zip(PLACES, numbers, strict=False))
+            self.app.post_message(MoveTo(replace(now, **changed)))
+        else:
+            self.say("one number turns the joint; three to six are a pose")
+            return
+        event.input.value = ""
+
+
+def joint_values(readings: Readings) -> tuple[float, ...]:
+    """The joints as the operator's hands know them: degrees, and inches of the hand."""
+    angles = readings.posture.angles
+    return (
+        degrees(angles.base),
+        degrees(angles.shoulder),
+        degrees(angles.elbow),
+        degrees(angles.pitch),
+        degrees(angles.roll),
+        readings.posture.opening,
+    )
