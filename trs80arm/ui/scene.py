@@ -35,6 +35,8 @@ FINGER_THICKNESS = 0.8
 UPPER_ARM_DEPTH = 1.5
 FOREARM_DEPTH = 1.1
 """Height of the links' side plates, inches. Not on record; drawn so where there is room."""
+TOP_LEFT = -3.5
+"""How much of the base behind its axis must be seen from above, inches."""
 NEAR = 0.6
 """How far beside the arm's plane a thing may stand and still be drawn as in it, inches."""
 
@@ -166,7 +168,7 @@ def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     # What stands further away, on the arm's left, is drawn first.
     beside.sort(key=lambda thing: -_turned(thing.box.center, base)[1])
     bounds = _around(
-        [(-fittings.base_rear - 0.4, -0.9), (14.5, 16.2), *points]
+        [(-fittings.base_rear - 0.4, -0.5), (12.5, 12.5), *points]
         + [corner for thing in inside for corner in _side_corners(thing, base)]
     )
     shapes: list[Shape] = []
@@ -305,7 +307,7 @@ def top_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     points = forward(posture.angles)
     flat = [point[:2] for point in (points.elbow, points.wrist, points.fingertip)]
     corners = [corner for thing in readings.things for corner in _top_corners(thing)]
-    bounds = _around([(-fittings.base_rear - 0.4, -4.5), (12.0, 4.5), *flat, *corners])
+    bounds = _around([(TOP_LEFT, -4.5), (12.0, 4.5), *flat, *corners])
     shapes: list[Shape] = []
     if extras.envelope:
         outline = top_envelope()

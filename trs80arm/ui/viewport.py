@@ -7,7 +7,7 @@ still while the arm moves. A closer look follows the hand in whole cells.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import hypot
+from math import ceil, hypot
 
 from trs80arm.ui.canvas_ascii import Canvas, Point
 from trs80arm.ui.scene import Block, Bounds, Joint, Scene, Stroke, Trace
@@ -17,8 +17,12 @@ ASPECT = 2.0
 ZOOMS = (0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 4.5)
 """The steps of the zoom, as multiples of the fitted scale."""
 FIT = ZOOMS.index(1.0)
+GROWTH = 2.5
+"""Steps by which a fitted window grows, inches: the scale changes seldom while the arm rises."""
 RAILS_FROM = 0.95
 """Rows of the canvas that a link must be deep to be drawn as two rails."""
+RAIL_INSET = 0.4
+"""How far rails end before the joints, as a share of their distance, so that they do not cross."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +86,8 @@ class Viewport:
 
 
 def _union(known: Bounds | None, new: Bounds) -> Bounds:
+    """What must be seen now and what had to be seen before, by whole steps to the right and up."""
+    new = (new[0], new[1], GROWTH * ceil(new[2] / GROWTH), GROWTH * ceil(new[3] / GROWTH))
     if known is None:
         return new
     return (
@@ -150,6 +156,9 @@ def _stroke(stroke: Stroke, window: Window, canvas: Canvas) -> None:
     dx, dy = end[0] - start[0], end[1] - start[1]
     length = hypot(dx, dy) or 1.0
     across = (-dy / length * stroke.width / 2, dx / length * stroke.width / 2)
+    inset = RAIL_INSET * stroke.width / length
+    start = (start[0] + dx * inset, start[1] + dy * inset)
+    end = (end[0] - dx * inset, end[1] - dy * inset)
     for side in (-1, 1):
         canvas.line(
             window.cell((start[0] + side * across[0], start[1] + side * across[1])),

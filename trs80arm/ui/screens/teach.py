@@ -59,7 +59,9 @@ class TeachScreen(Dialog[TeachResult]):
     DEFAULT_CSS = """
     TeachScreen > .dialog { width: 96; height: 90%; }
     TeachScreen .heading { height: 1; text-wrap: nowrap; }
-    TeachScreen OptionList { height: auto; max-height: 40%; text-wrap: nowrap; text-overflow: clip; }
+    TeachScreen OptionList {
+        height: auto; max-height: 40%; text-wrap: nowrap; text-overflow: clip;
+    }
     TeachScreen #listing-box { height: 1fr; border-top: solid $panel; }
     TeachScreen #listing { color: $text-muted; height: auto; }
     """
