@@ -7,17 +7,18 @@ on joint 6; Figures 5 and 6). `World` keeps it in line with the bench.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from trs80arm.arm.body import Hold
 from trs80arm.arm.geometry import HAND_RANGE, HAND_STEPS
-from trs80arm.arm.limits import FULL_GRIP
+from trs80arm.arm.limits import MOST_SQUEEZE
 from trs80arm.arm.motors import POUND_STEPS
 
 SWITCH_FORCE = 2 / 16
 """Pounds at which the tension switch closes: 2 ounces (article, on joint 6)."""
-MOST_STEPS = round(FULL_GRIP * POUND_STEPS)
-"""Half-steps of squeeze at which the hand motor gives up."""
+SWITCH_STEPS = math.ceil(SWITCH_FORCE * POUND_STEPS)
+"""The same in whole half-steps of cable."""
 
 
 @dataclass
@@ -62,7 +63,7 @@ class Grip:
     @property
     def switch_closed(self) -> bool:
         """Whether the tension in the cable closes the grip switch."""
-        return self.force >= SWITCH_FORCE
+        return self.squeeze >= SWITCH_STEPS
 
     @property
     def held(self) -> str | None:
@@ -71,11 +72,11 @@ class Grip:
 
     def excess(self, cable: int) -> int:
         """Half-steps of squeeze beyond what the hand motor can hold."""
-        return max(0, self.contact - cable - MOST_STEPS)
+        return max(0, self.contact - cable - MOST_SQUEEZE)
 
     def carries(self, friction: float) -> float:
         """Ounces that the two pads can carry by friction."""
-        return 2 * friction * self.force * 16
+        return 32 * friction * self.force
 
     def forget(self) -> None:
         """Nothing is between the fingers any more."""

@@ -9,9 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+import numpy as np
+import numpy.typing as npt
+
 from trs80arm.arm.geometry import (
     BASE_LIMIT,
+    BASE_SHOULDER_STEPS,
     ELBOW_LIMITS,
+    ELBOW_STEPS,
     GEAR_LIMIT,
     HAND_LENGTH,
     HAND_RANGE,
@@ -20,14 +25,18 @@ from trs80arm.arm.geometry import (
     PITCH_LIMIT,
     REACH,
     SHOULDER_LIMITS,
+    WRIST_STEPS,
     CableDrive,
     JointAngles,
 )
+from trs80arm.arm.motors import POUND_STEPS
 
 FULL_LOAD = 8.0
 """Ounces at full extension (Table 1)."""
 FULL_GRIP = 3.0
 """Pounds at which the hand motor gives up (Table 1)."""
+MOST_SQUEEZE = round(FULL_GRIP * POUND_STEPS)
+"""The same in half-steps of cable."""
 
 _HAIR = 1e-9
 
@@ -83,7 +92,7 @@ def beyond_stop(
     return None
 
 
-def load_fraction(motor: int, turn: int, angles: JointAngles, weight: float, force: float) -> float:
+def load_fraction(motor: int, turn: int, angles: JointAngles, weight: float, squeeze: int) -> float:
     """Torque on a motor as a fraction of its full load; 0 where the load helps.
 
     By virtual work a weight at the hand resists the shoulder and the elbow drive with 7 inches
@@ -96,24 +105,74 @@ def load_fraction(motor: int, turn: int, angles: JointAngles, weight: float, for
         turn: direction of the field, positive down Figure 8.
         angles: of the joints, radians.
         weight: in the hand, ounces.
-        force: of the grip, pounds.
+        squeeze: half-steps of cable taken up since the fingers met.
     """
     if motor == 5:
-        return force / FULL_GRIP if turn < 0 else 0.0
-    if weight <= 0:
+        return squeeze / MOST_SQUEEZE if turn < 0 else 0.0
+    if weight <= 0 or turn == 0:
         return 0.0
     part = weight / FULL_LOAD
     if motor == 0:
-        reach = (
-            LINK * math.cos(angles.shoulder)
-            + LINK * math.cos(angles.elbow)
-            + HAND_LENGTH * math.cos(angles.pitch)
-        )
+        upper, fore = _cosine(angles.shoulder), _cosine(angles.elbow)
+        reach = LINK * upper + LINK * fore + HAND_LENGTH * _cosine(angles.pitch)
         return part * abs(reach) / REACH
-    if motor == 1:
-        lever, up = math.cos(angles.shoulder), -turn
-    elif motor == 2:
-        lever, up = math.cos(angles.elbow), turn
-    else:
-        lever, up = math.cos(angles.pitch), -turn if motor == 3 else turn
-    return max(0.0, part * lever * (1 if up > 0 else -1))
+    angle = angles.shoulder if motor == 1 else angles.elbow if motor == 2 else angles.pitch
+    return max(0.0, part * _cosine(angle) * (_LIFTS[motor] if turn > 0 else -_LIFTS[motor]))
+
+
+def load_fractions(
+    motor: int,
+    turns: npt.NDArray[np.int64],
+    drive: CableDrive,
+    rotors: npt.NDArray[np.int64],
+    weight: float,
+    squeeze: npt.NDArray[np.int64],
+) -> npt.NDArray[np.float64]:
+    """`load_fraction` for many writes to one motor, equal to the last bit.
+
+    Args:
+        motor: 0 base to 5 hand.
+        turns: directions, one for each write.
+        drive: the cables.
+        rotors: positions before each write, shape (writes, 6).
+        weight: in the hand, ounces.
+        squeeze: half-steps taken up before each write.
+    """
+    if motor == 5:
+        return np.where(turns < 0, squeeze / MOST_SQUEEZE, 0.0)
+    if weight <= 0:
+        return np.zeros(len(turns))
+    home = drive.home
+    part = weight / FULL_LOAD
+    shoulder = home.shoulder - rotors[:, 1] / BASE_SHOULDER_STEPS
+    elbow = home.elbow + rotors[:, 2] / ELBOW_STEPS
+    left = home.pitch + home.roll - rotors[:, 3] / WRIST_STEPS
+    right = home.pitch - home.roll + rotors[:, 4] / WRIST_STEPS
+    pitch = (left + right) / 2
+    if motor == 0:
+        reach = LINK * _cosines(shoulder) + LINK * _cosines(elbow) + HAND_LENGTH * _cosines(pitch)
+        return np.where(turns == 0, 0.0, part * np.abs(reach) / REACH)
+    angle = shoulder if motor == 1 else elbow if motor == 2 else pitch
+    load = part * _cosines(angle) * np.where(turns > 0, _LIFTS[motor], -_LIFTS[motor])
+    return np.where(turns == 0, 0.0, np.maximum(0.0, load))
+
+
+_LIFTS = (0, -1, 1, -1, 1)
+"""Whether a positive count raises (1) or lowers (-1) what the motor moves (facts 4)."""
+
+# A table instead of math.cos and numpy.cos, which differ in the last bit on some machines.
+_TURN = 4096
+_COSINES = tuple(math.cos(2 * math.pi * i / _TURN) for i in range(_TURN))
+_COSINE_ARRAY = np.array(_COSINES)
+_PER_RADIAN = _TURN / (2 * math.pi)
+
+
+def _cosine(angle: float) -> float:
+    """Cosine to about a thousandth, the same for one angle and for arrays."""
+    return _COSINES[math.floor(angle * _PER_RADIAN + 0.5) % _TURN]
+
+
+def _cosines(angles: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    """`_cosine` of many angles."""
+    index = np.floor(angles * _PER_RADIAN + 0.5).astype(np.int64) % _TURN
+    return _COSINE_ARRAY[index]

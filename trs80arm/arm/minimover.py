@@ -16,6 +16,7 @@ import numpy.typing as npt
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.body import Body
+from trs80arm.arm.burst import LONGEST, run_free
 from trs80arm.arm.events import MOTOR_NAMES, ArmEvent, EventKind, Reason
 from trs80arm.arm.geometry import (
     HAND_RANGE,
@@ -30,11 +31,14 @@ from trs80arm.arm.geometry import (
 )
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.limits import beyond_stop, load_fraction
-from trs80arm.arm.motors import NEVER, ROWS, StepperMotor, shortest_period
+from trs80arm.arm.motors import RING, ROWS, StepperMotor, shortest_period
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.world import World
 
 Ints = Sequence[int] | npt.NDArray[np.int64]
+
+SHORT = 48
+"""Writes in a burst below which a plain loop is quicker than arrays."""
 
 ELBOW, HAND, AUXILIARY = int(Motor.ELBOW), int(Motor.HAND), 6
 
@@ -84,6 +88,7 @@ class MiniMover:
         bench: what the arm works on.
         drive: the cables; it knows the pose in which the arm was switched on.
         motors: six, and the turntable's as the seventh.
+        free_periods: T-states per half-step that each motor needs without load.
         events: what happened, the latest `settings.events_kept` of it.
         event_count: events so far, those dropped from the list included.
     """
@@ -91,11 +96,13 @@ class MiniMover:
     def __init__(self, settings: ArmSettings | None = None, bench: Bench | None = None) -> None:
         self.settings = settings or ArmSettings()
         self.motors = [StepperMotor() for _ in range(7)]
+        self.free_periods = tuple(
+            shortest_period(latch, 0.0, self.settings.speed_margin) for latch in range(7)
+        )
         self.events: list[ArmEvent] = []
         self.event_count = 0
         self._time = 0
-        self._losing: list[int | None] = [None] * 7
-        self._touching: list[bool] = [False] * 7
+        self._held_back: set[int] = set()
         self._set_up(Bench.standard() if bench is None else bench)
 
     def _set_up(self, bench: Bench) -> None:
@@ -116,6 +123,7 @@ class MiniMover:
         for latch, motor in enumerate(self.motors):
             motor.rotor = 0
             motor.release()
+            self._held_back.discard(latch)
             if ROWS[motor.coils] >= 0:
                 motor.turn_field(ROWS[motor.coils])
                 self._follow(latch)
@@ -143,16 +151,64 @@ class MiniMover:
             How many of the writes were done.
         """
         count = len(times)
-        for i in range(count):
+        if count < SHORT or (stop is not None and stop[0] & 0b1110 and self.bench.sensors):
+            return self._apply_singly(times, latches, nibbles, stop, 0, count)[0]
+        when = np.asarray(times, dtype=np.int64)
+        where = np.asarray(latches, dtype=np.int64)
+        what = np.asarray(nibbles, dtype=np.int64)
+        lists = when.tolist(), where.tolist(), what.tolist()
+        ends = np.append(when[1:] != when[:-1], True)
+        done, patience = 0, SHORT
+        while done < count:
+            ran = 0
+            if count - done >= SHORT and not self._held_back and not self._quivering():
+                window = slice(done, min(count, done + LONGEST))
+                ran, ended = run_free(
+                    self, when[window], where[window], what[window], stop, ends[window]
+                )
+                done += ran
+                if ended:
+                    return done
+            # Where something happens it goes on happening for a while.
+            patience = SHORT if ran > patience else min(2 * patience, 8 * SHORT)
+            done, ended = self._apply_singly(*lists, stop, done, min(count, done + patience))
+            if ended:
+                return done
+        return done
+
+    def _apply_singly(
+        self,
+        times: Ints,
+        latches: Ints,
+        nibbles: Ints,
+        stop: tuple[int, int] | None,
+        start: int,
+        end: int,
+    ) -> tuple[int, bool]:
+        """Writes `start` to `end` of a burst, one by one; how far, and whether they stopped."""
+        write = self._write
+        if stop is None:
+            for i in range(start, end):
+                write(int(times[i]), int(latches[i]), int(nibbles[i]))
+            return end, False
+        mask, value = stop
+        for i in range(start, end):
             time = int(times[i])
-            self._write(time, int(latches[i]), int(nibbles[i]))
-            if (
-                stop is not None
-                and (i + 1 == count or int(times[i + 1]) != time)
-                and self.inputs(time) & stop[0] == stop[1]
-            ):
-                return i + 1
-        return count
+            write(time, int(latches[i]), int(nibbles[i]))
+            last = i + 1 == len(times) or int(times[i + 1]) != time
+            if last and self.inputs(time) & mask == value:
+                return i + 1, True
+        return end, False
+
+    def _quivering(self) -> bool:
+        """Whether any rotor has dropped out of step."""
+        return any(motor.anchor is not None for motor in self.motors)
+
+    def arrive(self, rotors: list[int], time: int) -> None:
+        """Be where free motion has led to."""
+        self._rotors[:] = rotors
+        self._time = max(self._time, time)
+        self._world.arrive(rotors)
 
     def inputs(self, time: int) -> int:
         """The input nibble: bit 0 is the grip switch, bits 1 to 3 the bench's sensors.
@@ -175,59 +231,57 @@ class MiniMover:
         motor.coils = nibble
         if row < 0:
             motor.release()
-            self._losing[latch] = None
-            self._touching[latch] = False
+            self._held_back.discard(latch)
             return
         turn = motor.turn_field(row)
         period, loaded = self._period(latch, turn)
         if not motor.keep_pace(time, turn, period, self.settings.pull_out_lag):
-            motor.dropped = Reason.LOAD if loaded else Reason.RATE
+            motor.trouble = Reason.LOAD if loaded else Reason.RATE
         self._follow(latch)
-        if self._rotors_strained:
+        if self._held_back:
             self._follow_others(latch)
-
-    @property
-    def _rotors_strained(self) -> bool:
-        return any(motor.strained for motor in self.motors)
 
     def _period(self, motor: int, turn: int) -> tuple[int, bool]:
         """T-states per half-step under the present load, and whether load is what counts."""
-        margin = self.settings.speed_margin
-        free = shortest_period(motor, 0.0, margin)
-        if motor == AUXILIARY or turn == 0:
-            return free, False
-        load = load_fraction(
-            motor,
-            turn,
-            self.drive.angles(self._rotors),
-            self._world.grip.weight,
-            self._world.grip.force if motor == HAND else 0.0,
-        )
+        grip = self._world.grip
+        squeeze = grip.squeeze if motor == HAND else 0
+        if turn == 0 or motor == AUXILIARY or not (squeeze or grip.weight):
+            return self.free_periods[motor], False
+        angles = self.drive.angles(self._rotors)
+        load = load_fraction(motor, turn, angles, grip.weight, squeeze)
         if load <= 0.0:
-            return free, False
-        period = shortest_period(motor, load, margin)
-        return min(period, NEVER), True
+            return self.free_periods[motor], False
+        return shortest_period(motor, load, self.settings.speed_margin), True
 
     def _follow(self, latch: int) -> None:
         """Let a rotor go where its field pulls it, as far as it can."""
         motor = self.motors[latch]
-        reason: Reason | None = motor.dropped if motor.anchor is not None else None
+        trouble = motor.anchor is not None
         target = motor.target
         while motor.rotor != target:
             step = 1 if target > motor.rotor else -1
             blocked = self._step(latch, step)
             if blocked is not None:
-                reason = blocked
+                trouble = True
+                self._held_up(latch, blocked)
                 break
             motor.rotor += step
-        self._count_rings(latch, target, reason)
-        self._tell_news()
+        if motor.rotor == target:
+            self._held_back.discard(latch)
+        else:
+            self._held_back.add(latch)
+        if trouble:
+            motor.followed = 0
+        else:
+            motor.follow(1)
+        self._count_rings(latch, target)
+        if self.bench.news:
+            self._tell_news()
 
     def _follow_others(self, latch: int) -> None:
         """Rotors that were held back try again after another one has moved."""
-        for other, motor in enumerate(self.motors):
-            if other != latch and motor.strained:
-                self._follow(other)
+        for other in sorted(self._held_back - {latch}):
+            self._follow(other)
 
     def _step(self, latch: int, step: int) -> Reason | None:
         """Turn one rotor by one half-step, with all that hangs on it.
@@ -253,42 +307,47 @@ class MiniMover:
     def _yield_hand(self, excess: int) -> None:
         """The hand's rotor is pulled round by its own cable."""
         motor = self.motors[HAND]
-        give = excess if motor.row < 0 else -(-excess // 8) * 8
+        give = excess if motor.row < 0 else -(-excess // RING) * RING
         motor.rotor += give
         self._rotors[HAND] += give
         self._world.regrip(self._rotors)
         if motor.row < 0:
             motor.field = motor.rotor
         else:
-            self._count_rings(HAND, motor.rotor, Reason.LOAD)
+            motor.trouble, motor.followed = Reason.LOAD, 0
+            self._count_rings(HAND, motor.rotor)
 
-    def _count_rings(self, latch: int, target: int, reason: Reason | None) -> None:
-        """Note rings that a rotor has lost or regained against its field."""
+    def _held_up(self, latch: int, reason: Reason) -> None:
+        """Something holds a rotor back; what it is is news the first time."""
         motor = self.motors[latch]
-        if reason is None:
-            self._losing[latch] = None
-            self._touching[latch] = False
-        elif reason is Reason.CONTACT and not self._touching[latch]:
-            self._touching[latch] = True
+        if reason is Reason.CONTACT and not (
+            motor.trouble is Reason.CONTACT and motor.followed < RING
+        ):
             name = self._world.met or "something"
             self._note(EventKind.CONTACT, f"{MOTOR_NAMES[latch]} blocked by {name}", latch)
+        motor.trouble = reason
+
+    def _count_rings(self, latch: int, target: int) -> None:
+        """Note rings that a rotor has lost or regained against its field."""
+        motor = self.motors[latch]
         behind = motor.field - target
-        if behind % 8 or behind // 8 == motor.ring:
+        if behind % RING or behind // RING == motor.ring:
             return
-        lost = 8 * (motor.ring - behind // 8)
-        motor.ring = behind // 8
-        reason = reason or Reason.LOAD
-        number = self._losing[latch]
+        steps = RING * motor.ring - behind
+        motor.ring = behind // RING
+        reason = motor.trouble
         for i in range(len(self.events) - 1, -1, -1):
             event = self.events[i]
-            if number is None or event.number < number:
+            if motor.losing is None or event.number < motor.losing:
                 break
-            if event.number == number and event.reason is reason:
-                steps = event.steps + lost
-                self.events[i] = replace(event, steps=steps, text=_slip_text(latch, steps, reason))
+            same = event.reason is reason and (event.steps < 0) == (steps < 0)
+            if event.number == motor.losing and same:
+                steps += event.steps
+                text = _slip_text(latch, steps, reason)
+                self.events[i] = replace(event, steps=steps, text=text)
                 return
-        self._losing[latch] = self.event_count
-        self._note(EventKind.SLIP, _slip_text(latch, lost, reason), latch, lost, reason)
+        motor.losing = self.event_count
+        self._note(EventKind.SLIP, _slip_text(latch, steps, reason), latch, steps, reason)
 
     def _tell_news(self) -> None:
         """Turn what the bench has to tell into events."""
@@ -329,6 +388,16 @@ class MiniMover:
             grip.switch_closed,
             grip.held,
         )
+
+    @property
+    def rotors(self) -> tuple[int, ...]:
+        """Rotor positions of the six motors, half-steps."""
+        return tuple(self._rotors)
+
+    @property
+    def world(self) -> World:
+        """Where arm and bench meet."""
+        return self._world
 
     @property
     def body(self) -> Body:

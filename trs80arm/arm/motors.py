@@ -8,6 +8,9 @@ rotor, and tells it how far the rotor got.
 
 from __future__ import annotations
 
+import numpy as np
+import numpy.typing as npt
+
 from trs80arm.arm.events import Reason
 from trs80arm.arm.geometry import BASE_SHOULDER_STEPS, ELBOW_STEPS, HAND_STEPS, WRIST_STEPS
 
@@ -81,6 +84,18 @@ def shortest_period(motor: int, load: float, margin: float) -> int:
     return int(T_STATES_PER_SECOND / rate) if rate > 1.0 else NEVER
 
 
+def shortest_periods(
+    motor: int, load: npt.NDArray[np.float64], margin: float
+) -> npt.NDArray[np.int64]:
+    """`shortest_period` for an array of loads, equal to the last T-state."""
+    free, full = NO_LOAD_RATES[motor], FULL_LOAD_RATES[motor]
+    rate = margin * (free - (free - full) * load)
+    able = rate > 1.0
+    periods = np.full(len(load), NEVER, dtype=np.int64)
+    periods[able] = (T_STATES_PER_SECOND / rate[able]).astype(np.int64)
+    return periods
+
+
 class StepperMotor:
     """Coils, field and rotor of one motor.
 
@@ -92,12 +107,26 @@ class StepperMotor:
         ring: rings that the equilibrium holding the rotor lies behind the field; the rotor has
             slipped by -8 times this.
         anchor: place around which a rotor that has dropped out of step quivers; None in step.
-        dropped: why it dropped out of step.
+        trouble: why it last was held back or dropped out of step.
+        followed: writes that the rotor has followed since then, up to a ring.
+        losing: number of the event that says how many steps it is losing, or None.
         moved: time of the last write that turned the field, T-states.
         done: time at which the rotor has caught up with all writes so far, T-states.
     """
 
-    __slots__ = ("anchor", "coils", "done", "dropped", "field", "moved", "ring", "rotor", "row")
+    __slots__ = (
+        "anchor",
+        "coils",
+        "done",
+        "field",
+        "followed",
+        "losing",
+        "moved",
+        "ring",
+        "rotor",
+        "row",
+        "trouble",
+    )
 
     def __init__(self) -> None:
         self.coils = 0
@@ -106,7 +135,9 @@ class StepperMotor:
         self.rotor = 0
         self.ring = 0
         self.anchor: int | None = None
-        self.dropped = Reason.RATE
+        self.trouble = Reason.RATE
+        self.followed = RING
+        self.losing: int | None = None
         self.moved = -NEVER
         self.done = -NEVER
 
@@ -141,6 +172,13 @@ class StepperMotor:
         self.field = self.rotor
         self.ring = 0
         self.anchor = None
+        self.follow(RING)
+
+    def follow(self, writes: int) -> None:
+        """The rotor has followed some writes; after a ring of them its trouble is over."""
+        self.followed = min(RING, self.followed + writes)
+        if self.followed == RING:
+            self.losing = None
 
     def turn_field(self, row: int) -> int:
         """Let the field point to a row of Figure 8.

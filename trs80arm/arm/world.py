@@ -14,7 +14,8 @@ from trs80arm.arm.body import Body, Hold
 from trs80arm.arm.events import EventKind, Reason
 from trs80arm.arm.fixtures import Feeder, Part
 from trs80arm.arm.geometry import HAND_LENGTH, CableDrive
-from trs80arm.arm.grip import MOST_STEPS, Grip
+from trs80arm.arm.grip import Grip
+from trs80arm.arm.limits import MOST_SQUEEZE
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box, interval, minus, overlap, plus
 
@@ -34,6 +35,8 @@ class World:
         body: the arm as it stands.
         grip: the hand's hold.
         met: name of what blocked the arm last, or None.
+        ceiling: height of the highest thing that the hand does not carry, inches.
+        vacant: feeders at whose place nothing stands.
     """
 
     def __init__(self, bench: Bench, settings: ArmSettings, drive: CableDrive) -> None:
@@ -44,8 +47,8 @@ class World:
         self.body = Body(drive.home, self.grip.opening, settings.finger_length)
         self.met: str | None = None
         self._things: list[tuple[str, Box, Part | None]] = []
-        self._ceiling = 0.0
-        self._vacant: list[Feeder] = []
+        self.ceiling = 0.0
+        self.vacant: list[Feeder] = []
 
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
@@ -78,7 +81,7 @@ class World:
         """
         grip = self.grip
         cable = self.drive.cable(rotors)
-        if latch == HAND and step < 0 and grip.contact - cable > MOST_STEPS:
+        if latch == HAND and step < 0 and grip.contact - cable > MOST_SQUEEZE:
             return Reason.LOAD
         body = self._body(rotors, grip.opening_at(cable))
         held = self._carried(body)
@@ -166,8 +169,8 @@ class World:
         bench = self.bench
         self._things = [(o.name, o.box, None) for o in bench.obstacles]
         self._things += [(part.name, part.box, part) for part in bench.standing()]
-        self._ceiling = max((box.top for _, box, _ in self._things), default=0.0)
-        self._vacant = [
+        self.ceiling = max((box.top for _, box, _ in self._things), default=0.0)
+        self.vacant = [
             feeder
             for feeder in bench.feeders
             if not feeder.empty
@@ -189,7 +192,7 @@ class World:
             low = min(low, held.bottom)
             if held.bottom < 0 and not self._slide(body, -held.bottom, "the table"):
                 return False
-        if low > self._ceiling + touch:
+        if low > self.ceiling + touch:
             return True
         for name, box, part in self._near(body, held):
             if not self._past(body, name, box, part):
@@ -313,6 +316,19 @@ class World:
                 return name
         return None
 
+    def boxes(self) -> list[Box]:
+        """Everything that the arm could touch."""
+        return [thing[1] for thing in self._things]
+
+    def arrive(self, rotors: Sequence[int]) -> None:
+        """Be somewhere that free motion has led to."""
+        grip = self.grip
+        grip.cable = self.drive.cable(rotors)
+        self.body = self._body(rotors, grip.opening)
+        held = self._carried(self.body)
+        if held is not None and grip.part is not None:
+            self.bench.parts[grip.part].box = held
+
     # The hand
 
     def _walk_hand(self, rotors: list[int], wanted: int) -> None:
@@ -406,9 +422,9 @@ class World:
 
     def _feed(self) -> None:
         """Feeders whose place is free, and clear of the hand, give their next part."""
-        if not self._vacant:
+        if not self.vacant:
             return
-        for feeder in list(self._vacant):
+        for feeder in list(self.vacant):
             x, y, _ = self.body.points.fingertip
             place = feeder.place
             far = FEED_CLEARANCE + place.radius

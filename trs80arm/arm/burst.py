@@ -1,0 +1,278 @@
+"""Whole motions at once: a burst of latch writes as arrays, while nothing happens.
+
+`MiniMover` sends long bursts here first. Everything that could make a difference, a stop near,
+something on the bench near, a motor out of step, a feeder about to feed, ends the stretch that
+is done in one go, and the arm does what follows write by write. The tests for "nothing near"
+are wider than the ones for contact, so both ways give the same state to the last half-step.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from trs80arm.arm.geometry import (
+    BASE_LIMIT,
+    BASE_SHOULDER_STEPS,
+    ELBOW_LIMITS,
+    ELBOW_STEPS,
+    GEAR_LIMIT,
+    HAND_LENGTH,
+    HAND_RANGE,
+    HAND_STEPS,
+    LINK,
+    PITCH_LIMIT,
+    SHOULDER_HEIGHT,
+    SHOULDER_LIMITS,
+    WRIST_STEPS,
+)
+from trs80arm.arm.grip import SWITCH_STEPS
+from trs80arm.arm.limits import MOST_SQUEEZE, load_fractions
+from trs80arm.arm.motors import POUND_STEPS, ROWS, shortest_periods
+from trs80arm.arm.shapes import Box
+from trs80arm.arm.world import FEED_CLEARANCE
+
+if TYPE_CHECKING:
+    from trs80arm.arm.minimover import MiniMover
+
+LONGEST = 4096
+"""Writes looked at in one go."""
+MARGIN = 0.02
+"""Width of the zone, in radians and inches, that is left to the write-by-write way."""
+
+Array = npt.NDArray[np.int64]
+Floats = npt.NDArray[np.float64]
+Places = tuple[Floats, Floats, Floats]
+
+_ROWS = np.array(ROWS, dtype=np.int64)
+
+
+def run_free(
+    arm: MiniMover,
+    times: Array,
+    latches: Array,
+    nibbles: Array,
+    stop: tuple[int, int] | None,
+    ends: npt.NDArray[np.bool_],
+) -> tuple[int, bool]:
+    """Do the beginning of a burst in which nothing happens.
+
+    Args:
+        arm: the arm; no rotor of it may be held back or out of step.
+        times: T-states.
+        latches: 0 to 6.
+        nibbles: coil patterns.
+        stop: as for `MiniMover.apply`, the grip switch only.
+        ends: which writes are the last of their time.
+
+    Returns:
+        How many writes were done, and whether the stop condition ended the burst there.
+    """
+    stretch = _Stretch(arm, times, latches, nibbles)
+    count = stretch.free()
+    ended = False
+    if stop is not None and count:
+        last = np.flatnonzero(ends[:count])
+        closed = stretch.squeeze[last] >= SWITCH_STEPS
+        inputs = np.where(closed, 0b1110, 0b1111)
+        met = np.flatnonzero((inputs & stop[0]) == stop[1])
+        if len(met):
+            count, ended = int(last[met[0]]) + 1, True
+    stretch.commit(count)
+    return count, ended
+
+
+class _Stretch:
+    """A burst as arrays: turns of the fields, positions of the rotors, write by write."""
+
+    def __init__(self, arm: MiniMover, times: Array, latches: Array, nibbles: Array) -> None:
+        self.arm = arm
+        self.times = times
+        self.latches = latches
+        self.nibbles = nibbles
+        self.rows = _ROWS[nibbles & 15]
+        self.free_until = len(times)
+        self._cut((latches < 0) | (latches > 5) | (self.rows < 0))
+        n = self.free_until
+        turns = np.zeros(n, dtype=np.int64)
+        self.writes: list[Array] = []
+        for latch in range(6):
+            mine = np.flatnonzero(latches[:n] == latch)
+            self.writes.append(mine)
+            if not len(mine):
+                continue
+            motor = arm.motors[latch]
+            rows = self.rows[mine]
+            first = motor.field if motor.row >= 0 else motor.rotor
+            before = np.concatenate(([first & 7], rows[:-1]))
+            turns[mine] = (rows - before + 3) % 8 - 3
+        self._cut(turns == 4)
+        n = self.free_until
+        self.turns = turns[:n]
+        self.writes = [mine[mine < n] for mine in self.writes]
+        moves = np.zeros((n, 6), dtype=np.int64)
+        moves[np.arange(n), latches[:n]] = self.turns
+        rotors = np.cumsum(moves, axis=0)
+        rotors += np.array(arm.rotors, dtype=np.int64)
+        self.rotors = rotors
+        self.before = rotors - moves
+        drive, grip = arm.drive, arm.grip
+        self.cable = drive.home_cable + rotors[:, 5] + rotors[:, 2]
+        self.squeeze = np.maximum(0, grip.contact - self.cable)
+        self.done: dict[int, Array] = {}
+
+    def _cut(self, bad: npt.NDArray[np.bool_]) -> None:
+        """End the stretch before the first write at which `bad` holds."""
+        bad = bad[: self.free_until]
+        first = int(np.argmax(bad)) if len(bad) else 0
+        if len(bad) and bad[first]:
+            self.free_until = first
+
+    def free(self) -> int:
+        """How many writes can be done in one go."""
+        if self.free_until:
+            self._keep_pace()
+            self._hand()
+            self._joints()
+        return self.free_until
+
+    def _keep_pace(self) -> None:
+        """Motors that drop out of step; the arithmetic is that of `StepperMotor.keep_pace`."""
+        arm = self.arm
+        weight = arm.grip.weight
+        lag = arm.settings.pull_out_lag
+        margin = arm.settings.speed_margin
+        for latch, mine in enumerate(self.writes):
+            if not len(mine):
+                continue
+            motor = arm.motors[latch]
+            turns = self.turns[mine]
+            loaded = weight > 0 if latch < 5 else bool(self.squeeze.any() or arm.grip.squeeze)
+            if loaded:
+                before = self.before[mine]
+                squeeze = np.maximum(
+                    0, arm.grip.contact - arm.drive.home_cable - before[:, 5] - before[:, 2]
+                )
+                load = load_fractions(latch, turns, arm.drive, before, weight, squeeze)
+                periods = shortest_periods(latch, load, margin)
+            else:
+                periods = np.full(len(mine), arm.free_periods[latch], dtype=np.int64)
+            work = np.abs(turns) * periods
+            times = self.times[mine]
+            total = np.cumsum(work)
+            start = np.maximum.accumulate(times - (total - work))
+            done = total + np.maximum(start, motor.done)
+            late = done - times > lag * periods
+            if late.any():
+                self.free_until = min(self.free_until, int(mine[int(np.argmax(late))]))
+            self.done[latch] = done
+
+    def _hand(self) -> None:
+        """Cable near its ends, and a grip too weak for what it carries."""
+        grip = self.arm.grip
+        bad = (self.squeeze > MOST_SQUEEZE - 2) | (self.cable > HAND_RANGE * HAND_STEPS - 2)
+        if grip.hold is not None:
+            carried = 32 * self.arm.settings.pad_friction * (self.squeeze / POUND_STEPS)
+            bad |= (carried < grip.weight) | (self.squeeze == 0)
+        self._cut(bad)
+
+    def _joints(self) -> None:
+        """Stops, and everything on the bench."""
+        n = self.free_until
+        if not n:
+            return
+        home = self.arm.drive.home
+        r = self.rotors[:n]
+        base = home.base + r[:, 0] / BASE_SHOULDER_STEPS
+        shoulder = home.shoulder - r[:, 1] / BASE_SHOULDER_STEPS
+        elbow = home.elbow + r[:, 2] / ELBOW_STEPS
+        left = home.pitch + home.roll - r[:, 3] / WRIST_STEPS
+        right = home.pitch - home.roll + r[:, 4] / WRIST_STEPS
+        pitch = (left + right) / 2
+        bend = elbow - shoulder
+        bad = np.abs(base) > BASE_LIMIT - MARGIN
+        bad |= (shoulder > SHOULDER_LIMITS[1] - MARGIN) | (shoulder < SHOULDER_LIMITS[0] + MARGIN)
+        bad |= (bend > ELBOW_LIMITS[1] - MARGIN) | (bend < ELBOW_LIMITS[0] + MARGIN)
+        bad |= np.abs(pitch - elbow) > PITCH_LIMIT - MARGIN
+        bad |= np.maximum(np.abs(left), np.abs(right)) > GEAR_LIMIT - MARGIN
+        self._cut(bad)
+        n = self.free_until
+        if n:
+            self._bench(base[:n], shoulder[:n], elbow[:n], pitch[:n])
+
+    def _bench(self, base: Floats, shoulder: Floats, elbow: Floats, pitch: Floats) -> None:
+        """Spheres around links, hand and carried part, against table, boxes and feeders."""
+        arm = self.arm
+        c1, s1 = np.cos(base), np.sin(base)
+        r2, z2 = LINK * np.cos(shoulder), SHOULDER_HEIGHT + LINK * np.sin(shoulder)
+        r3, z3 = r2 + LINK * np.cos(elbow), z2 + LINK * np.sin(elbow)
+        r4, z4 = r3 + HAND_LENGTH * np.cos(pitch), z3 + HAND_LENGTH * np.sin(pitch)
+        n = len(base)
+        opening = np.maximum(self.cable[:n], arm.grip.contact) / HAND_STEPS
+        widest = float(opening.max()) / 2
+        # With the hand pointing down both fingertips are level with the point between them.
+        tilt = np.abs(np.cos(pitch)) * widest
+        hold = arm.grip.hold
+        around = 0.0
+        if hold is not None:
+            out = float(np.linalg.norm(hold.center))
+            around = out + float(np.linalg.norm(hold.half))
+        lowest = np.minimum(z3, z4 - np.maximum(tilt, around))
+        bad = lowest < MARGIN
+        world = arm.world
+        for feeder in world.vacant:
+            far = FEED_CLEARANCE + feeder.place.radius - MARGIN
+            bad |= (r4 * c1 - feeder.x) ** 2 + (r4 * s1 - feeder.y) ** 2 > far * far
+        if float(lowest.min()) <= world.ceiling + MARGIN:
+            half = HAND_LENGTH / 2
+            hand = max(float(np.hypot(half, widest)), half + around) + MARGIN
+            links = float(min(z3.min(), z2.min())) - MARGIN
+            quarters = [
+                ((a * p + b * q), (a * h + b * k))
+                for p, h, q, k in ((r2, z2, r3, z3), (0 * r2, 0 * z2 + SHOULDER_HEIGHT, r2, z2))
+                for a, b in ((0.75, 0.25), (0.25, 0.75))
+            ]
+            for box in world.boxes():
+                if box.top > float(lowest.min()) - MARGIN:
+                    r, z = (r3 + r4) / 2, (z3 + z4) / 2
+                    bad |= _near(box, (r * c1, r * s1, z), hand)
+                if box.top > links:
+                    for r, z in quarters:
+                        bad |= _near(box, (r * c1, r * s1, z), LINK / 4 + MARGIN)
+        self._cut(bad)
+
+    def commit(self, count: int) -> None:
+        """Leave the arm as the first `count` writes leave it."""
+        if not count:
+            return
+        arm = self.arm
+        for latch, mine in enumerate(self.writes):
+            k = int(np.searchsorted(mine, count))
+            if not k:
+                continue
+            last = int(mine[k - 1])
+            motor = arm.motors[latch]
+            nibbles = self.nibbles[mine[:k]] & 15
+            fresh = np.flatnonzero(nibbles != np.concatenate(([motor.coils], nibbles[:-1])))
+            turned = int(self.rotors[last, latch]) - motor.rotor
+            if len(fresh):
+                motor.follow(len(fresh))
+                motor.moved = int(self.times[mine[int(fresh[-1])]])
+            motor.done = int(self.done[latch][k - 1])
+            motor.field = (motor.field if motor.row >= 0 else motor.rotor) + turned
+            motor.rotor += turned
+            motor.row = int(self.rows[last])
+            motor.coils = int(nibbles[-1])
+        arm.arrive(self.rotors[count - 1].tolist(), int(self.times[count - 1]))
+
+
+def _near(box: Box, place: Places, reach: float) -> npt.NDArray[np.bool_]:
+    """Whether points are within reach of a box."""
+    total = np.zeros(len(place[0]))
+    d = [p - c for p, c in zip(place, box.center, strict=True)]
+    for axis, half in zip(box.axes, box.half, strict=True):
+        out = np.abs(d[0] * axis[0] + d[1] * axis[1] + d[2] * axis[2]) - half
+        total += np.square(np.maximum(out, 0.0))
+    return total < reach * reach
