@@ -26,7 +26,7 @@ class KeyMode(StrEnum):
     EVENTS = "events"
     """Real releases, asked for although the terminal did not promise them."""
     REPEAT = "repeat"
-    """The repeat timer: a press is a tap, and auto-repeat holds. Nothing is asked of the terminal."""
+    """The repeat timer: a press is a tap, auto-repeat holds. Nothing is asked of the terminal."""
     LATCH = "latch"
     """In manual mode a press turns a key on and the next one off."""
 

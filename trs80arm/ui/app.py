@@ -7,58 +7,29 @@ give it a session and a clock of its own.
 from __future__ import annotations
 
 import sys
-import time
-from collections.abc import Callable
-from datetime import datetime
-from pathlib import Path
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.batch import bench_beside
 from trs80arm.options import TerminalOptions
 from trs80arm.ui.commands import Palette, bindings
 from trs80arm.ui.demo import Demo
-from trs80arm.ui.file_commands import FileCommands
 from trs80arm.ui.machine_commands import MachineCommands
-from trs80arm.ui.places import RecentFiles, state_folder
+from trs80arm.ui.places import state_folder
 from trs80arm.ui.session import Session
-from trs80arm.ui.teach import Lesson
-from trs80arm.ui.view_commands import ViewCommands
 
 USAGE_ERROR = 2
 CRASHED = 3
 
 
-class Trs80Arm(MachineCommands, FileCommands, ViewCommands):
-    """A TRS-80 and a MiniMover 5 in the terminal.
-
-    Args:
-        session: the machine and what belongs to it.
-        options: how to start.
-        state: the folder for recent files and recovery copies.
-        wall: the wall's clock in seconds.
-        ticking: whether time passes by itself.
-    """
+class Trs80Arm(MachineCommands):
+    """A TRS-80 and a MiniMover 5 in the terminal: a `Desk` with all its commands."""
 
     BINDINGS = bindings()
     COMMANDS = {Palette}  # noqa: RUF012
 
-    def __init__(
-        self,
-        session: Session,
-        options: TerminalOptions,
-        state: Path,
-        *,
-        wall: Callable[[], float] = time.monotonic,
-        ticking: bool = True,
-    ) -> None:
-        self._remembered_theme = options.theme
-        super().__init__(session, options, wall=wall, ticking=ticking)
-        self.lesson = Lesson()
-        self.recent = RecentFiles(state / "recent.json")
-        self.copy_path = state / f"recovered-{datetime.now():%Y%m%d-%H%M%S}.bas"
-        self._demo: Demo | None = None
+    _demo: Demo | None = None
 
-    def on_mount(self) -> None:
+    def on_ready(self) -> None:
         """Load, run, play or greet, as the options say."""
         options = self.options
         if options.replay is not None:
@@ -69,14 +40,6 @@ class Trs80Arm(MachineCommands, FileCommands, ViewCommands):
             self.load_file(options.program)
             if options.run:
                 self.action_run_program()
-
-    def another_machine(self) -> None:
-        """The session has another rig on the desk."""
-        reports = self.keyboard.reports_releases
-        self.keyboard = self._new_keyboard()
-        self.keyboard.reports_releases = reports
-        self.pacer.forgive()
-        self.arrange()
 
     def action_demo(self) -> None:
         """Play the demonstration."""
@@ -122,7 +85,7 @@ def run_terminal(options: TerminalOptions) -> int:
     try:
         session = open_session(options)
     except (OSError, BenchError, ValueError) as error:
-        print(f"trs80arm: {_one_line(error)}", file=sys.stderr)
+        print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
     app = Trs80Arm(session, options, state_folder())
     result = app.run()
@@ -151,7 +114,8 @@ def open_session(options: TerminalOptions) -> Session:
     return session
 
 
-def _one_line(error: Exception) -> str:
+def one_line(error: Exception) -> str:
+    """What went wrong, in one line for standard error."""
     if isinstance(error, OSError) and error.filename:
         return f"{error.filename}: {error.strerror}"
     return str(error).splitlines()[0] if str(error) else type(error).__name__

@@ -1,4 +1,4 @@
-"""The program's own commands: one table for keys, footer, palette and the help page.
+"""The program's own commands: one table for keys, bottom line, palette and the help page.
 
 Plain keys belong to the TRS-80, so a command is on a function key, on Ctrl, or in the palette only.
 """
@@ -22,7 +22,7 @@ class Command:
         title: as the palette has it, `group: what it does`.
         help: one sentence.
         keys: the keys, comma separated.
-        footer: its word in the footer, empty when it is not there.
+        footer: its word in the bottom line, empty when it is not there.
         priority: whether its keys work in dialogs, too.
     """
 
@@ -106,31 +106,19 @@ COMMANDS: tuple[Command, ...] = (
 )
 
 
-LAST_IN_FOOTER = ("step_statement", "zoom", "teach")
-"""What an 80 column footer has no room for any more."""
-
-
-def _footer_order(command: Command) -> tuple[bool, int]:
-    first = command.keys.partition(",")[0]
-    return command.action in LAST_IN_FOOTER, int(first[1:]) if first[1:].isdecimal() else 99
-
-
 def bindings() -> list[BindingType]:
-    """The commands' keys, those of the footer in its order."""
-    made: list[BindingType] = []
-    for command in sorted(COMMANDS, key=_footer_order):
-        for number, key in enumerate(filter(None, command.keys.split(","))):
-            made.append(
-                Binding(
-                    key,
-                    command.action,
-                    command.footer or command.title,
-                    show=bool(command.footer) and number == 0,
-                    priority=command.priority,
-                    tooltip=command.help,
-                )
-            )
-    return made
+    """The commands' keys."""
+    return [
+        Binding(
+            key,
+            command.action,
+            command.title,
+            priority=command.priority,
+            tooltip=command.help,
+        )
+        for command in COMMANDS
+        for key in filter(None, command.keys.split(","))
+    ]
 
 
 class Palette(Provider):

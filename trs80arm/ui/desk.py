@@ -1,13 +1,16 @@
 """The frame of the terminal program: panels in their places, keys on their way, time passing.
 
 It owns the session, the pacer and the keyboard; the commands are mixed in from the `*_commands`
-modules. Once a tick the machine gets its time, and at most `fps` times a second what differs is drawn.
+modules. Once a tick the machine gets its time, and at most `fps` times a second what differs is
+drawn.
 """
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from datetime import datetime
+from pathlib import Path
 
 from textual import events
 from textual.app import App, ComposeResult
@@ -15,12 +18,13 @@ from textual.driver import Driver
 from textual.geometry import Offset
 from textual.screen import Screen
 from textual.widget import Widget
-from textual.widgets import Footer, Static
+from textual.widgets import Static
 
 from trs80arm.machine.display import COVERED, CURSOR
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, TerminalOptions
 from trs80arm.ui import layout
 from trs80arm.ui.coils_panel import CoilsPanel
+from trs80arm.ui.command_bar import CommandBar
 from trs80arm.ui.events_log import EventsLog
 from trs80arm.ui.glyphs import choose
 from trs80arm.ui.held_keys import HeldKeys
@@ -28,12 +32,14 @@ from trs80arm.ui.keyboard import Keyboard
 from trs80arm.ui.layout import Bottom
 from trs80arm.ui.matrix_view import KeyHeld, KeyLatched, KeysLetGo, MatrixView
 from trs80arm.ui.pacing import TICK, Pacer
+from trs80arm.ui.places import RecentFiles
 from trs80arm.ui.pose_panel import PosePanel
 from trs80arm.ui.readings import Readings
 from trs80arm.ui.registers_panel import RegistersPanel
 from trs80arm.ui.session import Session
 from trs80arm.ui.side_view import SideView
 from trs80arm.ui.status_line import Pace, StatusLine
+from trs80arm.ui.teach import Lesson
 from trs80arm.ui.terminal.driver import choose_driver
 from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
 from trs80arm.ui.themes import THEMES
@@ -61,7 +67,7 @@ TOO_SMALL = (
 
 
 class DeskScreen(Screen[None]):
-    """The one screen of the desk. When the keyboard goes elsewhere, all hands leave the TRS-80's."""
+    """The screen of the desk. When the keyboard goes elsewhere, all hands leave the TRS-80."""
 
     def on_screen_suspend(self) -> None:
         """A dialog opened."""
@@ -82,6 +88,7 @@ class Desk(App[int]):
     Args:
         session: the machine and what belongs to it.
         options: how to start.
+        state: the folder for recent files and recovery copies.
         wall: the wall's clock in seconds.
         ticking: whether time passes by itself; a test calls `tick` and `draw` instead.
     """
@@ -95,6 +102,7 @@ class Desk(App[int]):
         self,
         session: Session,
         options: TerminalOptions,
+        state: Path,
         *,
         wall: Callable[[], float] = time.monotonic,
         ticking: bool = True,
@@ -107,17 +115,22 @@ class Desk(App[int]):
         self._ticking = ticking
         self.pacer = Pacer(session, wall, options.speed)
         self.keyboard = self._new_keyboard()
+        self.lesson = Lesson()
+        self.recent = RecentFiles(state / "recent.json")
+        self.copy_path = state / f"recovered-{datetime.now():%Y%m%d-%H%M%S}.bas"
         self.bottom = Bottom.ARM
         self.zoomed: str | None = None
         self.cursor_style = options.cursor
         self.arm_style = options.arm_style
+        self._remembered_theme = options.theme
         self._notice = ""
         self._notice_until = 0.0
         self._next_frame = 0.0
         self._next_numbers = 0.0
         for theme in THEMES:
             self.register_theme(theme)
-        self.theme = options.theme if options.theme in self.available_themes else THEMES[0].name
+        known = options.theme in self.available_themes
+        self.theme = options.theme if known else THEMES[0].name
 
     def _new_keyboard(self) -> Keyboard:
         options = self.options
@@ -128,6 +141,14 @@ class Desk(App[int]):
             self.wall,
             self.session.rig.settings.driver.keys.leave,
         )
+
+    def another_machine(self) -> None:
+        """The session has another rig on the desk."""
+        reports = self.keyboard.reports_releases
+        self.keyboard = self._new_keyboard()
+        self.keyboard.reports_releases = reports
+        self.pacer.forgive()
+        self.arrange()
 
     def get_default_screen(self) -> Screen[None]:
         """The desk."""
@@ -151,7 +172,7 @@ class Desk(App[int]):
         yield EventsLog(id="events")
         yield MatrixView(self.session.rig.settings.driver.keys, id="matrix")
         yield StatusLine(id="status")
-        yield Footer(show_command_palette=False, compact=True)
+        yield CommandBar(id="commands")
 
     def on_mount(self) -> None:
         """Set everything up, and let time begin."""

@@ -10,20 +10,24 @@ from trs80arm.batch import bench_beside
 from trs80arm.files import FileFormatError, Kind
 from trs80arm.saving import write_whole
 from trs80arm.ui import recording
-from trs80arm.ui.desk import Desk
 from trs80arm.ui.places import program_files, programs_that_come_along, recovered_copies
 from trs80arm.ui.screens.dialog import Ask, AskPath, Choice
 from trs80arm.ui.screens.open import OpenScreen, Shelf
 from trs80arm.ui.screens.paste import Listing, PasteScreen
+from trs80arm.ui.view_commands import ViewCommands
 
 COPY_EVERY = 5.0
 """Seconds of the wall between two looks at whether a recovery copy is due."""
 
 
-class FileCommands(Desk):
+class AskToLeave(Ask):
+    """The question before leaving; asked to leave again, the program leaves."""
+
+
+class FileCommands(ViewCommands):
     """Open, save, paste, copy, record, replay, leave."""
 
-    def on_mount(self) -> None:
+    def on_ready(self) -> None:
         """Keep a recovery copy from time to time, and tell of one that is left over."""
         if self._ticking:
             self.set_interval(COPY_EVERY, self.keep_copy)
@@ -226,14 +230,14 @@ class FileCommands(Desk):
 
     def action_leave(self) -> None:
         """Leave; ask if the program is unsaved, but when asked while asking, leave at once."""
-        if getattr(self.screen, "leaving", False):
+        if isinstance(self.screen, AskToLeave):
             self.keep_copy()
             self.exit(0)
             return
         if not self.session.unsaved:
             self._leave()
             return
-        question = Ask(
+        question = AskToLeave(
             "Leave",
             "The program in memory is not saved. Ctrl+C again leaves and keeps a recovery copy.",
             [
@@ -242,7 +246,6 @@ class FileCommands(Desk):
                 Choice("stay", "Back"),
             ],
         )
-        question.leaving = True
 
         def answered(answer: str | None) -> None:
             if answer == "save":

@@ -1,8 +1,8 @@
 """What a code of the video memory looks like in a terminal: text, arrows, 2x3 graphics blocks.
 
-The machine's graphics codes 128 to 191 hold the six blocks in bits 0 to 5, top left to bottom right,
-which is Unicode's own order of sextants. Four sets of glyphs draw them; no terminal can be asked
-which it has, so the user chooses.
+The machine's graphics codes 128 to 191 hold the six blocks in bits 0 to 5, top left to bottom
+right, which is Unicode's own order of sextants. Four sets of glyphs draw them; no terminal can be
+asked which it has, so the user chooses.
 """
 
 from __future__ import annotations

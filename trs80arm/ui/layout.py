@@ -1,7 +1,8 @@
 """Where everything stands in a terminal of a given size: a pure function from size to regions.
 
-Three arrangements: all panels (from 116 x 36), tube with registers and a switched bottom panel (from
-78 columns), tube with a switched bottom panel. Below 64 x 18 there is room for a message only.
+Three arrangements: all panels (from 116 x 36), tube with registers and a switched bottom panel
+(from 78 columns), tube with a switched bottom panel. Below 64 x 18 there is room for a message
+only.
 """
 
 from __future__ import annotations

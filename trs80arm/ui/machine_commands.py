@@ -1,14 +1,17 @@
-"""The commands that work the machine and the arm: run, BREAK, speed, steps, bench, hands, teaching."""
+"""The commands that work machine and arm: run, BREAK, speed, steps, bench, hands, teaching."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from trs80arm.arm.bench import BenchError
+from trs80arm.arm.geometry import OutOfReach
+from trs80arm.arm.minimover import InTheWay, MotorsOn
 from trs80arm.machine.keys import Key
 from trs80arm.options import KeyMode
 from trs80arm.settings import Speed
-from trs80arm.ui.desk import Desk
+from trs80arm.ui.file_commands import FileCommands
 from trs80arm.ui.places import programs_that_come_along
 from trs80arm.ui.screens.dialog import Choice, Choose
 from trs80arm.ui.screens.hand_move import HandMoveScreen, MoveJoint, MoveTo
@@ -26,7 +29,7 @@ SPEED_NOTES = {
 STANDARD_BENCH = "table"
 
 
-class MachineCommands(Desk):
+class MachineCommands(FileCommands):
     """Run, BREAK, pause, steps, speed, reset; bench, hands and teaching; the keys' mode."""
 
     def action_run_program(self) -> None:
@@ -140,11 +143,21 @@ class MachineCommands(Desk):
 
     def on_move_joint(self, message: MoveJoint) -> None:
         """Turn a joint by hand, or say why not."""
-        self._by_hand(lambda: self.session.move_joint(message.joint, message.steps))
+        self._by_hand(lambda: self.session.move_joint(message.joint, message.value))
 
     def on_move_to(self, message: MoveTo) -> None:
         """Put the hand somewhere, or say why not."""
         self._by_hand(lambda: self.session.move_to(message.pose))
+
+    def _by_hand(self, move: Callable[[], None]) -> None:
+        try:
+            move()
+        except (MotorsOn, InTheWay, OutOfReach, ValueError) as error:
+            text = str(error)
+        else:
+            text = ""
+        if isinstance(self.screen, HandMoveScreen):
+            self.screen.say(text)
 
     def action_teach(self) -> None:
         """The list of positions."""

@@ -90,7 +90,12 @@ class MatrixView(Widget):
     count, `-` a negative one.
     """
     ALLOW_SELECT = False
-    COMPONENT_CLASSES = {"matrix--key", "matrix--down", "matrix--jog", "matrix--label"}
+    COMPONENT_CLASSES = {  # noqa: RUF012
+        "matrix--key",
+        "matrix--down",
+        "matrix--jog",
+        "matrix--label",
+    }
     DEFAULT_CSS = """
     MatrixView .matrix--key { color: $foreground; background: $panel; }
     MatrixView .matrix--jog { color: $accent; background: $panel; text-style: bold; }

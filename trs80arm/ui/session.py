@@ -200,9 +200,9 @@ class Session:
         self.rig.set_bench(bench)
         self.bench_path = path
 
-    def move_joint(self, joint: int, steps: int) -> None:
+    def move_joint(self, joint: str, value: float) -> None:
         """Turn a joint by hand (`Rig.move_joint`)."""
-        self.rig.move_joint(joint, steps)
+        self.rig.move_joint(joint, value)
 
     def move_to(self, pose: Pose) -> None:
         """Put the hand somewhere by hand (`Rig.move_to`)."""

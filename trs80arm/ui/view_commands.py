@@ -1,4 +1,4 @@
-"""The commands that change what is seen: panels, zoom, arm views, glyphs, themes, help, settings."""
+"""The commands that change what is seen: panels, zoom, arm views, glyphs, help, settings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What all dialogs have in common, and the three plain ones: a question, a choice, a file's name."""
+"""What all dialogs have in common, and the plain ones: a question, a choice, a file's name."""
 
 from __future__ import annotations
 
@@ -31,6 +31,7 @@ class Dialog(ModalScreen[Answer | None], Generic[Answer]):
     Dialog .hint { color: $text-muted; }
     Dialog .wrong { color: $error; height: auto; }
     Dialog OptionList { height: auto; max-height: 20; border: none; background: $surface; }
+    Dialog OptionList:focus { border: none; }
     Dialog Input { border: none; height: 1; background: $panel; padding: 0 1; }
     Dialog Input:focus { border: none; }
     Dialog .buttons { height: auto; align-horizontal: right; margin-top: 1; }

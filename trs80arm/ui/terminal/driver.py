@@ -42,7 +42,7 @@ class KeyReleaseDriver(LinuxDriver):
 
     def start_application_mode(self) -> None:
         """Start as Textual does, then ask for event types."""
-        super().start_application_mode()
+        super().start_application_mode()  # type: ignore[no-untyped-call]
         # A process in the background may not touch the terminal, and stock start gave up then.
         if self._writer_thread is None:
             return

@@ -1,0 +1,54 @@
+"""The terminal program in a browser, by textual-serve: for a classroom or a look from elsewhere.
+
+The browser's terminal reports no key releases, so there keys are held by the timer, the latch or
+the mouse; nothing else is missing.
+"""
+
+from __future__ import annotations
+
+import shlex
+import sys
+from pathlib import Path
+
+LOOPBACK = ("127.0.0.1", "localhost", "::1")
+LIMITS = """\
+Serving on http://{host}:{port}  (Ctrl+C ends it)
+In a browser: no key releases (hold with the mouse, or latch with Ctrl+D), one machine for each
+visitor, and files are those of this computer."""
+OPEN_TO_OTHERS = """\
+Careful: {host} is not this computer alone. Whoever reaches it can read and write the files that you
+can, through the open and save dialogs."""
+
+
+class ServeError(Exception):
+    """The terminal cannot be served; one clear line."""
+
+
+def serve_terminal(host: str, port: int, program: Path | None) -> None:
+    """Serve the terminal until Ctrl+C.
+
+    Args:
+        host: the address to listen at.
+        port: the port.
+        program: a program for every visitor to begin with.
+
+    Raises:
+        ServeError: the extra is not installed, or the port cannot be had.
+    """
+    try:
+        from textual_serve.server import Server  # type: ignore[import-not-found, unused-ignore]
+    except ImportError:
+        raise ServeError("serve needs the extra: pip install 'trs80arm[web]'") from None
+    words = [sys.executable, "-m", "trs80arm", "terminal", "--keys", "repeat"]
+    if program is not None:
+        if not program.is_file():
+            raise ServeError(f"{program}: no such file")
+        words.append(str(program.resolve()))
+    print(LIMITS.format(host=host, port=port))
+    if host not in LOOPBACK:
+        print(OPEN_TO_OTHERS.format(host=host))
+    server = Server(shlex.join(words), host=host, port=port, title="trs80arm")
+    try:
+        server.serve()
+    except OSError as error:
+        raise ServeError(f"{host}:{port}: {error.strerror or error}") from None
