@@ -477,6 +477,11 @@ class Rig:
         return self._works.printer
 
     @property
+    def console(self) -> Console:
+        """The ROM's display and keyboard drivers."""
+        return self._works.console
+
+    @property
     def held(self) -> frozenset[Key]:
         """The keys that are down in the matrix."""
         return self._works.matrix.held
