@@ -69,7 +69,8 @@ class Bench:
     def standard(cls) -> Bench:
         """The bench of an arm for which none was named: a table and one part.
 
-        The part, of aluminium, is an inch high, half an inch wide, weighs 0.4 oz and stands at (8, 0), Table 4's point A.
+        The part is of aluminium: an inch high, half an inch wide, 0.4 oz. It stands at (8, 0),
+        Table 4's point A.
         """
         bench = cls("table")
         bench.add_part("block", (0.5, 0.5, 1.0), 0.4, 8.0, 0.0, 0.0)
