@@ -192,11 +192,10 @@ class HeldKeys:
             return False
         if self._after_enter and now < self._last_stroke + GLANCE:
             return False
-        again = set(stroke.keys) - {Key.SHIFT}
-        older = [stroke for stroke in self._strokes if again.isdisjoint(stroke.keys)]
-        if len(older) < len(self._strokes):
-            # An older finger gives way to the key being typed again.
-            self._strokes = older
+        again = set(stroke.keys) - {Key.SHIFT} - self._latched - self._pointed
+        # An older finger gives way to the key being typed again, and the switch opens in between.
+        self._strokes = [older for older in self._strokes if again.isdisjoint(older.keys)]
+        if not again.isdisjoint(self._down):
             return False
         return all(now >= self._lifted.get(key, -LIFT) + LIFT for key in again)
 

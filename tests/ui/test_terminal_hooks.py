@@ -1,0 +1,156 @@
+"""Textual's private hooks are as our driver and parser need them, and do what they should."""
+
+from __future__ import annotations
+
+import inspect
+
+import pytest
+from textual import events
+from textual._xterm_parser import XTermParser
+from textual.drivers.linux_driver import LinuxDriver
+from textual.drivers.web_driver import WebDriver
+from textual.message import Message
+
+from trs80arm.options import KeyMode
+from trs80arm.ui.terminal.driver import InsistingDriver, KeyReleaseDriver, choose_driver
+from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
+from trs80arm.ui.terminal.parser import KeyParser
+
+
+def parse(data: str, *, releases: bool = True, chunk: int = 0) -> list[Message]:
+    parser = KeyParser(releases=releases)
+    size = chunk or len(data) or 1
+    found: list[Message] = []
+    for start in range(0, len(data), size):
+        found.extend(parser.feed(data[start : start + size]))
+    return found
+
+
+def told(messages: list[Message]) -> list[str]:
+    """The messages in short: `+base`, `-base`, `key name`, `report`."""
+    words = []
+    for message in messages:
+        match message:
+            case KeyWentDown():
+                words.append(f"+{message.base}")
+            case KeyWentUp():
+                words.append(f"-{message.base}")
+            case KeyReport():
+                words.append(f"report {message.releases}")
+            case events.Key():
+                words.append(f"key {message.key}")
+            case _:
+                words.append(type(message).__name__)
+    return words
+
+
+def test_the_parser_still_has_the_hook_that_ours_overrides() -> None:
+    hook = XTermParser._sequence_to_key_events
+    assert list(inspect.signature(hook).parameters) == ["self", "sequence", "alt"]
+    assert "sequence_to_key_events" in inspect.getsource(XTermParser.parse)
+
+
+def test_the_driver_still_has_what_ours_overrides_and_uses() -> None:
+    source = inspect.getsource(LinuxDriver)
+    for name in ("start_application_mode", "stop_application_mode", "run_input_thread"):
+        assert callable(getattr(LinuxDriver, name))
+    for name in ("self.fileno", "self.exit_event", "self._writer_thread", "self._debug"):
+        assert name in source
+    assert "XTermParser(self._debug)" in inspect.getsource(LinuxDriver.run_input_thread)
+
+
+def test_only_the_linux_driver_is_replaced() -> None:
+    assert choose_driver(LinuxDriver, KeyMode.AUTO) is KeyReleaseDriver
+    assert choose_driver(LinuxDriver, KeyMode.LATCH) is KeyReleaseDriver
+    assert choose_driver(LinuxDriver, KeyMode.EVENTS) is InsistingDriver
+    assert choose_driver(LinuxDriver, KeyMode.REPEAT) is LinuxDriver
+    assert choose_driver(WebDriver, KeyMode.AUTO) is WebDriver
+
+
+def test_three_keys_are_held_at_once_and_let_go_in_any_order() -> None:
+    data = "\x1b[49;1:1;49u\x1b[119;1:1;119u\x1b[51;1;51u\x1b[119;1:3u\x1b[49;1:3u\x1b[51;1:3u"
+    ups_and_downs = [word for word in told(parse(data)) if word[0] in "+-"]
+    assert ups_and_downs == ["+49u", "+119u", "+51u", "-119u", "-49u", "-51u"]
+
+
+@pytest.mark.parametrize("chunk", [1, 2, 3, 5])
+def test_pieces_of_any_size_give_the_same(chunk: int) -> None:
+    data = "\x1b[97;1:1;97u\x1b[97;1:2;97u\x1b[97;1:3u\x1b[1;1:1A\x1b[1;1:3A"
+    assert told(parse(data, chunk=chunk)) == [
+        "+97u",
+        "key a",
+        "key a",
+        "-97u",
+        "+1A",
+        "key up",
+        "-1A",
+    ]
+
+
+def test_shift_let_go_before_the_letter_leaves_no_key_hanging() -> None:
+    down, up = parse("\x1b[105:73;2:1;73u\x1b[105;1:3u")[::2]
+    assert isinstance(down, KeyWentDown)
+    assert isinstance(up, KeyWentUp)
+    assert down.base == up.base == "105u"
+    assert down.text == "I"
+
+
+def test_repeats_are_keys_but_no_new_press() -> None:
+    assert told(parse("\x1b[97;1:2;97u")) == ["key a"]
+
+
+def test_alternates_stand_in_for_text_only_under_shift() -> None:
+    [down, _] = parse("\x1b[50:34;2u")
+    assert isinstance(down, KeyWentDown)
+    assert down.text == '"'
+    [down, key] = parse("\x1b[97:65;6u")
+    assert isinstance(down, KeyWentDown)
+    assert down.text is None
+    assert isinstance(key, events.Key)
+    assert key.key == "ctrl+shift+a"
+
+
+@pytest.mark.parametrize(
+    ("data", "name", "character"),
+    [
+        ("\x1b[13;1:1u", "enter", "\r"),
+        ("\x1b[32u", "space", " "),
+        ("\x1b[32;1:1;32u", "space", " "),
+        ("\x1b[27;1:1u", "escape", None),
+        ("\x1b[127;1:1u", "backspace", "\x7f"),
+        ("\x1b[15;1:1~", "f5", None),
+        ("\x1b[1;1:1P", "f1", None),
+        ("\x1b[97;65;97u", "a", "a"),
+        ("\x1b[97;129;97u", "a", "a"),
+        ("\x1b[57441;2:1u", "left_shift", None),
+    ],
+)
+def test_textual_gets_its_keys_as_ever(data: str, name: str, character: str | None) -> None:
+    keys = [message for message in parse(data) if isinstance(message, events.Key)]
+    assert [(key.key, key.character) for key in keys] == [(name, character)]
+
+
+def test_replies_are_no_keys() -> None:
+    assert told(parse("\x1b[?31u\x1b[?62;22c", releases=False)) == ["report True"]
+    assert told(parse("\x1b[?1u\x1b[?62;22c", releases=False)) == ["report False"]
+
+
+def test_a_release_proves_what_the_answer_denied() -> None:
+    words = told(parse("\x1b[?0u\x1b[97;1:3u\x1b[98;1:1;98u", releases=False))
+    assert words == ["report False", "report True", "-97u", "+98u", "key b"]
+
+
+def test_a_terminal_without_releases_never_has_a_press_without_a_release() -> None:
+    words = told(parse("a\x1b[A\x1b[1;5C\x1bOP", releases=False))
+    assert words == ["key a", "key up", "key ctrl+right", "key f1"]
+
+
+def test_mouse_and_paste_pass_in_between() -> None:
+    words = told(parse("\x1b[97;1:1;97u\x1b[<0;5;6M\x1b[200~X\r\x1b[201~\x1b[97;1:3u"))
+    assert words == ["+97u", "key a", "MouseDown", "Paste", "-97u"] or words == [
+        "+97u",
+        "key a",
+        "MouseDown",
+        "-97u",
+        "Paste",
+    ]
