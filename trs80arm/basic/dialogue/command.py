@@ -1,0 +1,70 @@
+"""The command level: READY, the `>` and what a typed line leads to.
+
+It is the bottom of the interpreter's stack. Programs, LIST, errors and BREAK all come back to it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from trs80arm.basic.activity import Waiting
+from trs80arm.basic.dialogue import auto
+from trs80arm.basic.dialogue.edit import Edit
+from trs80arm.basic.dialogue.home import Home, return_to_command
+from trs80arm.basic.dialogue.line_input import Line, LineInput
+
+if TYPE_CHECKING:
+    from trs80arm.basic.interpreter import Interpreter
+
+__all__ = ["CommandLevel", "return_to_command"]
+
+_T_READY: Final = 2700
+"""T-states from the end of a command to the R of READY, and between READY and the `>`."""
+_BLANKS = b" \t\n"
+
+
+class CommandLevel(Home):
+    """Says READY, asks for a line, gives it to the interpreter, and again."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._number: int | None = None
+        """The line that AUTO asks for."""
+
+    def advance(self, basic: Interpreter) -> None:
+        """Print READY, or a prompt, and ask for a line."""
+        if self._ready:
+            basic.newline_if_needed()
+            basic.host.clock.now += _T_READY
+            basic.print_text(b"READY\r")
+            self._ready = False
+            if self._edit_line is not None:
+                line, self._edit_line = self._edit_line, None
+                basic.begin(Edit(line))
+        elif auto.is_on(basic):
+            self._number = auto.prompt(basic)
+            basic.begin(LineInput(Waiting.AUTO))
+        else:
+            basic.host.console.put(ord(">"))
+            basic.begin(LineInput(Waiting.COMMAND))
+
+    def resumed(self, basic: Interpreter, result: Any) -> None:
+        """A line was typed, or what it began has ended."""
+        number, self._number = self._number, None
+        if not isinstance(result, Line):
+            self._ready = True
+        elif number is not None:
+            self._numbered(basic, number, result.text)
+        elif result.text is not None and result.text.strip(_BLANKS):
+            # An error in storing the line, as any, leads to READY.
+            self._ready = True
+            self._ready = basic.enter_line(result.text)
+
+    def _numbered(self, basic: Interpreter, number: int, line: bytes | None) -> None:
+        """A line typed at AUTO's number; BREAK, or a next number too large, ends AUTO."""
+        self._ready = True
+        if line is None or not auto.go_on(basic, number):
+            auto.switch_off(basic)
+        else:
+            basic.store_line(number, line if line.strip(_BLANKS) else b"")
+            self._ready = False

@@ -1,0 +1,149 @@
+"""INPUT: the prompt, the answer, and its items into the variables.
+
+The ROM takes READ's way through the items, with `??` where READ looks for the next DATA and ?REDO
+where READ is out of step. It looks at a variable only when its item is there, so subscripts see the
+items before, and an error in the list comes after the question.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Final, Protocol
+
+from trs80arm.basic.activity import Activity, Waiting
+from trs80arm.basic.dialogue.line_input import LineInput
+from trs80arm.basic.numbers import double, literal
+from trs80arm.basic.numbers.convert import Number
+
+if TYPE_CHECKING:
+    from trs80arm.basic.interpreter import Interpreter
+
+_BLANKS = b" \t\n"
+_QUOTE = ord('"')
+_COMMA = ord(",")
+_COLON = ord(":")
+
+_T_ASK: Final = 300
+_T_ITEM: Final = 2000
+_T_CHARACTER: Final = 90
+"""T-states beside those of the assignment: an item, and each of its characters."""
+
+
+class Target(Protocol):
+    """One variable of the list."""
+
+    @property
+    def kind(self) -> str:
+        """`i`, `s`, `d` or `t` for text; looked at, the variable is found, subscripts and all."""
+
+    def assign(self, value: Any) -> None:
+        """Give it a number of any type, or bytes."""
+
+
+class Items:
+    """Items separated by commas, as INPUT and INPUT# read them.
+
+    Args:
+        text: without its end; it is begun as if a comma stood before it.
+    """
+
+    def __init__(self, text: bytes) -> None:
+        self._text = text
+        self._place = 0
+        self._comma = True
+
+    @property
+    def is_next(self) -> bool:
+        """Whether an item, an empty one perhaps, follows."""
+        return self._comma
+
+    @property
+    def is_rest(self) -> bool:
+        """Whether text is left behind the last item taken."""
+        return self._comma or self._place < len(self._text)
+
+    def _skip(self) -> int:
+        """Go to the next character that is no blank; 0 at the end."""
+        text = self._text
+        while self._place < len(text) and text[self._place] in _BLANKS:
+            self._place += 1
+        return text[self._place] if self._place < len(text) else 0
+
+    def number(self, kind: str) -> Number:
+        """The next item as a number; what is none is 0 and stays to be seen behind it."""
+        self._skip()
+        start: Number = double.ZERO if kind == "d" else 0
+        scanned = literal.scan(self._text, self._place, start)
+        self._place = scanned.end
+        return scanned.value
+
+    def string(self) -> bytes:
+        """The next item as a string: quoted, or up to a comma or colon."""
+        text = self._text
+        if self._skip() == _QUOTE:
+            end = text.find(b'"', self._place + 1)
+            end = len(text) if end < 0 else end
+            start, self._place = self._place + 1, end + 1
+            return text[start:end]
+        start = self._place
+        while self._place < len(text) and text[self._place] not in b",:":
+            self._place += 1
+        return text[start : self._place]
+
+    def separator(self) -> bool:
+        """Pass the comma behind an item; whether one, or the end, or a colon was there."""
+        code = self._skip()
+        self._comma = code == _COMMA
+        self._place += self._comma
+        return self._comma or code in (0, _COLON)
+
+
+class InputStatement(Activity):
+    """One INPUT from its prompt to its last variable.
+
+    Args:
+        prompt: the text in front of the question mark.
+        targets: the variables.
+    """
+
+    def __init__(self, prompt: bytes, targets: Sequence[Target]) -> None:
+        self._prompt = prompt
+        self._targets = targets
+        self._done = 0
+        self._question: bytes | None = prompt + b"? "
+
+    def advance(self, basic: Interpreter) -> None:
+        """Ask."""
+        question, self._question = self._question, None
+        basic.host.clock.now += _T_ASK
+        basic.print_text(question or b"")
+        basic.begin(LineInput(Waiting.INPUT))
+
+    def resumed(self, basic: Interpreter, result: Any) -> None:
+        """A line was typed: BREAK breaks, an empty one leaves what is left as it was."""
+        if result.text is None:
+            basic.break_()
+        elif not result.text:
+            basic.end()
+        else:
+            self._take(basic, Items(result.text))
+
+    def _take(self, basic: Interpreter, items: Items) -> None:
+        while self._done < len(self._targets):
+            target = self._targets[self._done]
+            kind = target.kind
+            if not items.is_next:
+                self._question = b"?? "
+                return
+            basic.host.clock.now += _T_ITEM
+            value = items.string() if kind == "t" else items.number(kind)
+            target.assign(value)
+            if not items.separator():
+                basic.print_text(b"?REDO\r")
+                self._done = 0
+                self._question = self._prompt + b"? "
+                return
+            self._done += 1
+        if items.is_rest:
+            basic.print_text(b"?Extra ignored\r")
+        basic.end()

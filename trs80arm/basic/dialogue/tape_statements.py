@@ -1,0 +1,276 @@
+"""The statements that use the cassette recorder: CSAVE, CLOAD, CLOAD?, PRINT#-1 and INPUT#-1.
+
+A recording is 255 zeros and the sync byte A5H; then three D3H, the name's first character and the
+program as it lies in memory, or the characters of one PRINT# and a carriage return. A byte takes 16
+milliseconds. The ROM cannot be broken off meanwhile; here BREAK switches the motor off.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from trs80arm.basic.activity import Activity
+from trs80arm.basic.dialogue import wait
+from trs80arm.basic.dialogue.home import return_to_command
+from trs80arm.basic.dialogue.input_statement import Items, Target
+from trs80arm.basic.errors import BasicError, Code
+
+if TYPE_CHECKING:
+    from trs80arm.basic.interpreter import Interpreter
+
+LEADER: Final = 255
+SYNC: Final = 0xA5
+PROGRAM_MARK: Final = b"\xd3\xd3\xd3"
+RECORD_LENGTH: Final = 248
+"""Characters that INPUT# takes from one recording."""
+_RETURN = 13
+_END_ZEROS = 3
+_STARS = (0x3C3E, 0x3C3F)
+"""The two cells in the corner of the tube: `**` while a program is read, the second one blinks."""
+_STAR, _BLANK = 42, 32
+
+_T_BYTE: Final = 28_500
+"""T-states of one byte at 500 baud, recorded or played."""
+
+
+class Writing(Activity):
+    """Bytes on their way to the tape.
+
+    Args:
+        data: what comes behind leader and sync byte; an error is raised in its place, for the ROM
+            records the leader before it looks at what to record.
+    """
+
+    def __init__(self, data: bytes | BasicError) -> None:
+        self._data = bytes(LEADER) + bytes((SYNC,))
+        self._error: BasicError | None = None
+        if isinstance(data, BasicError):
+            self._error = data
+        else:
+            self._data += data
+        self._place = 0
+
+    def advance(self, basic: Interpreter) -> None:
+        """Record up to the clock's limit."""
+        clock, tape = basic.host.clock, basic.host.tape
+        if not self._place:
+            tape.start_writing()
+        while clock.now < clock.limit and self._place < len(self._data):
+            tape.write(self._data[self._place])
+            self._place += 1
+            clock.now += _T_BYTE
+            if wait.look_for_break(basic) == wait.BREAK:
+                tape.stop()
+                basic.break_()
+                return
+        if self._place == len(self._data):
+            tape.stop()
+            if self._error is not None:
+                raise self._error
+            basic.end()
+
+
+class PrintTape(Writing):
+    """`PRINT#-1` or `-2`.
+
+    Args:
+        data: the items as PRINT shows them, with commas between, or what went wrong with them.
+    """
+
+    def __init__(self, data: bytes | BasicError) -> None:
+        super().__init__(data if isinstance(data, BasicError) else data + bytes((_RETURN,)))
+
+
+class Csave(Activity):
+    """`CSAVE "A"`.
+
+    Args:
+        name: its first character is the program's name; empty is ?FC.
+    """
+
+    def __init__(self, name: bytes | BasicError) -> None:
+        self._name = name or BasicError(Code.FC)
+
+    def advance(self, basic: Interpreter) -> None:
+        """Record the program as it is now."""
+        name, program = self._name, basic.program
+        basic.stack.pop()
+        if isinstance(name, BasicError):
+            basic.begin(Writing(name))
+            return
+        text = bytes(basic.host.memory.ram[program.start : program.end])
+        basic.begin(Writing(PROGRAM_MARK + name[:1] + text))
+
+
+class Reading(Activity):
+    """Something on its way from the tape; at the end of the tape nothing happens until BREAK."""
+
+    def __init__(self) -> None:
+        self._playing = False
+        self._found = False
+
+    def advance(self, basic: Interpreter) -> None:
+        """Find the next recording, then take it byte by byte."""
+        clock, tape = basic.host.clock, basic.host.tape
+        if not self._playing:
+            tape.start_reading()
+            self._playing = True
+        while clock.now < clock.limit and self._playing:
+            if not self._found:
+                self._found = tape.find_sync()
+                clock.now += _T_BYTE * LEADER if self._found else 0
+                if self._found:
+                    self.found(basic)
+            else:
+                value = tape.read()
+                clock.now += _T_BYTE
+                if value is None:
+                    self._found = False
+                else:
+                    self.byte(basic, value)
+            look = wait.look_for_break if self._found else wait.next_key
+            if self._playing and look(basic) == wait.BREAK:
+                self.stop(basic)
+                basic.break_()
+
+    def search(self) -> None:
+        """Go on to the next recording."""
+        self._found = False
+
+    def stop(self, basic: Interpreter) -> None:
+        """Switch the motor off."""
+        basic.host.tape.stop()
+        self._playing = False
+
+    def found(self, basic: Interpreter) -> None:
+        """A recording begins."""
+
+    def byte(self, basic: Interpreter, value: int) -> None:
+        """The next byte of it."""
+        raise TypeError(f"{type(self).__name__} takes no bytes")
+
+
+class Cload(Reading):
+    """`CLOAD`, or `CLOAD?`, which compares instead of storing.
+
+    Args:
+        name: the program's name, of which the first character counts; None takes the next program.
+        verify: whether it is `CLOAD?`.
+    """
+
+    def __init__(self, name: bytes | BasicError | None, *, verify: bool) -> None:
+        super().__init__()
+        self._name = name
+        self._verify = verify
+        self._head = bytearray()
+        self._address = 0
+        self._zeros = 0
+
+    def found(self, basic: Interpreter) -> None:
+        """The name is only looked at now; a program in memory goes before another comes."""
+        _show_stars(basic)
+        self._head.clear()
+        if isinstance(self._name, BasicError):
+            self.stop(basic)
+            raise self._name
+        if self._name == b"":
+            self.stop(basic)
+            raise BasicError(Code.FC)
+
+    def byte(self, basic: Interpreter, value: int) -> None:
+        """Three marks, the name, then the program up to three zeros in a row."""
+        if len(self._head) <= len(PROGRAM_MARK):
+            self._head.append(value)
+            if len(self._head) > len(PROGRAM_MARK):
+                self._check_head(basic)
+            return
+        memory = basic.host.memory
+        if self._verify:
+            if memory.peek(self._address) != value:
+                self.stop(basic)
+                basic.print_text(b"BAD\r")
+                return_to_command(basic)
+                return
+        elif self._address >= basic.strings.bottom:
+            self.stop(basic)
+            basic.program.clear()
+            basic.clear_all()
+            raise BasicError(Code.OM)
+        else:
+            memory.ram[self._address] = value
+        self._address += 1
+        self._zeros = 0 if value else self._zeros + 1
+        if value == 0:
+            _blink(basic)
+        if self._zeros == _END_ZEROS:
+            self._end(basic)
+
+    def _check_head(self, basic: Interpreter) -> None:
+        wanted = self._name[:1] if isinstance(self._name, bytes) else self._head[-1:]
+        if self._head != PROGRAM_MARK + wanted:
+            self.search()
+            return
+        if not self._verify:
+            basic.program.clear()
+            basic.clear_all()
+        self._address = basic.program.start
+        self._zeros = 0
+
+    def _end(self, basic: Interpreter) -> None:
+        self.stop(basic)
+        if not self._verify:
+            basic.program.end = self._address
+            basic.program.mend()
+        basic.clear_all()
+        basic.print_text(b"READY\r")
+        return_to_command(basic, ready=False)
+
+
+class InputTape(Reading):
+    """`INPUT#-1` or `-2`: the items of one recording.
+
+    Args:
+        targets: the variables.
+    """
+
+    def __init__(self, targets: Sequence[Target]) -> None:
+        super().__init__()
+        self._targets = targets
+        self._text = bytearray()
+
+    def found(self, basic: Interpreter) -> None:
+        """A recording begins."""
+        _show_stars(basic)
+        self._text.clear()
+
+    def byte(self, basic: Interpreter, value: int) -> None:
+        """Characters up to the carriage return."""
+        if value != _RETURN and len(self._text) < RECORD_LENGTH:
+            self._text.append(value)
+            return
+        self.stop(basic)
+        self._assign(basic, Items(bytes(self._text)))
+        basic.end()
+
+    def _assign(self, basic: Interpreter, items: Items) -> None:
+        for target in self._targets:
+            kind = target.kind
+            if not items.is_next:
+                raise BasicError(Code.OD)
+            value = items.string() if kind == "t" else items.number(kind)
+            target.assign(value)
+            if not items.separator():
+                raise BasicError(Code.FD)
+        if items.is_rest:
+            basic.print_text(b"?Extra ignored\r")
+
+
+def _show_stars(basic: Interpreter) -> None:
+    for address in _STARS:
+        basic.host.memory.poke(address, _STAR)
+
+
+def _blink(basic: Interpreter) -> None:
+    memory = basic.host.memory
+    memory.poke(_STARS[1], _BLANK if memory.peek(_STARS[1]) == _STAR else _STAR)
