@@ -8,7 +8,7 @@ what the arm was told and where it is are two things.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -25,6 +25,7 @@ from trs80arm.arm.geometry import (
     CableDrive,
     JointAngles,
     Motor,
+    OutOfReach,
     Pose,
     inverse,
     pose_of,
@@ -34,6 +35,8 @@ from trs80arm.arm.limits import beyond_stop, load_fraction
 from trs80arm.arm.motors import RING, ROWS, StepperMotor, shortest_period
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.world import World
+
+__all__ = ["ArmState", "InTheWay", "MiniMover", "MotorsOn", "OutOfReach", "Pose"]
 
 Ints = Sequence[int] | npt.NDArray[np.int64]
 
@@ -49,6 +52,10 @@ class MotorsOn(Exception):  # noqa: N818 (says what is, like OutOfReach)
 
 class InTheWay(Exception):  # noqa: N818 (says what is, like OutOfReach)
     """Something on the bench is where the arm was to be moved by hand."""
+
+
+Six = tuple[int, int, int, int, int, int]
+"""One number for each motor."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,9 +75,9 @@ class ArmState:
         held: name of the part in the hand, or None.
     """
 
-    rotors: tuple[int, ...]
-    fields: tuple[int, ...]
-    slipped: tuple[int, ...]
+    rotors: Six
+    fields: Six
+    slipped: Six
     coils: tuple[int, ...]
     motors_on: bool
     angles: JointAngles
@@ -377,9 +384,9 @@ class MiniMover:
         grip = self._world.grip
         six = self.motors[:6]
         return ArmState(
-            tuple(motor.rotor for motor in six),
-            tuple(motor.field for motor in six),
-            tuple(motor.rotor - motor.field for motor in six),
+            _six(motor.rotor for motor in six),
+            _six(motor.field for motor in six),
+            _six(motor.rotor - motor.field for motor in six),
             tuple(motor.coils for motor in self.motors),
             any(motor.energised for motor in six),
             angles,
@@ -449,6 +456,16 @@ class MiniMover:
         angles = inverse(pose.x, pose.y, pose.z, pose.pitch, pose.roll)
         self._place(angles, self._cable_for(pose.opening))
 
+    def move_joints(self, angles: JointAngles) -> None:
+        """Turn all five joints by hand; the hand's cable stays as it is.
+
+        Raises:
+            MotorsOn: while any motor carries current.
+            InTheWay: if something on the bench is there.
+            ValueError: if a joint does not go that far.
+        """
+        self._place(angles, self.drive.cable(self._rotors))
+
     def _cable_for(self, opening: float) -> int:
         if not 0 <= opening <= HAND_RANGE:
             raise ValueError(f"the hand opens from 0 to {HAND_RANGE:g} in, not {opening:g}")
@@ -472,6 +489,12 @@ class MiniMover:
             self.motors[latch].rotor = rotor
             self.motors[latch].release()
         self._tell_news()
+
+
+def _six(numbers: Iterable[int]) -> Six:
+    """Six numbers as a tuple."""
+    base, shoulder, elbow, left, right, hand = numbers
+    return base, shoulder, elbow, left, right, hand
 
 
 def _slip_text(latch: int, steps: int, reason: Reason) -> str:

@@ -1,0 +1,309 @@
+"""Table 1 measured: each of its rows as an experiment on the running arm.
+
+Nothing here reads the model's limits. Joints are driven until they slip, speeds raised until
+steps are lost, parts made heavier until they cannot be lifted; what comes out is set beside what
+the article lists. The tests and `trs80arm figure table1` read the rows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from trs80arm.arm.bench import Bench
+from trs80arm.arm.events import EventKind
+from trs80arm.arm.geometry import (
+    BASE_SHOULDER_STEPS,
+    ELBOW_STEPS,
+    HAND_STEPS,
+    SHOULDER_HEIGHT,
+    WRIST_STEPS,
+    JointAngles,
+    Motor,
+    Pose,
+    forward,
+)
+from trs80arm.arm.minimover import MiniMover
+from trs80arm.arm.motors import POUND_STEPS, T_STATES_PER_SECOND
+from trs80arm.arm.stepping import PulseGenerator
+
+SLOW = T_STATES_PER_SECOND // 100
+"""T-states per step at a hundred steps a second, at which every motor keeps up."""
+PICK_UP = Pose(8.0, 0.0, 0.5, -90.0, 0.0, 1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One figure of Table 1.
+
+    Attributes:
+        name: of the figure.
+        unit: of both numbers.
+        article: what Table 1 lists.
+        measured: what the arm did.
+        margin: how far beyond the listed figure the arm may go, as a fraction of it; the motors
+            have a margin of 15 % over their listed speeds.
+    """
+
+    name: str
+    unit: str
+    article: float
+    measured: float
+    margin: float = 0.01
+
+    @property
+    def kept(self) -> bool:
+        """Whether the arm does what the article lists, and not much more."""
+        low = abs(self.article) * 0.99
+        high = abs(self.article) * (1 + self.margin)
+        same_way = self.article * self.measured >= 0
+        return same_way and low - 0.005 <= abs(self.measured) <= high + 0.005
+
+
+def table1() -> list[Row]:
+    """Measure every row of Table 1; takes some seconds."""
+    return [*_general(), *_ranges(), *_speeds()]
+
+
+# Apparatus
+
+
+def _bare() -> PulseGenerator:
+    """An arm above an empty table."""
+    return PulseGenerator(MiniMover(bench=Bench("empty")))
+
+
+def _gripping(weight: float) -> PulseGenerator:
+    """An arm that has gripped a half-inch part as hard as it can; motors off."""
+    bench = Bench("one part")
+    bench.add_part("load", (0.5, 0.5, 1.0), weight, PICK_UP.x, PICK_UP.y)
+    generator = PulseGenerator(MiniMover(bench=bench))
+    generator.arm.move_to(PICK_UP)
+    generator.close(SLOW, 145)
+    generator.off()
+    return generator
+
+
+def _set(generator: PulseGenerator, *degrees: float) -> None:
+    """Put the joints by hand: base, shoulder, elbow, pitch, roll."""
+    generator.arm.move_joints(JointAngles(*(math.radians(value) for value in degrees)))
+    generator.align()
+
+
+def _lost(generator: PulseGenerator) -> bool:
+    """Whether any motor has lost steps."""
+    return any(event.kind is EventKind.SLIP for event in generator.arm.events)
+
+
+def _most(holds: Callable[[float], bool], low: float, high: float) -> float:
+    """The largest number for which something holds, to a thousandth."""
+    while high - low > low / 1000:
+        middle = (low + high) / 2
+        if holds(middle):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+# Experiments
+
+
+def _general() -> list[Row]:
+    """The upper part of Table 1."""
+    return [
+        Row("resolution, coarsest axis", "in", 0.013, _resolution(), 0.0),
+        Row("load at full extension", "oz", 8.0, _capacity(0.0), 0.15),
+        Row("load at half extension", "oz", 16.0, _capacity(60.0), 0.15),
+        Row("gripping force", "lb", 3.0, _gripping_force(), 0.0),
+        Row("reach", "in", 17.5, _reach(), 0.0),
+        Row("static load force", "lb", 4.0, _pushing_force(), 0.01),
+    ]
+
+
+def _resolution() -> float:
+    """Widest movement, for one half-step, of the end of the link that a motor turns, inches.
+
+    The base turns the whole arm; it is measured at half extension.
+    """
+    generator = _bare()
+    _set(generator, 0, 60, -60, -60, 0)
+    widest = 0.0
+    for motor in range(5):
+        before = forward(generator.arm.state().angles)
+        generator.turn(motor, 8, SLOW)
+        after = forward(generator.arm.state().angles)
+        if motor == Motor.SHOULDER:
+            moved = math.dist(before.elbow, after.elbow)
+        elif motor == Motor.ELBOW:
+            moved = math.dist(before.wrist, after.wrist)
+        else:
+            moved = math.dist(before.fingertip, after.fingertip)
+        widest = max(widest, moved / 8)
+    return widest
+
+
+def _capacity(bend: float) -> float:
+    """Most ounces that shoulder and elbow lift at the full-load speeds of Table 1.
+
+    Args:
+        bend: degrees of the links to the horizontal; 0 stretches the arm out, 60 halves it.
+    """
+    rates = {Motor.SHOULDER: 0.15 * BASE_SHOULDER_STEPS, Motor.ELBOW: 0.23 * ELBOW_STEPS}
+
+    def lifts(weight: float) -> bool:
+        for motor, rate in rates.items():
+            generator = _gripping(weight)
+            if motor == Motor.SHOULDER:
+                _set(generator, 0, bend - 3, -bend - 6, -bend, 0)
+            else:
+                _set(generator, 0, bend + 8, -bend - 5, -bend, 0)
+            count = -100 if motor == Motor.SHOULDER else 100
+            generator.turn(motor, count, round(T_STATES_PER_SECOND / rate))
+            if _lost(generator):
+                return False
+        return True
+
+    return _most(lifts, 1.0, 40.0)
+
+
+def _gripping_force() -> float:
+    """Pounds on a part when the hand motor gives up."""
+    bench = Bench("one part")
+    bench.add_part("load", (0.5, 0.5, 1.0), 2.0, PICK_UP.x, PICK_UP.y)
+    generator = PulseGenerator(MiniMover(bench=bench))
+    generator.arm.move_to(PICK_UP)
+    generator.align()
+    most = 0.0
+    while not _lost(generator):
+        generator.turn(Motor.HAND, -1, SLOW)
+        most = max(most, generator.arm.state().force)
+    return most
+
+
+def _reach() -> float:
+    """From the shoulder's axis to the fingertip of the stretched arm, inches."""
+    generator = _bare()
+    _set(generator, 0, 30, -10, 0, 0)
+    generator.go(JointAngles(0.0, 0.0, 0.0, 0.0, 0.0), SLOW)
+    pose = generator.arm.state().pose
+    return math.hypot(pose.x, pose.z - SHOULDER_HEIGHT)
+
+
+def _pushing_force() -> float:
+    """Pounds of friction of the heaviest part that the arm pushes along the table."""
+    friction = 0.5
+
+    def pushes(force: float) -> bool:
+        bench = Bench("a weight")
+        bench.add_part("weight", (1.0, 1.0, 2.0), 16 * force / friction, 9.0, 0.0)
+        generator = PulseGenerator(MiniMover(bench=bench))
+        generator.arm.move_to(Pose(8.0, 0.0, 0.5, -90.0, 0.0))
+        generator.align()
+        generator.turn(Motor.ELBOW, 60, SLOW)
+        return not _lost(generator)
+
+    return _most(pushes, 0.5, 20.0)
+
+
+def _stop(degrees: tuple[float, ...], counts: tuple[int, ...]) -> JointAngles:
+    """Drive motors until one slips, from joint angles in degrees; the farthest they got."""
+    generator = _bare()
+    _set(generator, *degrees)
+    # A rotor at a stop falls back when its field has gone half a ring too far.
+    start = generator.arm.rotors
+    farthest, best = generator.arm.state().angles, 0
+    while not _lost(generator):
+        generator.step(counts, SLOW)
+        turned = zip(generator.arm.rotors, start, counts, strict=False)
+        way = sum((now - then) * count for now, then, count in turned)
+        if way > best:
+            farthest, best = generator.arm.state().angles, way
+    return farthest
+
+
+def _ranges() -> list[Row]:
+    """How far each joint goes, degrees and inches."""
+    up = (0.0, 90.0, 20.0, 20.0, 0.0)
+    level = (0.0, 60.0, 0.0, 0.0, 0.0)
+    down = (0.0, 60.0, -30.0, -90.0, 0.0)
+    rows = []
+
+    def row(name: str, article: float, radians: float) -> None:
+        rows.append(Row(f"{name} range", "deg", article, math.degrees(radians), 0.005))
+
+    row("base", 90, _stop(up, (1,)).base)
+    row("base", -90, _stop(up, (-1,)).base)
+    row("shoulder", 144, _stop(up, (0, -1)).shoulder)
+    row("shoulder", -35, _stop((0, -20, -35.2, 20, 0), (0, 1)).shoulder)
+    bent = _stop(up, (0, 0, -1))
+    row("elbow", -149, bent.elbow - bent.shoulder)
+    straight = _stop(up, (0, 0, 1))
+    row("elbow", 0, straight.elbow - straight.shoulder)
+    row("wrist roll", 180, _stop(down, (0, 0, 0, -1, -1)).roll)
+    row("wrist roll", -180, _stop(down, (0, 0, 0, 1, 1)).roll)
+    row("wrist pitch", 90, _stop(level, (0, 0, 0, -1, 1)).pitch)
+    row("wrist pitch", -90, _stop(level, (0, 0, 0, 1, -1)).pitch)
+    generator = _bare()
+    _set(generator, *up)
+    widest = 0.0
+    while not _lost(generator):
+        generator.turn(Motor.HAND, 1, SLOW)
+        widest = max(widest, generator.arm.state().pose.opening)
+    rows.append(Row("hand range", "in", 3.0, widest, 0.005))
+    return rows
+
+
+def _fastest(ready: Callable[[], PulseGenerator], counts: tuple[int, ...]) -> float:
+    """Half-steps per second above which motors lose steps."""
+
+    def keeps_up(rate: float) -> bool:
+        generator = ready()
+        generator.step(counts, round(T_STATES_PER_SECOND / rate))
+        return not _lost(generator)
+
+    return _most(keeps_up, 20.0, 2000.0)
+
+
+def _speeds() -> list[Row]:
+    """Speeds at full load and at no load, radians, inches and pounds per second."""
+
+    def free() -> PulseGenerator:
+        generator = _bare()
+        _set(generator, 0, 60, -30, -30, 0)
+        return generator
+
+    def loaded() -> PulseGenerator:
+        generator = _gripping(8.0)
+        _set(generator, 0, 0, -8, -8, 0)
+        return generator
+
+    def squeezing() -> PulseGenerator:
+        generator = _gripping(2.0)
+        generator.align()
+        generator.turn(Motor.HAND, 145, SLOW)
+        return generator
+
+    rows = []
+    listed = (
+        ("base", (600,), (600,), BASE_SHOULDER_STEPS, 0.37, 0.42),
+        ("shoulder", (0, -600), (0, -200), BASE_SHOULDER_STEPS, 0.15, 0.36),
+        ("elbow", (0, 0, 500), (0, 0, 70), ELBOW_STEPS, 0.23, 0.82),
+        ("wrist roll", (0, 0, 0, -250, -250), (0, 0, 0, -250, -250), WRIST_STEPS, 1.31, 2.02),
+        ("wrist pitch", (0, 0, 0, -250, 250), (0, 0, 0, -60, 60), WRIST_STEPS, 1.31, 2.02),
+    )
+    for name, unloaded, lifting, steps, full, none in listed:
+        # A wrist turned in roll lifts nothing; the load is on it in pitch.
+        load = "full load"
+        rows.append(
+            Row(f"{name} speed, {load}", "rad/s", full, _fastest(loaded, lifting) / steps, 0.25)
+        )
+        rows.append(
+            Row(f"{name} speed, no load", "rad/s", none, _fastest(free, unloaded) / steps, 0.2)
+        )
+    opening = _fastest(free, (0, 0, 0, 0, 0, 900)) / HAND_STEPS
+    rows.append(Row("hand speed, no load", "in/s", 0.80, opening, 0.2))
+    squeeze = _fastest(squeezing, (0, 0, 0, 0, 0, -148)) / POUND_STEPS
+    rows.append(Row("hand force, up to full grip", "lb/s", 3.0, squeeze, 0.7))
+    return rows

@@ -1,0 +1,123 @@
+"""A pulse generator for the arm's latches, as on a designer's test bench.
+
+It steps motors through Figure 8 without computer or language, so that experiments and figures can
+measure the arm alone. Its even spreading of steps is that of Figure 10.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import zip_longest
+
+from trs80arm.arm.geometry import JointAngles, Motor
+from trs80arm.arm.minimover import MiniMover
+from trs80arm.arm.motors import PHASES, T_STATES_PER_SECOND
+
+SWITCH_CLOSED = (1, 0)
+"""Stop condition for a burst: the grip switch closes."""
+
+
+def delay_period(delay: int) -> int:
+    """T-states per step at an ARMBASIC delay: 1.2 + 0.03 D milliseconds (article, @STEP)."""
+    return round((1.2 + 0.03 * delay) * T_STATES_PER_SECOND / 1000)
+
+
+class PulseGenerator:
+    """Steps the motors of an arm.
+
+    Attributes:
+        arm: the arm.
+        time: T-states.
+        counts: half-steps commanded to each motor so far, compensation not included; these are
+            what the position registers of ARMBASIC would hold.
+    """
+
+    def __init__(self, arm: MiniMover) -> None:
+        self.arm = arm
+        self.time = 0
+        self.counts = [0] * 6
+        self._rows = [0] * 7
+
+    def step(
+        self,
+        counts: Sequence[int],
+        period: int,
+        stop: tuple[int, int] | None = None,
+        compensate: int = 1,
+    ) -> int:
+        """Move motors together, all beginning and ending at once.
+
+        Args:
+            counts: half-steps for the motors, from the base on; missing ones are 0.
+            period: T-states from step to step of the motor that has most.
+            stop: as for `MiniMover.apply`.
+            compensate: hand steps taken back for each step of the elbow, 1 or 0.
+
+        Returns:
+            Steps done of the motor that has most.
+        """
+        wanted = [count for count, _ in zip_longest(counts, range(6), fillvalue=0)]
+        longest = max(abs(count) for count in wanted)
+        if not longest:
+            return 0
+        writes: list[tuple[int, int, int]] = []
+        owners: list[tuple[int, int, int]] = []
+        done = [0] * 6
+        for tick in range(1, longest + 1):
+            time = self.time + tick * period
+            for motor, count in enumerate(wanted):
+                if (2 * abs(count) * tick + longest) // (2 * longest) == done[motor]:
+                    continue
+                done[motor] += 1
+                sign = 1 if count > 0 else -1
+                writes.append((time, motor, self._next(motor, sign)))
+                owners.append((tick, motor, sign))
+                if motor == Motor.ELBOW and compensate:
+                    writes.append((time, Motor.HAND, self._next(Motor.HAND, -sign)))
+                    owners.append((tick, -1, -sign))
+        times, latches, nibbles = zip(*writes, strict=True)
+        applied = self.arm.apply(times, latches, nibbles, stop)
+        for _, motor, sign in owners[applied:]:
+            self._rows[motor if motor >= 0 else Motor.HAND] -= sign
+        for _, motor, sign in owners[:applied]:
+            if motor >= 0:
+                self.counts[motor] += sign
+        ticks = owners[applied - 1][0] if applied else 0
+        self.time += ticks * period
+        return ticks
+
+    def _next(self, motor: int, sign: int) -> int:
+        """The next pattern down or up Figure 8."""
+        self._rows[motor] += sign
+        return PHASES[self._rows[motor] % 8]
+
+    def turn(self, motor: int, count: int, period: int) -> int:
+        """Step one motor, with no compensation; half-steps done."""
+        return self.step([0] * motor + [count], period, compensate=0)
+
+    def close(self, period: int, squeeze: int = 0) -> int:
+        """Close the hand until its switch closes, then by `squeeze` more; half-steps closed."""
+        done = 0
+        if not self.arm.grip.switch_closed:
+            done = self.step([0, 0, 0, 0, 0, -2100], period, SWITCH_CLOSED)
+        if squeeze:
+            done += self.step([0, 0, 0, 0, 0, -squeeze], delay_period(100))
+        return done
+
+    def align(self) -> None:
+        """Begin at the rows of Figure 8 at which the rotors stand, so that none is jerked."""
+        for motor, rotor in enumerate(self.arm.rotors):
+            self._rows[motor] = rotor
+
+    def off(self) -> None:
+        """All coils without current, and the counts at zero: what @RESET does."""
+        self.time += 1
+        self.arm.apply([self.time] * 6, range(6), [0] * 6)
+        self.counts = [0] * 6
+
+    def go(self, angles: JointAngles, period: int) -> None:
+        """Step to joint angles (radians) from where the arm really is."""
+        drive, rotors = self.arm.drive, self.arm.rotors
+        target = drive.rotors(angles, drive.cable(rotors))
+        counts = [there - here for there, here in zip(target, rotors, strict=True)]
+        self.step(counts[:5], period)
