@@ -5,22 +5,24 @@ from __future__ import annotations
 from collections import deque
 from math import dist
 
-from trs80arm.ui.canvas_ascii import AsciiCanvas, Canvas
+from trs80arm.ui.canvas_ascii import AsciiCanvas
 from trs80arm.ui.canvas_braille import BrailleCanvas
 from trs80arm.ui.panel import Panel
 from trs80arm.ui.readings import Readings
-from trs80arm.ui.rows import Row
+from trs80arm.ui.rows import Ink, Row, fitted
 from trs80arm.ui.scene import Extras, Scene, TrailPoint, trail_point
 from trs80arm.ui.viewport import ZOOMS, Viewport, draw
 
 TRAIL_POINTS = 800
 """How many places of the fingertip a trail keeps."""
+WITH_CAPTION = 9
+"""Rows from which a view gives one up for its caption."""
 TRAIL_STEP = 0.1
 """How far the fingertip must have gone for the next one, inches."""
 
 
 class ArmView(Panel):
-    """A drawing of the arm; subclasses choose the scene and write their labels on it."""
+    """A drawing of the arm; subclasses choose the scene and the words."""
 
     ALLOW_SELECT = False
 
@@ -111,19 +113,24 @@ class ArmView(Panel):
         """What is to be drawn."""
         raise TypeError(f"{type(self).__name__} does not say what it draws")
 
-    def label(self, readings: Readings, width: int, height: int, canvas: Canvas) -> None:
-        """Write the labels on the canvas."""
+    def caption(self, readings: Readings, width: int) -> str:
+        """What is written under the drawing, as wordy as `width` cells allow."""
+        return ""
 
-    def label_rows(self, width: int, height: int) -> int:
-        """How many rows at the bottom are kept free for the labels."""
-        return 0
+    def legend(self, readings: Readings, width: int) -> str:
+        """What is written above the drawing."""
+        return ""
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
-        """The drawing with its labels."""
+        """The drawing with its words."""
+        caption = self.caption(readings, width) if self._labels and height >= WITH_CAPTION else ""
+        if caption:
+            height -= 1
         scene = self.scene(readings, Extras(self._envelope, tuple(self._trail)))
         canvas = (BrailleCanvas if self._braille else AsciiCanvas)(width, height)
-        kept = self.label_rows(width, height) if self._labels else 0
-        draw(scene, self._viewport.window(scene, width, height - kept), canvas)
-        if self._labels:
-            self.label(readings, width, height, canvas)
-        return canvas.rows()
+        draw(scene, self._viewport.window(scene, width, height), canvas)
+        legend = self.legend(readings, width)
+        if self._labels and height >= WITH_CAPTION and len(legend) <= width:
+            canvas.write(0, 0, legend, Ink.GHOST)
+        rows = canvas.rows()
+        return [*rows, fitted(((caption, Ink.LABEL),), width)] if caption else rows

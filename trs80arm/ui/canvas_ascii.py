@@ -41,8 +41,8 @@ class Canvas(Protocol):
     def box(self, corner: Point, opposite: Point, ink: Ink, fill: str) -> None:
         """Draw an upright box between two corners, filled where there is room with a glyph."""
 
-    def joint(self, centre: Point, ink: Ink, glyph: str) -> None:
-        """Mark a joint."""
+    def joint(self, centre: Point, ink: Ink, glyph: str, *, round_it: bool) -> None:
+        """Mark a joint, as a disc if asked to."""
 
     def rows(self) -> list[Row]:
         """The drawing, one row for each line of cells."""
@@ -143,9 +143,13 @@ class AsciiCanvas:
                 self._put(first, row, edge or "[", ink)
                 self._put(last, row, edge or "]", ink)
 
-    def joint(self, centre: Point, ink: Ink, glyph: str) -> None:
-        """Mark a joint with its glyph."""
-        self._put(floor(centre[0]), floor(centre[1]), glyph, ink)
+    def joint(self, centre: Point, ink: Ink, glyph: str, *, round_it: bool) -> None:
+        """Mark a joint with its glyph, in parentheses for a disc."""
+        column, row = floor(centre[0]), floor(centre[1])
+        self._put(column, row, glyph, ink)
+        if round_it:
+            self._put(column - 1, row, "(", ink)
+            self._put(column + 1, row, ")", ink)
 
     def rows(self) -> list[Row]:
         """The drawing, one row for each line of cells."""

@@ -66,10 +66,12 @@ class BrailleCanvas:
                 if edge or solid or (fill == ":" and not (x + y) & 1):
                     self._set(x, y, ink)
 
-    def joint(self, centre: Point, ink: Ink, glyph: str) -> None:
-        """Mark a joint by a small diamond."""
+    def joint(self, centre: Point, ink: Ink, glyph: str, *, round_it: bool) -> None:
+        """Mark a joint by a small diamond, or a ring if there is room for one."""
         x, y = floor(2 * centre[0]), floor(4 * centre[1])
-        for dx, dy in ((0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)):
+        ring = ((-1, -2), (0, -2), (1, -2), (2, -1), (2, 0), (2, 1), (1, 2), (0, 2), (-1, 2))
+        marks = (*ring, (-2, 1), (-2, 0), (-2, -1)) if round_it else ()
+        for dx, dy in marks or ((0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)):
             self._set(x + dx, y + dy, ink)
 
     def rows(self) -> list[Row]:

@@ -30,6 +30,8 @@ from trs80arm.ui.rows import Ink
 PALM_HALF_WIDTH = 0.76
 """Half the distance of the fingers' roots, inches: they are parallel at 1.52 (arm facts, 7)."""
 FINGER_LENGTH = ArmSettings().finger_length
+NARROW = 0.4
+"""Opening up to which the fingers, seen from above, are marked by one glyph as well, inches."""
 FINGER_THICKNESS = 0.8
 """How far a finger reaches outwards from its pad, seen from above, inches. Not on record."""
 UPPER_ARM_DEPTH = 1.5
@@ -377,7 +379,6 @@ def _top_arm(posture: Posture) -> list[Shape]:
         Stroke(elbow, wrist, Ink.ARM),
         Joint(centre, Ink.ARM, "O"),
         Joint(elbow, Ink.ARM),
-        Joint(wrist, Ink.HAND),
     ]
     if hypot(tip[0] - wrist[0], tip[1] - wrist[1]) > HAND_LENGTH / 2:
         palm = _part_way(wrist, tip, 1 - FINGER_LENGTH / HAND_LENGTH)
@@ -385,13 +386,15 @@ def _top_arm(posture: Posture) -> list[Shape]:
             root = _beside(palm, across, side * PALM_HALF_WIDTH)
             shapes.append(Stroke(wrist, root, Ink.HAND))
             shapes.append(Stroke(root, _beside(tip, across, side * posture.opening / 2), Ink.HAND))
-        return shapes
+        return [*shapes, Joint(wrist, Ink.HAND)]
+    # The hand points down or up: the wrist is hidden by it, or would hide the opening.
     for side in (-1, 1):
         pad = _beside(tip, across, side * posture.opening / 2)
         back = _beside(tip, across, side * (posture.opening / 2 + FINGER_THICKNESS))
         shapes.append(Stroke(pad, back, Ink.HAND))
-    # Where the bars are too small to be seen this one glyph still shows the way they lie.
-    shapes.append(Joint(tip, Ink.HAND, _lying(across)))
+    if posture.opening < NARROW:
+        # The bars are too short to show which way they lie where the picture is small.
+        shapes.append(Joint(tip, Ink.HAND, _lying(across)))
     return shapes
 
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from math import degrees
 
 from trs80arm.ui.arm_view import ArmView
-from trs80arm.ui.canvas_ascii import Canvas
 from trs80arm.ui.readings import Readings
-from trs80arm.ui.rows import Ink, signed
+from trs80arm.ui.rows import signed
 from trs80arm.ui.scene import Extras, Scene, side_scene
 
 _LEGEND = ":: where the motors were told to be"
@@ -33,27 +32,22 @@ The angles below are those of the article: upper arm, forearm and hand to the ho
         """The plane of the arm."""
         return side_scene(readings, extras)
 
-    def label_rows(self, width: int, height: int) -> int:
-        """One row for the angles, where there is room."""
-        return 1 if height >= 10 and width >= 28 else 0
+    def caption(self, readings: Readings, width: int) -> str:
+        """The angles."""
+        return angles_text(readings, width)
 
-    def label(self, readings: Readings, width: int, height: int, canvas: Canvas) -> None:
-        """The angles in the last row, and what the dots mean in the first."""
-        if self.label_rows(width, height):
-            canvas.write(0, height - 1, angles_text(readings, width), Ink.LABEL)
-        if readings.believed and height >= 8:
-            legend = _LEGEND if width >= len(_LEGEND) else ":: told"
-            canvas.write(0, 0, legend[:width], Ink.GHOST)
+    def legend(self, readings: Readings, width: int) -> str:
+        """What the dots mean, while there are any."""
+        return _LEGEND if readings.believed else ""
 
 
 def angles_text(readings: Readings, width: int) -> str:
-    """The five angles in degrees, as wordy as `width` cells allow."""
+    """The five angles in degrees, as wordy as `width` cells allow; nothing if there is no room."""
     angles = readings.posture.angles
     values = [
         degrees(angle)
         for angle in (angles.base, angles.shoulder, angles.elbow, angles.pitch, angles.roll)
     ]
-    text = ""
     for names, digits in (
         (("base ", "shoulder ", "elbow ", "pitch ", "roll "), 1),
         (("B", "S", "E", "P", "R"), 1),
@@ -63,5 +57,5 @@ def angles_text(readings: Readings, width: int) -> str:
             name + signed(value, digits) for name, value in zip(names, values, strict=True)
         )
         if len(text) <= width:
-            break
-    return text
+            return text
+    return ""

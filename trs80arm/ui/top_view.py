@@ -5,9 +5,8 @@ from __future__ import annotations
 from math import degrees
 
 from trs80arm.ui.arm_view import ArmView
-from trs80arm.ui.canvas_ascii import Canvas
 from trs80arm.ui.readings import Readings
-from trs80arm.ui.rows import Ink, signed
+from trs80arm.ui.rows import signed
 from trs80arm.ui.scene import Extras, Scene, top_scene
 
 
@@ -30,16 +29,10 @@ sensor. Dots `::` lead to where the fingertip would be if no motor had slipped.
         """The table."""
         return top_scene(readings, extras)
 
-    def label_rows(self, width: int, height: int) -> int:
-        """One row for the place of the fingertip, where there is room."""
-        return 1 if height >= 10 and width >= 20 else 0
-
-    def label(self, readings: Readings, width: int, height: int, canvas: Canvas) -> None:
-        """The place of the fingertip in the last row."""
-        if not self.label_rows(width, height):
-            return
+    def caption(self, readings: Readings, width: int) -> str:
+        """The place of the fingertip, and the roll."""
         pose = readings.pose
         roll = degrees(readings.posture.angles.roll)
-        text = f"x{signed(pose.x, 1)} y{signed(pose.y, 1)} z{signed(pose.z, 1)}"
-        longer = f"{text} roll{signed(roll, 0)}"
-        canvas.write(0, height - 1, longer if len(longer) <= width else text[:width], Ink.LABEL)
+        place = f"x{signed(pose.x, 1)} y{signed(pose.y, 1)} z{signed(pose.z, 1)}"
+        longer = f"{place} roll{signed(roll, 0)}"
+        return longer if len(longer) <= width else place if len(place) <= width else ""

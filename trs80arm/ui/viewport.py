@@ -21,6 +21,8 @@ GROWTH = 2.5
 """Steps by which a fitted window grows, inches: the scale changes seldom while the arm rises."""
 RAILS_FROM = 0.95
 """Rows of the canvas that a link must be deep to be drawn as two rails."""
+ROUND_FROM = 1.4
+"""Rows an inch from which joints are drawn as discs."""
 RAIL_INSET = 0.4
 """How far rails end before the joints, as a share of their distance, so that they do not cross."""
 
@@ -138,7 +140,7 @@ def draw(scene: Scene, window: Window, canvas: Canvas) -> None:
             case Stroke():
                 _stroke(shape, window, canvas)
             case Joint(place, ink, glyph):
-                canvas.joint(window.cell(place), ink, glyph)
+                canvas.joint(window.cell(place), ink, glyph, round_it=window.scale > ROUND_FROM)
             case Block(corner, opposite, ink, fill):
                 canvas.box(window.cell(corner), window.cell(opposite), ink, fill)
             case Trace(points, ink, glyphs):

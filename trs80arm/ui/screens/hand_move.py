@@ -180,7 +180,7 @@ motors on the arm does not give way; `@RESET` turns them off.
             changed = dict(zip(PLACES, numbers, strict=False))
             self.app.post_message(MoveTo(replace(now, **changed)))
         else:
-            self.say("one number turns the joint; three to six are a pose")
+            self.say("one figure for the joint, or 3 to 6 for a pose")
             return
         event.input.value = ""
 

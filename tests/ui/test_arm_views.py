@@ -1,0 +1,133 @@
+"""The drawings themselves are in golden/side-*.txt and golden/top-*.txt: look at them."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.ui import samples
+from tests.ui.golden_text import check_golden
+from trs80arm.ui.arm_view import ArmView
+from trs80arm.ui.readings import Posture, Readings
+from trs80arm.ui.rows import Ink, text_of
+from trs80arm.ui.scene import Extras, Joint, skeleton, top_scene
+from trs80arm.ui.side_view import SideView, angles_text
+from trs80arm.ui.top_view import TopView
+
+SIZES = [(76, 28), (50, 18), (40, 12), (16, 8), (46, 6)]
+
+
+def drawing(view: ArmView, readings: Readings, width: int, height: int) -> str:
+    return samples.picture(view.draw(readings, width, height), width, height)
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES)
+def test_side_view_at_its_sizes(width: int, height: int) -> None:
+    check_golden(
+        f"side-{width}x{height}",
+        drawing(SideView(), samples.readings(), width, height),
+    )
+
+
+@pytest.mark.parametrize(("width", "height"), [(46, 18), (30, 18), (34, 6), (16, 8)])
+def test_top_view_at_its_sizes(width: int, height: int) -> None:
+    check_golden(
+        f"top-{width}x{height}",
+        drawing(TopView(), samples.readings(samples.TO_THE_LEFT), width, height),
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "stands"),
+    [("left", samples.TO_THE_LEFT), ("out", samples.STRETCHED_OUT)],
+)
+def test_side_view_of_other_postures(name: str, stands: Posture) -> None:
+    check_golden(f"side-{name}", drawing(SideView(), samples.readings(stands), 50, 18))
+
+
+def test_views_in_braille() -> None:
+    side, top = SideView(), TopView()
+    side.braille = top.braille = True
+    check_golden("side-braille", drawing(side, samples.readings(), 50, 18))
+    check_golden("top-braille", drawing(top, samples.readings(samples.TO_THE_LEFT), 30, 18))
+
+
+def test_a_slipped_arm_has_a_dotted_twin_where_it_was_told_to_be() -> None:
+    check_golden("side-slipped", drawing(SideView(), samples.slipped(), 50, 18))
+    check_golden("top-slipped", drawing(TopView(), samples.slipped(), 30, 18))
+
+
+def test_envelope_and_trail_on_request() -> None:
+    side = SideView()
+    side.envelope = True
+    side.trail = True
+    for shoulder in range(0, 90, 3):
+        side.show(samples.readings(samples.posture(0, shoulder, -70, -90, 0, 1)))
+    check_golden("side-envelope-trail", drawing(side, samples.readings(), 60, 24))
+    top = TopView()
+    top.envelope = True
+    check_golden("top-envelope", drawing(top, samples.readings(), 44, 20))
+
+
+def test_the_window_grows_when_the_arm_leaves_it_and_stays() -> None:
+    side = SideView()
+    before = drawing(side, samples.readings(), 50, 18)
+    raised = samples.readings(samples.posture(0, 90, 80, 60, 0, 1))
+    assert drawing(side, raised, 50, 18).count("o") >= 2
+    assert drawing(side, samples.readings(), 50, 18) != before
+    side.zoom_fit()
+    assert drawing(side, samples.readings(), 50, 18) == before
+
+
+def test_a_closer_look_keeps_the_hand_in_the_picture() -> None:
+    side = SideView()
+    for _ in range(9):
+        side.zoom_in()
+    for shoulder in range(20, 60):
+        stands = samples.posture(0, shoulder, -70, -90, 0, 1)
+        rows = side.draw(samples.readings(stands), 40, 12)
+        assert any(ink is Ink.HAND for row in rows for _, ink in row)
+
+
+def test_parts_beside_the_plane_are_marked() -> None:
+    rows = SideView().draw(samples.readings(), 50, 18)
+    inks = {ink for row in rows for text, ink in row if "#" in text}
+    assert inks == {Ink.PART}
+    assert any(":" in text for row in rows for text, ink in row if ink is Ink.FAINT)
+
+
+def test_turning_the_base_brings_the_other_part_into_the_plane() -> None:
+    stands = samples.posture(39.8, 60, -60, -60, 0, 1)
+    rows = SideView().draw(samples.readings(stands), 50, 18)
+    row = text_of(rows[15])
+    assert row.index(":") < row.rindex("#")
+
+
+def test_roll_turns_the_fingers_seen_from_above() -> None:
+    def bars(roll: float) -> str:
+        scene = top_scene(samples.readings(samples.posture(0, 31, -73, -90, roll, 0)), Extras())
+        return next(s.glyph for s in reversed(scene.shapes) if isinstance(s, Joint))
+
+    assert [bars(roll) for roll in (0, 45, 90, 135)] == ["|", "/", "-", "\\"]
+
+
+def test_the_drawn_links_have_their_true_lengths() -> None:
+    shoulder, elbow, wrist, tip = skeleton(samples.TO_THE_LEFT)
+    assert abs(complex(elbow[0] - shoulder[0], elbow[1] - shoulder[1])) == pytest.approx(7.0)
+    assert abs(complex(wrist[0] - elbow[0], wrist[1] - elbow[1])) == pytest.approx(7.0)
+    assert abs(complex(tip[0] - wrist[0], tip[1] - wrist[1])) == pytest.approx(3.5)
+
+
+@pytest.mark.parametrize("width", [26, 36, 48, 80])
+def test_angles_are_named_as_far_as_there_is_room(width: int) -> None:
+    text = angles_text(samples.readings(), width)
+    assert len(text) <= width
+    assert "-73" in text
+
+
+@pytest.mark.parametrize("view", [SideView, TopView])
+def test_views_can_be_drawn_at_any_size(view: type[ArmView]) -> None:
+    for width in (1, 3, 16, 33, 120):
+        for height in (1, 2, 5, 9, 40):
+            rows = view().draw(samples.slipped(), width, height)
+            assert len(rows) == height
+            assert all(len(text_of(row)) == width for row in rows)

@@ -1,0 +1,118 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.ui import samples
+from tests.ui.golden_text import check_golden
+from trs80arm.basic.activity import Waiting
+from trs80arm.machine.driver import Mode
+from trs80arm.ui.coils_panel import CoilsPanel
+from trs80arm.ui.events_log import EventsLog, clock_text, collapsed
+from trs80arm.ui.panel import Panel
+from trs80arm.ui.pose_panel import PosePanel
+from trs80arm.ui.registers_panel import RegistersPanel
+from trs80arm.ui.rows import Ink, text_of
+from trs80arm.ui.side_view import SideView
+from trs80arm.ui.status_line import Pace, StatusLine, doing_text
+from trs80arm.ui.top_view import TopView
+
+PANELS = [RegistersPanel, PosePanel, CoilsPanel, EventsLog]
+
+
+def drawing(panel: Panel, width: int, height: int) -> str:
+    return samples.picture(panel.draw(samples.slipped(), width, height), width, height)
+
+
+@pytest.mark.parametrize("panel", PANELS)
+@pytest.mark.parametrize(("width", "height"), [(16, 9), (34, 6), (40, 10)])
+def test_panels_at_their_sizes(panel: type[Panel], width: int, height: int) -> None:
+    name = panel.__name__.removesuffix("Panel").lower()
+    check_golden(f"{name}-{width}x{height}", drawing(panel(), width, height))
+
+
+@pytest.mark.parametrize("panel", [*PANELS, SideView, TopView, StatusLine])
+def test_every_panel_explains_itself(panel: type[Panel]) -> None:
+    assert panel.HELP.strip().startswith("##")
+
+
+@pytest.mark.parametrize("panel", PANELS)
+def test_panels_can_be_drawn_at_any_size(panel: type[Panel]) -> None:
+    for width in (1, 10, 33, 100):
+        for height in (1, 4, 30):
+            panel().draw(samples.slipped(), width, height)
+
+
+def test_a_slipped_joint_is_marked_by_glyph_and_ink() -> None:
+    rows = RegistersPanel().draw(samples.slipped(), 16, 6)
+    assert text_of(rows[1]).endswith("!")
+    assert rows[1][1][1] is Ink.ALARM
+    assert rows[0][1][1] is Ink.PLAIN
+
+
+def test_a_joint_moved_without_a_command_is_not_called_slipped() -> None:
+    rows = RegistersPanel().draw(samples.readings(joints=(5, 0, 0, 0, 0, 0)), 16, 6)
+    assert text_of(rows[0]).endswith("~")
+
+
+def test_lamps_change_glyph_as_well_as_ink() -> None:
+    panel = CoilsPanel()
+    panel.ascii = True
+    row = panel.draw(samples.readings(coils=(0b1010, 0, 0, 0, 0, 0, 0)), 16, 9)[0]
+    assert text_of(row) == "J1  * . * . "
+    assert {ink for text, ink in row if "*" in text} == {Ink.LAMP_ON}
+
+
+def test_an_input_that_answers_is_lit() -> None:
+    panel = CoilsPanel()
+    panel.ascii = True
+    rows = panel.draw(samples.readings(inputs=0b0110), 16, 9)
+    assert text_of(rows[7]) == "in  * . . * "
+
+
+def test_repeated_events_are_one_line_with_a_count() -> None:
+    entries = collapsed(samples.EVENTS, 10)
+    assert [(entry.event.number, entry.count) for entry in entries] == [(0, 1), (2, 2), (3, 1)]
+    assert [entry.event.number for entry in collapsed(samples.EVENTS, 1)] == [3]
+
+
+def test_the_log_is_drawn_anew_only_when_something_happened() -> None:
+    log = EventsLog()
+    first = log.draw(samples.slipped(), 40, 5)
+    assert log.draw(samples.slipped(), 40, 5) is first
+
+
+def test_times_are_minutes_seconds_and_hundredths() -> None:
+    assert clock_text(0) == "0:00.00"
+    assert clock_text(83.456) == "1:23.45"
+
+
+def status(width: int, pace: Pace, keys: str = "", notice: str = "") -> str:
+    line = StatusLine()
+    line.show(samples.slipped(), pace, keys, notice)
+    return text_of(line.draw(samples.slipped(), width, 1)[0])
+
+
+def test_status_line_says_clock_speed_keys_and_what_the_machine_does() -> None:
+    text = status(80, Pace(2.0, 1.9), "repeat")
+    assert text == "1:23.4  x2 95%  keys: repeat  motors ON  ! steps lost  running"
+
+
+def test_status_line_leaves_out_what_matters_less() -> None:
+    assert status(30, Pace(), "events") == "1:23.4  ! steps lost  running"
+    assert status(8, Pace()) == "running"
+
+
+def test_a_notice_takes_the_place_of_the_machines_state() -> None:
+    assert status(80, Pace(), notice="saved").endswith("  saved")
+
+
+def test_paces_in_words() -> None:
+    assert Pace(None, 41.3).text() == "flat out x41"
+    assert Pace(1.0, 0.82).text() == "x1 82%"
+    assert Pace(paused=True).text() == "PAUSED"
+
+
+def test_every_wait_has_its_words() -> None:
+    for waiting in Waiting:
+        assert doing_text(samples.readings(waiting=waiting))
+    assert doing_text(samples.readings(mode=Mode.CLOSE)) == "running @CLOSE"
