@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import radians
 
 from trs80arm.arm.events import ArmEvent, EventKind, Reason
-from trs80arm.arm.geometry import JointAngles, Pose, pose_of
+from trs80arm.arm.geometry import JointAngles, pose_of
 from trs80arm.arm.shapes import upright
 from trs80arm.ui.readings import Kind, Posture, Readings, Thing
 from trs80arm.ui.rows import Row, fitted, text_of

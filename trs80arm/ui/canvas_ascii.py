@@ -79,9 +79,8 @@ class AsciiCanvas:
         first, last = floor(x0), floor(x1)
         for column in range(max(0, first), min(self.width - 1, last) + 1):
             middle = min(max(column + 0.5, x0), x1)
-            y = y0 + slope * (middle - x0)
-            row = floor(y)
-            glyph = "-" if level else levels[int(len(levels) * (y - row))]
+            row, part = divmod(floor(len(levels) * (y0 + slope * (middle - x0))), len(levels))
+            glyph = "-" if level else levels[part]
             self._put(column, row, glyph, ink)
 
     def _steep(self, top: Point, bottom: Point, ink: Ink) -> None:
