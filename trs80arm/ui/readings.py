@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
+from math import tau
 from typing import TYPE_CHECKING
 
 from trs80arm.arm.bench import Bench
@@ -26,7 +27,7 @@ RING = 8
 """Half-steps of one ring of Figure 8: what a motor loses, it loses in multiples of these."""
 
 _FLAT = 0.1
-"""How high a tray or a turntable, which are let into the table, is drawn, inches."""
+"""How high what is let into the table is drawn: feeder, tray, turntable, inches."""
 
 
 class Kind(Enum):
@@ -147,14 +148,14 @@ def things_of(bench: Bench) -> Iterator[Thing]:
     if bench.turntable is not None:
         table = bench.turntable
         size = (2 * table.radius, 2 * table.radius, _FLAT)
-        turn = 0.0
+        turn = tau * table.rotor / table.steps
         yield Thing(Kind.TURNTABLE, "turntable", upright(table.x, table.y, 0.0, size, turn))
     for feeder in bench.feeders:
-        x, y, z = feeder.size
+        x, y, _ = feeder.size
         yield Thing(
             Kind.FEEDER,
             feeder.name,
-            upright(feeder.x, feeder.y, 0.0, (x + 0.5, y + 0.5, min(z, 4 * _FLAT)), feeder.turn),
+            upright(feeder.x, feeder.y, 0.0, (x + 0.5, y + 0.5, _FLAT), feeder.turn),
         )
     for obstacle in bench.obstacles:
         if obstacle.name not in ("base", "body"):

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import atan2, cos, degrees, hypot, radians, sin
 from typing import TypeAlias
 
@@ -271,7 +272,7 @@ def _in_the_plane(thing: Thing, base: float) -> bool:
 def _side_corners(thing: Thing, base: float) -> tuple[Point, Point]:
     box = thing.box
     ahead, _ = _turned(box.center, base)
-    half = _half_along(box, base)
+    half = box.half[0] if thing.kind is Kind.TURNTABLE else _half_along(box, base)
     return (ahead - half, box.bottom), (ahead + half, box.top)
 
 
@@ -346,6 +347,8 @@ def _top_corners(thing: Thing) -> tuple[Point, Point]:
 def _top_block(thing: Thing) -> list[Shape]:
     """A thing from above: as an upright box, or, when large and turned, as its four edges."""
     ink, box = _INK[thing.kind], thing.box
+    if thing.kind is Kind.TURNTABLE:
+        return _plate(box)
     (ux, uy, _), (vx, vy, _), _ = box.axes
     if abs(ux * uy) < SQUARE or max(box.half[:2]) < 1 or thing.kind is Kind.PART:
         return [Block(*_top_corners(thing), ink, _FILL[thing.kind])]
@@ -356,6 +359,15 @@ def _top_block(thing: Thing) -> list[Shape]:
     ]
     edges: list[Shape] = [Stroke(corners[place - 1], corners[place], ink) for place in range(4)]
     return [*edges, Joint((x, y), ink, _FILL[thing.kind])]
+
+
+def _plate(box: Box) -> list[Shape]:
+    """A turntable: its rim, and a spoke that shows how far it has turned."""
+    middle, radius = (box.center[0], box.center[1]), box.half[0]
+    turn = atan2(box.axes[0][1], box.axes[0][0])
+    rim = [along(middle, radians(angle), radius) for angle in range(0, 361, 30)]
+    edges = [Stroke(a, b, Ink.FURNITURE) for a, b in pairwise(rim)]
+    return [*edges, Stroke(middle, along(middle, turn, radius), Ink.FURNITURE)]
 
 
 def _rectangle(corner: Point, opposite: Point) -> list[Shape]:
