@@ -30,6 +30,8 @@ KEY_LATCHED: Final = 52
 OPERAND: Final = 350
 OPERATOR: Final = 500
 PARENTHESES: Final = 400
+DATA_LINE: Final = 200
+"""A line looked through for DATA, beside its characters."""
 CONSTANT: Final = 350
 CONSTANT_DIGIT: Final = 260
 CONSTANT_DIGIT_SINGLE: Final = 1400
@@ -150,3 +152,29 @@ COLLECT_NUMBER: Final = 60
 # -- errors and commands --------------------------------------------------------------------------
 ERROR_RAISED: Final = 900
 """From the error to the first character of its message, or to the ON ERROR line."""
+
+
+def constant(text: bytes, value: object) -> int:
+    """T-states to convert a constant each time it is executed.
+
+    Args:
+        text: its characters, blanks included.
+        value: what it comes to: `int`, `float` or a double.
+    """
+    digits = sum(0x30 <= code <= 0x39 for code in text)
+    total = CONSTANT + CHARACTER * len(text)
+    if isinstance(value, int):
+        return total + digits * CONSTANT_DIGIT
+    body, _, exponent = text.upper().partition(b"E")
+    if not exponent:
+        body, _, exponent = text.upper().partition(b"D")
+    decimals = len(body.partition(b".")[2].rstrip(b"!# "))
+    number = b"".join(bytes((c,)) for c in exponent if 0x30 <= c <= 0x39)
+    places = (int(number or b"0") * (-1 if b"\xce" in exponent else 1)) - decimals
+    if isinstance(value, float):
+        total += digits * CONSTANT_DIGIT_SINGLE
+        down = CONSTANT_SCALE_DOWN
+    else:
+        total += digits * CONSTANT_DIGIT_DOUBLE
+        down = CONSTANT_SCALE_DOWN_DOUBLE
+    return total + (places * CONSTANT_SCALE_UP if places > 0 else -places * down)

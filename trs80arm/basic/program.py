@@ -92,6 +92,12 @@ class Program:
             return addresses[place]
         return None
 
+    def number_from(self, number: int) -> int | None:
+        """The first line number that is not smaller; None behind the last line."""
+        numbers = self._walk()[1]
+        place = bisect.bisect_left(numbers, number)
+        return numbers[place] if place < len(numbers) else None
+
     def place(self, number: int) -> int:
         """How many lines the ROM passes before it stops at a number: the first not smaller."""
         numbers = self._walk()[1]

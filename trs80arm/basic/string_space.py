@@ -51,9 +51,7 @@ class StringSpace:
         """The characters of a string, wherever its descriptor points."""
         length, address = string
         end = address + length
-        if address >= _PLAIN and (
-            address >= self._variables.end or end <= self._variables.start
-        ):
+        if address >= _PLAIN and (address >= self._variables.end or end <= self._variables.start):
             return bytes(self._ram[address:end])
         peek = self._memory.peek
         return bytes([peek(place & 0xFFFF) for place in range(address, end)])

@@ -78,3 +78,8 @@ EQUAL = token("=")
 LESS = token("<")
 SGN = token("SGN")
 APOSTROPHE = token("'")
+
+FUNCTIONS: Final = frozenset(
+    {VARPTR, USR, ERL, ERR, STRING, INSTR, POINT, TIME, MEM, INKEY, FN}
+) | frozenset(range(SGN, APOSTROPHE))
+"""The words that can begin an operand."""

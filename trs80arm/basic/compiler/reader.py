@@ -1,0 +1,99 @@
+"""The place in a line's text, moved as the ROM moves it: blanks are passed, every step costs time."""
+
+from __future__ import annotations
+
+from trs80arm.basic import costs
+from trs80arm.basic.compiler.emitter import Emitter
+
+_BLANKS = (0x20, 0x09, 0x0A)
+
+
+class Reader:
+    """A cursor in the text of one line.
+
+    Attributes:
+        text: the crunched text, its final zero not included.
+        base: the address of its first character.
+        position: index of the current character.
+    """
+
+    def __init__(self, text: bytes, base: int, out: Emitter) -> None:
+        self.text = text
+        self.base = base
+        self.position = 0
+        self._out = out
+
+    @property
+    def code(self) -> int:
+        """The current character, 0 at the end of the line."""
+        return self.text[self.position] if self.position < len(self.text) else 0
+
+    @property
+    def address(self) -> int:
+        """The address of the current character."""
+        return self.base + self.position
+
+    def skip(self) -> int:
+        """Pass blanks; the character behind them."""
+        while self.code in _BLANKS:
+            self.position += 1
+            self._out.cost += costs.CHARACTER
+        return self.code
+
+    def advance(self) -> int:
+        """The next character that is no blank (RST 10H)."""
+        self.position += 1
+        self._out.cost += costs.CHARACTER
+        return self.skip()
+
+    def state(self) -> tuple[int, int]:
+        """What `restore` needs to come back here."""
+        return self.position, self._out.cost
+
+    def restore(self, state: tuple[int, int]) -> None:
+        """Go back."""
+        self.position, self._out.cost = state
+
+    @property
+    def at_end(self) -> bool:
+        """Whether the statement ends here."""
+        return self.code in (0, 0x3A)
+
+    def string_literal(self) -> tuple[int, int]:
+        """Length and address of the quoted text that begins here; the reader goes behind it."""
+        start = self.position + 1
+        end = self.text.find(b'"', start)
+        if end < 0:
+            end = len(self.text)
+        self.position = end
+        if end < len(self.text):
+            self.position += 1
+        self.skip()
+        return end - start, self.base + start
+
+    def skip_statement(self) -> None:
+        """Go to the colon or the end that ends the statement, quotes respected (1F05H)."""
+        quoted = False
+        while self.position < len(self.text):
+            code = self.text[self.position]
+            if code == 0x22:
+                quoted = not quoted
+            elif code == 0x3A and not quoted:
+                return
+            self.position += 1
+            self._out.cost += costs.SKIPPED
+
+    def digits(self) -> int | None:
+        """A line number as the ROM reads it (1E5AH); None where there is no digit.
+
+        Returns:
+            The number; -1 when it is too large, which is ?SN.
+        """
+        number: int | None = None
+        while 0x30 <= self.code <= 0x39:
+            if (number or 0) > 6552:
+                return -1
+            number = (number or 0) * 10 + self.code - 0x30
+            self._out.cost += costs.LINE_DIGIT
+            self.advance()
+        return number

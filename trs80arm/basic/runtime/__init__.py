@@ -1,0 +1,1 @@
+"""What compiled statements call: the work of the ROM's routines, bound to one interpreter."""

@@ -1,0 +1,193 @@
+"""READ and the DATA items, and the variables of an INPUT."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from trs80arm.basic import costs, tokens
+from trs80arm.basic.dialogue.input_statement import InputStatement
+from trs80arm.basic.dialogue.tape_statements import InputTape
+from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.execution import Execution, Leave, LineError
+from trs80arm.basic.numbers import double, literal
+from trs80arm.basic.runtime.part import Part
+from trs80arm.basic.variables import DOUBLE, Descriptor
+
+if TYPE_CHECKING:
+    from trs80arm.basic.interpreter import Interpreter
+
+_COLON, _COMMA, _QUOTE = 0x3A, 0x2C, 0x22
+_BLANKS = b" \t\n"
+
+
+class ListedTarget:
+    """One variable of an INPUT's list, found when it is asked for.
+
+    Attributes:
+        address: of its name in the text.
+    """
+
+    def __init__(self, basic: Interpreter, targets: Targets, number: int) -> None:
+        self._basic = basic
+        self._targets = targets
+        self._number = number
+        self._found: Any = None
+
+    @property
+    def kind(self) -> str:
+        """The variable's type; looking at it finds the variable, subscripts and all."""
+        self._found = self._targets.find(self._number)
+        return str(self._found.kind)
+
+    def assign(self, value: Any) -> None:
+        """Give the variable that was found a value."""
+        self._found.assign(value)
+
+
+class Targets:
+    """The list of variables of an INPUT statement, read as the answer is."""
+
+    def __init__(self, basic: Interpreter, address: int) -> None:
+        self._basic = basic
+        self._places = [address]
+
+    def __len__(self) -> int:
+        ram = self._basic.memory.ram
+        address = self._places[0]
+        count, depth = 1, 0
+        while ram[address] and (ram[address] != _COLON):
+            code = ram[address]
+            depth += (code == 0x28) - (code == 0x29)
+            count += code == _COMMA and depth <= 0
+            address += 1
+        return count
+
+    def __getitem__(self, number: int) -> ListedTarget:
+        return ListedTarget(self._basic, self, number)
+
+    def find(self, number: int) -> Any:
+        """The variable of that number; what comes before it has been found already."""
+        del self._places[number + 1 :]
+        address = self._places[number]
+        reference, end = self._basic.code.find_target(address)
+        ram = self._basic.memory.ram
+        if ram[end] == _COMMA:
+            end += 1
+            while ram[end] in _BLANKS:
+                end += 1
+        self._places.append(end)
+        return reference
+
+    def finish(self) -> int:
+        """Where the program goes on: behind the last variable, or behind the statement."""
+        ram = self._basic.memory.ram
+        address = self._places[-1]
+        if len(self._places) <= len(self):
+            quoted = False
+            while ram[address] and (quoted or ram[address] != _COLON):
+                quoted ^= ram[address] == _QUOTE
+                address += 1
+        return address
+
+
+class DataReader(Part):
+    """The DATA pointer."""
+
+    def restore(self) -> None:
+        """RESTORE."""
+        self._control.data = self._basic.program.start - 1
+
+    def _item(self) -> int:
+        """The address of the next item; OD when there is none."""
+        ram = self._ram
+        control = self._control
+        address = control.data
+        if ram[address] == _COMMA:
+            return self._skip(address + 1)
+        while True:
+            if not ram[address]:
+                if not (ram[address + 1] or ram[address + 2]):
+                    raise BasicError(Code.OD)
+                control.data_line = ram[address + 3] | ram[address + 4] << 8
+                address += 4
+                self._clock.now += costs.DATA_LINE
+            address = self._skip(address + 1)
+            if ram[address] == tokens.DATA:
+                return self._skip(address + 1)
+            quoted = False
+            start = address
+            while ram[address] and (quoted or ram[address] != _COLON):
+                quoted ^= ram[address] == _QUOTE
+                address += 1
+            self._clock.now += costs.SKIPPED * (address - start)
+
+    def _skip(self, address: int) -> int:
+        while self._ram[address] in _BLANKS:
+            address += 1
+        return address
+
+    def _end(self, address: int) -> None:
+        """Behind an item must be a comma, a colon or the end; SN in the DATA line."""
+        address = self._skip(address)
+        if self._ram[address] not in (0, _COLON, _COMMA):
+            raise LineError(Code.SN, self._control.data_line)
+        self._control.data = address
+
+    def read_number(self, kind: str) -> Any:
+        """READ of a number; OV, SN in the DATA line."""
+        address = self._item()
+        ram = self._ram
+        text = bytes(ram[address : ram.index(0, address)])
+        try:
+            if kind == DOUBLE:
+                value, end = literal.scan(text, 0, double.ZERO)
+            else:
+                value, end = literal.scan(text, 0)
+        except BasicError as error:
+            if error.code is Code.SN:
+                raise LineError(Code.SN, self._control.data_line) from None
+            raise
+        self._clock.now += costs.constant(text[:end], value)
+        self._end(address + end)
+        return self._basic.runtime.storage.as_kind(kind, value)
+
+    def read_string(self) -> Descriptor:
+        """READ of a string: it stays where it is in the program."""
+        address = self._item()
+        ram = self._ram
+        start = address
+        if ram[address] == _QUOTE:
+            start = address = address + 1
+            while ram[address] and ram[address] != _QUOTE:
+                address += 1
+            length = address - start
+            if ram[address]:
+                address += 1
+        else:
+            while ram[address] not in (0, _COLON, _COMMA):
+                address += 1
+            length = address - start
+        self._clock.now += costs.STRING_CHARACTER * length
+        self._end(address)
+        return self._strings.literal(length, start)
+
+    # -- INPUT --------------------------------------------------------------------------------
+
+    def _ask(self, address: int) -> Targets:
+        execution = self._basic.execution()
+        assert isinstance(execution, Execution)
+        targets = Targets(self._basic, address)
+        execution.targets = targets
+        return targets
+
+    def begin_input(self, prompt: bytes, address: int) -> None:
+        """INPUT: the dialogue asks; `address` is where the list of variables begins."""
+        targets = self._ask(address)
+        self._basic.begin(InputStatement(prompt, targets))
+        raise Leave(address)
+
+    def begin_tape_input(self, _unit: int, address: int) -> None:
+        """INPUT#-1."""
+        targets = self._ask(address)
+        self._basic.begin(InputTape(targets))
+        raise Leave(address)

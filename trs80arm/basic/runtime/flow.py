@@ -1,0 +1,229 @@
+"""Loops, subroutines, error traps and the ends of programs."""
+
+from __future__ import annotations
+
+from typing import NoReturn
+
+from trs80arm.basic import system_area
+from trs80arm.basic.control import FOR_BYTES, ForFrame, GosubFrame
+from trs80arm.basic.dialogue import auto, edit, lister
+from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.execution import Execution, Leave
+from trs80arm.basic.numbers import single
+from trs80arm.basic.runtime.part import Part
+from trs80arm.basic.variables import INTEGER, Scalar
+
+
+class Flow(Part):
+    """Control flow at run time."""
+
+    def _execution(self) -> Execution:
+        execution = self._basic.execution()
+        if execution is None:
+            raise LookupError("no program is running")
+        return execution
+
+    # -- the stack of loops and subroutines ---------------------------------------------------
+
+    def measure(self) -> None:
+        """How many bytes the Z-80's stack may still grow."""
+        room = self._strings.bottom - self._variables.end - system_area.STACK_RESERVE
+        self._room = room
+
+    def _check_room(self) -> None:
+        frames = self._control.frames
+        if len(frames) * FOR_BYTES > self._room and self._control.stack_bytes() > self._room:
+            frames.pop()
+            raise BasicError(Code.OM)
+
+    def open_subroutine(self, back: int, line: int) -> None:
+        """GOSUB."""
+        self._control.frames.append(GosubFrame(back, line))
+        self._check_room()
+
+    def close_subroutine(self) -> int:
+        """RETURN: the address behind the GOSUB; RG without one."""
+        frames = self._control.frames
+        while len(frames) > 1:
+            frame = frames.pop()
+            if isinstance(frame, GosubFrame):
+                return frame.back
+        raise BasicError(Code.RG)
+
+    def drop_loop(self, scalar: Scalar) -> None:
+        """An open loop of the same variable goes, with all inside it."""
+        frames = self._control.frames
+        place = self._find_loop(scalar)
+        if place is not None:
+            del frames[place:]
+
+    def _find_loop(self, scalar: Scalar | None) -> int | None:
+        """The innermost loop, or that of a variable; a subroutine hides what is outside it."""
+        frames = self._control.frames
+        place = len(frames) - 1
+        while isinstance(frames[place], ForFrame):
+            if scalar is None or frames[place].scalar is scalar:
+                return place
+            place -= 1
+        return None
+
+    def open_loop(self, scalar: Scalar, limit: float, step: float, body: int, line: int) -> None:
+        """FOR."""
+        self._control.frames.append(ForFrame(scalar, limit, step, body, line))
+        self._check_room()
+
+    @staticmethod
+    def goes_on(value: float, frame: ForFrame) -> bool:
+        """Whether a loop goes on whose step is not positive."""
+        if frame.up:
+            return value >= frame.limit if frame.up < 0 else value <= frame.limit
+        return value != frame.limit
+
+    def step_loop(self, scalar: Scalar | None) -> int:
+        """NEXT: the address of the body, 0 when the loop is done; NF without a loop."""
+        frames = self._control.frames
+        place = self._find_loop(scalar)
+        if place is None:
+            raise BasicError(Code.NF)
+        del frames[place + 1 :]
+        frame = frames[place]
+        assert isinstance(frame, ForFrame)
+        cell = frame.scalar.cell
+        if frame.scalar.kind == INTEGER:
+            value = cell.cell_contents + frame.step
+            if not -32769 < value < 32768:
+                raise BasicError(Code.OV)
+        else:
+            value = single.add(cell.cell_contents, frame.step)
+        cell.cell_contents = value
+        if self.goes_on(value, frame):
+            return frame.body
+        frames.pop()
+        return 0
+
+    # -- errors -------------------------------------------------------------------------------
+
+    def set_trap(self, address: int) -> None:
+        """ON ERROR GOTO; 0 in a handler raises the error again."""
+        control = self._control
+        control.trap = address
+        if not address and control.handling:
+            execution = self._execution()
+            execution.raise_again(self._basic, Code(min(control.error // 2 + 1, 23)))
+            raise Leave(execution.next)
+
+    def raise_error(self, code: int) -> NoReturn:
+        """ERROR n; FC for 0."""
+        if not code:
+            raise BasicError(Code.FC)
+        error = BasicError(Code(code) if code <= Code.L3 else Code.UE)
+        raise error
+
+    def error_code(self) -> int:
+        """ERR."""
+        return self._control.error
+
+    def error_line(self) -> int | float:
+        """ERL."""
+        line = self._control.error_line
+        return line if line < 32768 else float(line)
+
+    def end_handling(self) -> None:
+        """RESUME begins: RW unless an error is being handled."""
+        if not self._control.handling:
+            raise BasicError(Code.RW)
+        self._control.handling = False
+
+    def resume_again(self) -> int:
+        """RESUME: the failing statement again."""
+        return self._control.error_address
+
+    def resume_next(self) -> int:
+        """RESUME NEXT: the separator behind the failing statement."""
+        address = self._control.error_address
+        ram = self._ram
+        address += 1
+        if not ram[address - 1]:
+            address += 4
+        quoted = False
+        while ram[address] and (quoted or ram[address] != 0x3A):
+            if ram[address] == 0x22:
+                quoted = not quoted
+            address += 1
+        return address
+
+    # -- ends ---------------------------------------------------------------------------------
+
+    def end_of_text(self, address: int) -> NoReturn:
+        """The program's, or the direct line's, end; NR inside an error handler."""
+        execution = self._execution()
+        control = self._control
+        if address >= self._basic.program.start - 1 and control.handling and control.trap:
+            raise BasicError(Code.NR)
+        self._stop(execution, address, "END")
+
+    def _stop(self, execution: Execution, address: int, kind: str) -> NoReturn:
+        from trs80arm.basic.interpreter import Kind
+
+        self._basic.stop(execution, address, Kind[kind])
+        raise Leave(address)
+
+    def end_program(self, address: int) -> NoReturn:
+        """END."""
+        self._stop(self._execution(), address, "END")
+
+    def stop_program(self, address: int) -> NoReturn:
+        """STOP."""
+        self._stop(self._execution(), address, "STOP")
+
+    def new_program(self) -> NoReturn:
+        """NEW."""
+        self._basic.new()
+        raise Leave(0)
+
+    def start_program(self) -> None:
+        """RUN: forget everything that a run leaves behind."""
+        self._basic.clear_all()
+        self._basic.outcome = None
+
+    def continue_program(self) -> int:
+        """CONT; CN when there is nothing to go on with."""
+        address = self._control.resume_address
+        if not address:
+            raise BasicError(Code.CN)
+        return address
+
+    def leave(self, address: int) -> NoReturn:
+        """Have the statement loop look around."""
+        raise Leave(address)
+
+    def trace(self, on: bool) -> None:
+        """TRON and TROFF."""
+        self._control.traced = on
+
+    # -- commands -----------------------------------------------------------------------------
+
+    def list_lines(self, text: bytes) -> NoReturn:
+        """LIST."""
+        lister.list_lines(self._basic, text)
+        raise Leave(0)
+
+    def list_printer(self, text: bytes) -> NoReturn:
+        """LLIST."""
+        lister.llist(self._basic, text)
+        raise Leave(0)
+
+    def delete_lines(self, text: bytes) -> NoReturn:
+        """DELETE."""
+        lister.delete(self._basic, text)
+        raise Leave(0)
+
+    def edit_line(self, text: bytes) -> NoReturn:
+        """EDIT."""
+        edit.edit(self._basic, text)
+        raise Leave(0)
+
+    def auto_lines(self, text: bytes) -> NoReturn:
+        """AUTO."""
+        auto.auto(self._basic, text)
+        raise Leave(0)

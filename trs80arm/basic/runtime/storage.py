@@ -1,0 +1,168 @@
+"""Variables and arrays at run time: what compiled statements do where a cell or a list is not enough."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from trs80arm.basic import costs, system_area
+from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.numbers import convert
+from trs80arm.basic.runtime.part import Part
+from trs80arm.basic.variables import (
+    DOUBLE,
+    INTEGER,
+    STRING,
+    Array,
+    Descriptor,
+    Key,
+    Scalar,
+    array_size,
+)
+
+AUTOMATIC = 11
+"""Elements in each dimension of an array that no DIM made."""
+DIMENSIONS = 255
+
+
+class Reference:
+    """A variable or element found, to be assigned to (INPUT)."""
+
+    def __init__(self, storage: Storage, kind: str, owner: Scalar | list[Any], index: int) -> None:
+        self._storage = storage
+        self.kind = kind
+        self._owner = owner
+        self._index = index
+
+    def assign(self, value: Any) -> None:
+        """Give it a number of any type, or the bytes of a string; OV, OS."""
+        owner = self._owner
+        if self.kind == STRING:
+            target = owner.value if isinstance(owner, Scalar) else owner[self._index]
+            self._storage.assign_bytes(target, value)
+        elif isinstance(owner, Scalar):
+            owner.cell.cell_contents = self._storage.as_kind(self.kind, value)
+        else:
+            owner[self._index] = self._storage.as_kind(self.kind, value)
+
+
+class Storage(Part):
+    """Making and finding variables."""
+
+    def as_kind(self, kind: str, value: Any) -> Any:
+        """A number converted to a variable's type; OV."""
+        if kind == INTEGER:
+            return convert.to_integer(value)
+        return convert.to_double(value) if kind == DOUBLE else convert.to_single(value)
+
+    def assign_bytes(self, target: Descriptor, text: bytes) -> None:
+        """A string typed or read from tape: a copy in string space."""
+        string = self._strings.new(text)
+        self._strings.assign(target, string, self._basic.program.start)
+
+    def free_bytes(self) -> int:
+        """What lies between the variables and the stack (MEM)."""
+        stack = self._control.stack_bytes() + system_area.STACK_AT_REST
+        return self._strings.bottom - stack - self._variables.end
+
+    def free_memory(self) -> int | float:
+        """MEM."""
+        free = self.free_bytes()
+        return free if free < 32768 else float(free)
+
+    def free_after(self, _argument: object) -> int | float:
+        """FRE of a number."""
+        return self.free_memory()
+
+    def _check_room(self, size: int) -> None:
+        if size > self.free_bytes() - system_area.STACK_RESERVE:
+            raise BasicError(Code.OM)
+
+    def create(self, key: Key) -> None:
+        """Make a simple variable if it is not there; OM."""
+        scalar = self._variables.scalar(key)
+        if scalar.offset is None:
+            self._check_room(scalar.size)
+            self._variables.create(scalar)
+            self._clock.now += costs.NEW_SCALAR
+            self._basic.runtime.flow.measure()
+            self._basic.code.created()
+
+    def _array(self, key: Key, dimensions: int) -> Array:
+        array = self._variables.arrays.get(key)
+        if array is None:
+            return self._make(key, (AUTOMATIC,) * dimensions)
+        if len(array.dims) != dimensions:
+            raise BasicError(Code.BS)
+        return array
+
+    def _make(self, key: Key, dims: tuple[int, ...]) -> Array:
+        size = array_size(key[1], dims)
+        self._check_room(size)
+        array = self._variables.add_array(key, dims)
+        self._clock.now += costs.NEW_ARRAY + costs.NEW_ARRAY_BYTE * size
+        self._basic.runtime.flow.measure()
+        self._basic.code.created()
+        return array
+
+    def dimension(self, key: Key, *sizes: int) -> None:
+        """DIM of an array; DD if it is there, BS, OM."""
+        if key in self._variables.arrays:
+            raise BasicError(Code.DD)
+        self._make(key, tuple(size + 1 for size in sizes))
+
+    def place(self, key: Key, *subscripts: int) -> tuple[list[Any], int]:
+        """The elements of an array and the index of one of them; BS, OM."""
+        array = self._array(key, len(subscripts))
+        index = 0
+        factor = 1
+        for subscript, dim in zip(subscripts, array.dims, strict=True):
+            if subscript >= dim:
+                raise BasicError(Code.BS)
+            index += subscript * factor
+            factor *= dim
+        return array.data, index
+
+    def element(self, key: Key, *subscripts: int) -> Any:
+        """The value of an element."""
+        data, index = self.place(key, *subscripts)
+        return data[index]
+
+    def element_address(self, key: Key, *subscripts: int) -> int:
+        """VARPTR of an element."""
+        array = self._array(key, len(subscripts))
+        _, index = self.place(key, *subscripts)
+        return _signed(self._variables.element_address(array, index))
+
+    def scalar_address(self, key: Key) -> int:
+        """VARPTR of a simple variable; FC if it was never assigned."""
+        return _signed(self._variables.address(self._variables.scalar(key)))
+
+    def scalar_reference(self, key: Key) -> Reference:
+        """A simple variable to assign to."""
+        scalar = self._variables.scalar(key)
+        return Reference(self, key[1], scalar, 0)
+
+    def element_reference(self, key: Key, index: int) -> Reference:
+        """An element to assign to."""
+        return Reference(self, key[1], self._variables.arrays[key].data, index)
+
+    def define(self, size: int, first: int, last: int) -> None:
+        """DEFINT and so on for a range of letters."""
+        start = system_area.DEF_TABLE - 0x41
+        for letter in range(first, last + 1):
+            self._ram[start + letter] = size
+        self._basic.code.look_around()
+
+    def clear_all(self) -> None:
+        """CLEAR."""
+        self._basic.clear_all()
+
+    def clear_strings(self, size: int) -> None:
+        """CLEAR n; OM when it leaves no room."""
+        if self._strings.top - size < self._basic.program.end + system_area.STACK_RESERVE:
+            raise BasicError(Code.OM)
+        self._basic.clear_all(size)
+
+
+def _signed(address: int) -> int:
+    return address - 0x10000 if address > 0x7FFF else address

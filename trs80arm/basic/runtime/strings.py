@@ -1,0 +1,106 @@
+"""The string functions."""
+
+from __future__ import annotations
+
+from trs80arm.basic import costs, system_area
+from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.numbers import decimal, double, literal
+from trs80arm.basic.numbers.convert import Number
+from trs80arm.basic.runtime.part import Part
+from trs80arm.basic.variables import Descriptor
+
+
+class StringFunctions(Part):
+    """Functions that take or give strings; a string is its descriptor."""
+
+    def assign(self, target: Descriptor, string: Descriptor) -> None:
+        """LET of a string."""
+        self._strings.assign(target, string, self._basic.program.start)
+
+    def string_equal(self, left: Descriptor, right: Descriptor) -> bool:
+        """Whether two strings are the same."""
+        strings = self._strings
+        second = strings.take(right)
+        first = strings.take(left)
+        self._clock.now += costs.STRING_BYTE * min(len(first), len(second))
+        return first == second
+
+    def string_compare(self, left: Descriptor, right: Descriptor) -> int:
+        """-1, 0 or 1, by bytes, the shorter first."""
+        strings = self._strings
+        second = strings.take(right)
+        first = strings.take(left)
+        self._clock.now += costs.STRING_BYTE * min(len(first), len(second))
+        return (first > second) - (first < second)
+
+    def left(self, string: Descriptor, count: int) -> Descriptor:
+        """LEFT$."""
+        return self._strings.part(string, 0, count)
+
+    def right(self, string: Descriptor, count: int) -> Descriptor:
+        """RIGHT$."""
+        return self._strings.part(string, max(0, string[0] - count), count)
+
+    def middle(self, string: Descriptor, start: int, count: int = 255) -> Descriptor:
+        """MID$; FC for position 0."""
+        if not start:
+            raise BasicError(Code.FC)
+        return self._strings.part(string, min(start - 1, string[0]), count)
+
+    def len_(self, string: Descriptor) -> int:
+        """LEN."""
+        length = string[0]
+        self._strings.free(string)
+        return length
+
+    def asc_(self, string: Descriptor) -> int:
+        """ASC; FC for an empty string."""
+        return self.first_code(string)
+
+    def first_code(self, string: Descriptor) -> int:
+        """The code of the first character; FC for an empty string."""
+        text = self._strings.take(string)
+        if not text:
+            raise BasicError(Code.FC)
+        return text[0]
+
+    def val_(self, string: Descriptor) -> Number:
+        """VAL: the number at the start of a string, scanned as a double."""
+        text = self._strings.take(string)
+        found = literal.scan(text.partition(b"\0")[0], 0, double.ZERO)
+        self._clock.now += costs.constant(text[: found.end], found.value)
+        return found.value
+
+    def chr_(self, code: int) -> Descriptor:
+        """CHR$."""
+        return self._strings.new(bytes((code,)))
+
+    def str_(self, value: Number) -> Descriptor:
+        """STR$."""
+        text = decimal.number_text(value).encode("ascii")
+        self._clock.now += costs.NUMBER_CHARACTER * len(text)
+        return self._strings.new(text)
+
+    def string_of(self, count: int, code: int) -> Descriptor:
+        """STRING$."""
+        self._clock.now += costs.STRING_BYTE * count
+        return self._strings.new(bytes((code,)) * count)
+
+    def inkey(self) -> Descriptor:
+        """INKEY$: the key remembered by the statement loop, or one that goes down now."""
+        ram = self._ram
+        key = ram[system_area.KEY_LATCH]
+        if key:
+            ram[system_area.KEY_LATCH] = 0
+        else:
+            key = self._console.scan()
+        return self._strings.new(bytes((key,))) if key else [0, 0]
+
+    def free_strings(self, string: Descriptor) -> float | int:
+        """FRE of a string: collect, and count the free string space."""
+        self._strings.free(string)
+        return self._strings.free_bytes()
+
+    def text_at(self, length: int, address: int) -> bytes:
+        """Characters of the program text."""
+        return bytes(self._ram[address : address + length])
