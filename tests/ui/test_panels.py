@@ -24,7 +24,7 @@ def drawing(panel: Panel, width: int, height: int) -> str:
 
 
 @pytest.mark.parametrize("panel", PANELS)
-@pytest.mark.parametrize(("width", "height"), [(16, 9), (34, 6), (40, 10)])
+@pytest.mark.parametrize(("width", "height"), [(16, 9), (14, 7), (38, 8), (80, 6)])
 def test_panels_at_their_sizes(panel: type[Panel], width: int, height: int) -> None:
     name = panel.__name__.removesuffix("Panel").lower()
     check_golden(f"{name}-{width}x{height}", drawing(panel(), width, height))
@@ -72,6 +72,7 @@ def test_an_input_that_answers_is_lit() -> None:
 def test_repeated_events_are_one_line_with_a_count() -> None:
     entries = collapsed(samples.EVENTS, 10)
     assert [(entry.event.number, entry.count) for entry in entries] == [(0, 1), (2, 2), (3, 1)]
+    assert entries[1].steps == 40
     assert [entry.event.number for entry in collapsed(samples.EVENTS, 1)] == [3]
 
 

@@ -9,6 +9,7 @@ from trs80arm.ui.rows import Ink, Row, Span
 
 _WIDE = 34
 _SPACED = 40
+_VERY_WIDE = 52
 _LAMPS = ("●", "○")
 _ASCII_LAMPS = ("*", ".")
 
@@ -57,7 +58,11 @@ switch, then the three free inputs, lit when closed or answering.
         )
         holds = _state("holds", readings.held or "nothing", readings.held is not None)
         if wide:
-            for place, state in enumerate((motors, grip, holds)):
+            beside = [motors, grip, holds]
+            if height < len(rows) and width >= _VERY_WIDE:
+                beside += rows[6:]
+                del rows[6:]
+            for place, state in enumerate(beside):
                 rows[place] = (*rows[place], ("  ", Ink.PLAIN), *state)
         else:
             rows += [motors, grip] if height > len(rows) + 1 else [motors]

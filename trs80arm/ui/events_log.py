@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from textwrap import wrap
 
 from textual.events import MouseScrollDown, MouseScrollUp
 
@@ -25,10 +26,11 @@ _TROUBLE = {EventKind.SLIP, EventKind.CONTACT, EventKind.DROPPED, EventKind.TOPP
 
 @dataclass(frozen=True)
 class Entry:
-    """A line of the log: the latest of some like events, and how many there were."""
+    """A line of the log: the latest of some like events, how many, and their steps in all."""
 
     event: ArmEvent
     count: int
+    steps: int
 
 
 def collapsed(events: Sequence[ArmEvent], most: int) -> list[Entry]:
@@ -40,11 +42,12 @@ def collapsed(events: Sequence[ArmEvent], most: int) -> list[Entry]:
     entries: list[Entry] = []
     for event in reversed(events):
         if entries and _alike(entries[-1].event, event):
-            entries[-1] = Entry(entries[-1].event, entries[-1].count + 1)
+            known = entries[-1]
+            entries[-1] = Entry(known.event, known.count + 1, known.steps + event.steps)
             continue
         if len(entries) == most:
             break
-        entries.append(Entry(event, 1))
+        entries.append(Entry(event, 1, event.steps))
     entries.reverse()
     return entries
 
@@ -85,9 +88,10 @@ looks back.
         if known != self._known:
             self._known = known
             entries = collapsed(events, height + self._back)
-            self._back = max(0, min(self._back, len(entries) - height))
-            stop = len(entries) - self._back
-            self._lines = [_line(entry, width) for entry in entries[max(0, stop - height) : stop]]
+            rows = [row for entry in entries for row in _rows(entry, width)]
+            self._back = max(0, min(self._back, len(rows) - height))
+            stop = len(rows) - self._back
+            self._lines = rows[max(0, stop - height) : stop]
         return self._lines or [(("nothing has happened yet", Ink.LABEL),)]
 
     def on_mouse_scroll_up(self, event: MouseScrollUp) -> None:
@@ -101,11 +105,16 @@ looks back.
         self.redraw()
 
 
-def _line(entry: Entry, width: int) -> Row:
+def _rows(entry: Entry, width: int) -> list[Row]:
+    """An entry as one line, or more where the panel is narrow."""
     event = entry.event
     time = clock_text(event.time / T_STATES_PER_SECOND)
     ink = Ink.ALARM if event.kind in _TROUBLE else Ink.PLAIN
     count = f" x{entry.count}" if entry.count > 1 else ""
+    if count and entry.steps:
+        count = f", {abs(entry.steps)} in all{count}"
     glyph = _GLYPHS.get(event.kind, "-")
-    room = width - len(time) - 3 - len(count)
-    return ((f"{time} ", Ink.LABEL), (f"{glyph} ", ink), (event.text[: max(0, room)] + count, ink))
+    indent = len(time) + 3
+    texts = wrap(event.text + count, max(8, width - indent)) or [""]
+    first: Row = ((f"{time} ", Ink.LABEL), (f"{glyph} {texts[0]}", ink))
+    return [first, *(((" " * indent + text, ink),) for text in texts[1:])]

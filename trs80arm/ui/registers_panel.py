@@ -10,6 +10,7 @@ JOINTS = ("base", "shoulder", "elbow", "left wrist", "right wrist", "hand")
 """What J1 to J6 are called in the article."""
 
 _WIDE = 34
+_ROOMY = 16
 _SLIPPED, _MOVED = "!", "~"
 
 
@@ -30,9 +31,11 @@ otherwise: by hand, or by OUT. `@RESET` sets both to zero.
         wide = width >= _WIDE
         rows: list[Row] = []
         for joint in range(6):
-            rows.append(_wide_row(readings, joint) if wide else _narrow_row(readings, joint))
+            rows.append(_wide_row(readings, joint) if wide else _narrow_row(readings, joint, width))
         if height > len(rows):
-            heading = "joint        register   true slip" if wide else "      reg   true"
+            heading = "joint        register   true slip"
+            if not wide:
+                heading = f"{'reg':>{_column(width) + 2}} {'true':>{_column(width) - 1}}"
             rows.insert(0, ((heading, Ink.LABEL),))
         if height > len(rows) + 1:
             rows.append(())
@@ -48,10 +51,17 @@ def _mark(readings: Readings, joint: int) -> tuple[str, Ink]:
     return " ", Ink.PLAIN
 
 
-def _narrow_row(readings: Readings, joint: int) -> Row:
+def _column(width: int) -> int:
+    """Cells for a number in the narrow form: six and a blank, or less where that does not fit."""
+    return 7 if width >= _ROOMY else 6
+
+
+def _narrow_row(readings: Readings, joint: int, width: int) -> Row:
     mark, ink = _mark(readings, joint)
     register, true = readings.registers[joint], readings.joints[joint]
-    return ((f"J{joint + 1}", Ink.LABEL), (f"{register:7d}{true:6d}{mark}", ink))
+    column = _column(width)
+    numbers = f"{register:{column}d}{true:{column - 1}d}{mark}"
+    return ((f"J{joint + 1}", Ink.LABEL), (numbers, ink))
 
 
 def _wide_row(readings: Readings, joint: int) -> Row:
