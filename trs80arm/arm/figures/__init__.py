@@ -1,0 +1,113 @@
+"""The article's figures, drawn from the running arm.
+
+`figure` computes one of them; what it returns can be printed as text or saved as SVG or PNG.
+Figures 10 and 12 show what a driver and a program make of the arm, so whoever has those hands in
+what they wrote and where the hand went.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from trs80arm.arm.events import MOTOR_NAMES
+from trs80arm.arm.figures.chart import Chart, Figure, FigureError, Series, Style, Table
+from trs80arm.arm.figures.measured import envelope, grip_curves, phase_table, table1_rows
+from trs80arm.arm.minimover import ArmState
+from trs80arm.arm.motors import T_STATES_PER_SECOND
+
+__all__ = ["NAMES", "Chart", "Figure", "FigureError", "Series", "Style", "Table", "figure"]
+
+NAMES = ("2", "6", "8", "10", "12", "table1")
+"""Figures that can be drawn."""
+
+Writes = Sequence[tuple[int, int, int]]
+Path = Sequence[tuple[int, ArmState]]
+
+
+def figure(name: str, *, writes: Writes | None = None, path: Path | None = None) -> Figure:
+    """One of the article's figures.
+
+    Args:
+        name: one of `NAMES`.
+        writes: for Figure 10, the latch writes of a coordinated @STEP as (T-state, latch,
+            nibble).
+        path: for Figure 12, states of the arm through one cycle of pick and place, as
+            (T-state, state).
+
+    Raises:
+        FigureError: if there is no such figure, or it lacks what it is to show.
+    """
+    if name == "2":
+        return Figure("2", "Figure 2. Mini Mover 5 working envelope", envelope())
+    if name == "6":
+        title = "Figure 6. Hand opening and grip force against steps"
+        return Figure("6", title, grip_curves())
+    if name == "8":
+        title = "Figure 8. Drive patterns for the stepper motor coils; clockwise downwards"
+        return Figure("8", title, (phase_table(),))
+    if name == "10":
+        if not writes:
+            raise FigureError("figure 10 needs the latch writes of a motion")
+        return Figure("10", "Figure 10. Step timing of coordinated movement", _timing(writes))
+    if name == "12":
+        if not path:
+            raise FigureError("figure 12 needs the way of the hand through a cycle")
+        return Figure("12", "Figure 12. The pick-and-place task, side view", _task(path))
+    if name == "table1":
+        title = "Table 1. Performance characteristics, measured on the arm"
+        return Figure("table1", title, (table1_rows(),))
+    raise FigureError(f"no figure {name}: there are {', '.join(NAMES)}")
+
+
+def _timing(writes: Writes) -> tuple[Chart, ...]:
+    """Steps of each motor against time, milliseconds."""
+    series = []
+    marks = "*o+x#%@"
+    start = writes[0][0]
+    for latch in sorted({latch for _, latch, _ in writes}):
+        times = [(t - start) * 1000 / T_STATES_PER_SECOND for t, m, _ in writes if m == latch]
+        name = MOTOR_NAMES[latch]
+        label = f"{name}, {len(times)} steps"
+        steps = tuple(float(i + 1) for i in range(len(times)))
+        series.append(Series(label, tuple(times), steps, Style.STEPS, marks[latch]))
+    return (Chart("", "milliseconds", "steps done", tuple(series)),)
+
+
+def _task(path: Path) -> tuple[Chart, ...]:
+    """Height of the fingertip against its distance from where it closes on the part."""
+    states = [state for _, state in path]
+    taken = next((s for s in states if s.held is not None), states[0]).pose
+
+    def place(state: ArmState) -> tuple[float, float]:
+        pose = state.pose
+        return ((pose.x - taken.x) ** 2 + (pose.y - taken.y) ** 2) ** 0.5, pose.z
+
+    # Runs of moving with and without a part, each with the point at which the next begins.
+    carried: list[tuple[float, float]] = []
+    empty: list[tuple[float, float]] = []
+    for state in states:
+        (carried if state.held is not None else empty).append(place(state))
+    series = []
+    if empty:
+        series.append(Series("hand empty", *_columns(empty), style=Style.DOTS, mark="."))
+    notes: tuple[tuple[float, float, str], ...] = ()
+    if carried:
+        series.append(Series("carrying the part", *_columns(carried), style=Style.DOTS, mark="*"))
+        # A and D are where the part is taken and let go, B and C the heights above them.
+        a, d = carried[0], carried[-1]
+        top = max(z for _, z in carried)
+        notes = ((*a, "A"), (a[0], top, "B"), (d[0], top, "C"), (*d, "D"))
+    return (
+        Chart(
+            "",
+            "inches from the pick-up point",
+            "height of the fingertip, inches",
+            tuple(series),
+            notes,
+        ),
+    )
+
+
+def _columns(points: list[tuple[float, float]]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Points as xs and ys."""
+    return tuple(x for x, _ in points), tuple(y for _, y in points)

@@ -1,0 +1,249 @@
+"""Charts and tables that can be drawn with characters, or by matplotlib into a file.
+
+The figures of the article are made of these; nothing here knows the arm. A chart holds its data,
+so tests and other programs can read what a figure shows.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from enum import Enum
+from pathlib import Path
+from typing import Any
+
+SUFFIXES = (".svg", ".png", ".pdf")
+
+
+class FigureError(Exception):
+    """A figure that cannot be made or saved; one line says why."""
+
+
+class Style(Enum):
+    """How a series is drawn."""
+
+    LINE = "line"
+    DOTS = "dots"
+    STEPS = "steps"
+
+
+@dataclass(frozen=True)
+class Series:
+    """One curve, or a cloud of dots.
+
+    Attributes:
+        label: for the legend.
+        xs: abscissae.
+        ys: ordinates, as many.
+        style: how to draw it.
+        mark: character for the drawing in text.
+    """
+
+    label: str
+    xs: tuple[float, ...]
+    ys: tuple[float, ...]
+    style: Style = Style.LINE
+    mark: str = "*"
+
+
+@dataclass(frozen=True)
+class Chart:
+    """One diagram.
+
+    Attributes:
+        title: of the diagram.
+        x_label: what the abscissa is, with its unit.
+        y_label: what the ordinate is, with its unit.
+        series: curves, later ones over earlier ones.
+        notes: words at places, as (x, y, text).
+        to_scale: whether both axes are lengths and one inch is to be as long on both.
+    """
+
+    title: str
+    x_label: str
+    y_label: str
+    series: tuple[Series, ...]
+    notes: tuple[tuple[float, float, str], ...] = ()
+    to_scale: bool = False
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows under a heading.
+
+    Attributes:
+        heading: names of the columns.
+        rows: as many cells each.
+    """
+
+    heading: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure of the article, computed.
+
+    Attributes:
+        name: as in "figure 6" or "table1".
+        title: one line.
+        parts: charts and tables from top to bottom.
+    """
+
+    name: str
+    title: str
+    parts: tuple[Chart | Table, ...] = field(default=())
+
+    def text(self, width: int = 78) -> str:
+        """The figure in plain characters.
+
+        Args:
+            width: columns to fill at most.
+        """
+        pieces = [self.title, ""]
+        for part in self.parts:
+            pieces.append(
+                _table_text(part) if isinstance(part, Table) else _chart_text(part, width)
+            )
+            pieces.append("")
+        return "\n".join(line.rstrip() for line in "\n".join(pieces).rstrip().split("\n")) + "\n"
+
+    def save(self, path: str | Path) -> None:
+        """Draw the figure into an SVG, PNG or PDF file.
+
+        Raises:
+            FigureError: if matplotlib is not installed, the suffix is none of these, or the
+                file cannot be written.
+        """
+        path = Path(path)
+        if path.suffix.lower() not in SUFFIXES:
+            known = ", ".join(SUFFIXES)
+            raise FigureError(f"{path}: a figure is saved as one of {known}")
+        try:
+            import matplotlib
+        except ImportError:
+            raise FigureError(
+                "saving figures needs matplotlib: pip install 'trs80arm[plot]'"
+            ) from None
+        matplotlib.use("Agg")
+        from matplotlib.figure import Figure as Canvas
+
+        heights = [
+            0.4 + 0.25 * len(part.rows) if isinstance(part, Table) else 4.5 for part in self.parts
+        ]
+        canvas = Canvas(figsize=(8.0, sum(heights) + 0.8), layout="constrained")
+        canvas.suptitle(self.title)
+        axes = canvas.subplots(len(self.parts), 1, squeeze=False, height_ratios=heights)
+        for part, (axis,) in zip(self.parts, axes, strict=True):
+            if isinstance(part, Table):
+                axis.axis("off")
+                axis.table(cellText=part.rows, colLabels=part.heading, loc="center")
+            else:
+                _plot(axis, part)
+        # The same figure gives the same file.
+        metadata = {"Date": None} if path.suffix.lower() == ".svg" else None
+        try:
+            with matplotlib.rc_context({"svg.hashsalt": self.name}):
+                canvas.savefig(path, metadata=metadata)
+        except OSError as error:
+            raise FigureError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def _plot(axis: Any, chart: Chart) -> None:
+    """One chart by matplotlib."""
+    for series in chart.series:
+        if series.style is Style.DOTS:
+            axis.plot(series.xs, series.ys, ".", markersize=3, label=series.label)
+        elif series.style is Style.STEPS:
+            axis.step(series.xs, series.ys, where="post", label=series.label)
+        else:
+            axis.plot(series.xs, series.ys, "-", label=series.label)
+    for x, y, text in chart.notes:
+        axis.annotate(text, (x, y), textcoords="offset points", xytext=(5, 5))
+    axis.set_title(chart.title)
+    axis.set_xlabel(chart.x_label)
+    axis.set_ylabel(chart.y_label)
+    axis.grid(visible=True, alpha=0.3)
+    if chart.to_scale:
+        axis.set_aspect("equal")
+    if any(series.label for series in chart.series):
+        axis.legend(fontsize="small")
+
+
+def _table_text(table: Table) -> str:
+    """A table with its columns aligned."""
+    rows = [table.heading, *table.rows]
+    widths = [max(len(row[i]) for row in rows) for i in range(len(table.heading))]
+    lines = [
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))
+        for row in rows
+    ]
+    return "\n".join([lines[0], "  ".join("-" * width for width in widths), *lines[1:]])
+
+
+def _chart_text(chart: Chart, width: int) -> str:
+    """A chart in characters, its axes with their ends written on them."""
+    xs = [x for series in chart.series for x in series.xs]
+    ys = [y for series in chart.series for y in series.ys]
+    if not xs:
+        return chart.title
+    left, right = _ends(min(xs), max(xs))
+    low, high = _ends(min(ys), max(ys))
+    gutter = max(len(f"{low:g}"), len(f"{high:g}"))
+    columns = max(20, width - gutter - 2)
+    rows = 20
+    if chart.to_scale:
+        # A character is about twice as high as it is wide.
+        rows = round(columns * (high - low) / (right - left) / 2)
+        if rows > 32:
+            columns, rows = max(20, round(columns * 32 / rows)), 32
+        rows = max(rows, 5)
+    grid = [[" "] * columns for _ in range(rows)]
+
+    def put(x: float, y: float, mark: str) -> None:
+        column = round((x - left) / (right - left) * (columns - 1))
+        row = rows - 1 - round((y - low) / (high - low) * (rows - 1))
+        for k, letter in enumerate(mark):
+            if 0 <= row < rows and 0 <= column + k < columns:
+                grid[row][column + k] = letter
+
+    for series in chart.series:
+        points = list(zip(series.xs, series.ys, strict=True))
+        for i, (x, y) in enumerate(points):
+            put(x, y, series.mark)
+            if series.style is Style.DOTS or i + 1 == len(points):
+                continue
+            x1, y1 = points[i + 1]
+            across = abs(x1 - x) / (right - left) * columns
+            up = abs(y1 - y) / (high - low) * rows
+            for k in range(1, math.ceil(max(across, up)) + 1):
+                t = k / (math.ceil(max(across, up)) + 1)
+                put(
+                    x + t * (x1 - x),
+                    y if series.style is Style.STEPS else y + t * (y1 - y),
+                    series.mark,
+                )
+    for x, y, text in chart.notes:
+        put(x, y, text)
+    lines = [chart.title, f"{chart.y_label}"]
+    for i, cells in enumerate(grid):
+        value = f"{high:g}" if i == 0 else f"{low:g}" if i == rows - 1 else ""
+        lines.append(f"{value:>{gutter}} |" + "".join(cells))
+    lines.append(" " * gutter + " +" + "-" * columns)
+    ends = f"{left:g}", f"{right:g}"
+    middle = chart.x_label.center(columns - len(ends[0]) - len(ends[1]))
+    lines.append(" " * (gutter + 2) + ends[0] + middle + ends[1])
+    legend = "   ".join(f"{s.mark} {s.label}" for s in chart.series if s.label)
+    if legend:
+        lines.append(" " * (gutter + 2) + legend)
+    return "\n".join(lines)
+
+
+def _ends(low: float, high: float) -> tuple[float, float]:
+    """Round numbers around a range."""
+    if high - low < 1e-9:
+        return low - 0.5, high + 0.5
+    unit = 10.0 ** math.floor(math.log10((high - low) / 5))
+    return round(math.floor(low / unit + 1e-9) * unit, 9), round(
+        math.ceil(high / unit - 1e-9) * unit, 9
+    )
