@@ -153,7 +153,7 @@ class Rig:
             tape=tape,
             arm=driver if settings.armbasic else None,
         )
-        basic = Interpreter(host, blocks=settings.blocks)
+        basic = Interpreter(host, armbasic=settings.armbasic, blocks=settings.blocks)
         return _Works(
             clock=clock,
             memory=memory,
@@ -226,6 +226,7 @@ class Rig:
         works = self._works
         end = works.clock.now + round(seconds * T_STATES_PER_SECOND)
         while works.clock.now < end:
+            self._move_keys()
             if works.basic.waiting is not Waiting.NOTHING and not (
                 works.typist.pending or works.events
             ):
@@ -240,12 +241,17 @@ class Rig:
         waiting = works.basic.waiting
         for time, key, down in works.typist.due(clock.now, waiting is not Waiting.NOTHING):
             self._at(time, key, down)
-        while works.events and works.events[0].time <= clock.now:
-            event = heapq.heappop(works.events)
-            (works.matrix.press if event.down else works.matrix.release)(event.key)
+        self._move_keys()
         clock.limit = min(target, works.events[0].time) if works.events else target
         # A machine that waits already is not asked to stop at the wait that it is in.
         works.basic.advance(until_waiting=until_waiting and waiting is Waiting.NOTHING)
+
+    def _move_keys(self) -> None:
+        """Let the keys go down and up whose time has come."""
+        works = self._works
+        while works.events and works.events[0].time <= works.clock.now:
+            event = heapq.heappop(works.events)
+            (works.matrix.press if event.down else works.matrix.release)(event.key)
 
     def _at(self, time: int, key: Key, down: bool) -> None:
         works = self._works
