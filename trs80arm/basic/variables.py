@@ -171,6 +171,7 @@ class Variables:
         self.arrays: dict[Key, Array] = {}
         self.size = 0
         self.arrays_size = 0
+        self._zeros: dict[tuple[Key, int], bytes] = {}
 
     def clear(self, start: int) -> None:
         """Forget all of them; the tables begin at `start`."""
@@ -183,6 +184,7 @@ class Variables:
                 scalar.cell.cell_contents = zero(scalar.kind)
         self.order.clear()
         self.arrays.clear()
+        self._zeros.clear()
         self.size = 0
         self.arrays_size = 0
 
@@ -263,14 +265,14 @@ class Variables:
         owner, place = found
         if isinstance(owner, Scalar):
             if place >= SCALAR_HEADER:
-                return encode(owner.kind, owner.value)[place - SCALAR_HEADER]
+                return self._bytes(owner, -1, owner.value)[place - SCALAR_HEADER]
             name = owner.name.encode("ascii")
             return (SIZES[owner.kind], name[1] if len(name) > 1 else 0, name[0])[place]
         header = owner.header
         if place < len(header):
             return header[place]
         index, byte = divmod(place - len(header), SIZES[owner.kind])
-        return encode(owner.kind, owner.data[index])[byte]
+        return self._bytes(owner, index, owner.data[index])[byte]
 
     def poke(self, address: int, value: int) -> None:
         """Change a byte of a variable's value; names and dimensions cannot be changed this way."""
@@ -281,7 +283,7 @@ class Variables:
         if isinstance(owner, Scalar):
             byte = place - SCALAR_HEADER
             if byte >= 0:
-                new = self._with_byte(owner.kind, owner.value, byte, value)
+                new = self._with_byte(owner, -1, owner.value, byte, value)
                 if owner.kind == STRING:
                     owner.value[:] = new
                 else:
@@ -290,17 +292,25 @@ class Variables:
         header = len(owner.header)
         if place >= header:
             index, byte = divmod(place - header, SIZES[owner.kind])
-            new = self._with_byte(owner.kind, owner.data[index], byte, value)
+            new = self._with_byte(owner, index, owner.data[index], byte, value)
             if owner.kind == STRING:
                 owner.data[index][:] = new
             else:
                 owner.data[index] = new
 
-    @staticmethod
-    def _with_byte(kind: str, old: Any, byte: int, value: int) -> Any:
-        data = bytearray(encode(kind, old))
-        data[byte] = value
-        return decode(kind, bytes(data))
+    def _bytes(self, owner: Scalar | Array, index: int, value: Any) -> bytes:
+        """The bytes of a value; a zero that was POKEd keeps what stands beside its exponent."""
+        data = encode(owner.kind, value)
+        if owner.kind in (SINGLE, DOUBLE) and not data[-1]:
+            return self._zeros.get(((owner.name, owner.kind), index), data)
+        return data
+
+    def _with_byte(self, owner: Scalar | Array, index: int, old: Any, byte: int, new: int) -> Any:
+        data = bytearray(self._bytes(owner, index, old))
+        data[byte] = new
+        if owner.kind in (SINGLE, DOUBLE) and not data[-1]:
+            self._zeros[(owner.name, owner.kind), index] = bytes(data)
+        return decode(owner.kind, bytes(data))
 
 
 Value = int | float | Double | Descriptor

@@ -153,8 +153,9 @@ class AssignmentCompiler(FunctionCompiler):
     def tape_unit(self) -> str:
         """`#-1,` or `#-2,`; FC for another number."""
         self.reader.advance()
-        unit = self.out.keep(f"tape_unit({self.integer()})")
+        unit = self.out.keep(self.integer())
         self.expect(0x2C)
+        self.out.emit(f"tape_unit({unit})")
         return unit
 
     def targets(self) -> list[str]:

@@ -63,6 +63,8 @@ class Targets:
         return count
 
     def __getitem__(self, number: int) -> ListedTarget:
+        if number >= len(self):
+            raise IndexError(number)
         return ListedTarget(self._basic, self, number)
 
     def find(self, number: int) -> Any:
