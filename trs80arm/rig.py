@@ -435,7 +435,7 @@ class Rig:
     @property
     def typing(self) -> bool:
         """Whether typed text is still on its way into the machine."""
-        return self._works.typist.pending
+        return self._works.typist.pending or bool(self._works.events)
 
     @property
     def outcome(self) -> Outcome | None:
