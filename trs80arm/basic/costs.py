@@ -8,6 +8,7 @@ the times that the original needed for the programs of the conformance cases and
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 # -- the statement loop ---------------------------------------------------------------------------
@@ -136,9 +137,15 @@ STATEMENT_WORK: Final[dict[str, int]] = {
 }
 PRINT_CHARACTER: Final = 68
 """PRINT's own loop for a character, beside the display driver's time."""
-NUMBER_TEXT: Final = {"i": 3500, "n": 3500, "s": 10000, "d": 60000, "x": 12000}
-"""A number turned into the characters that PRINT and STR$ show."""
+NUMBER_TEXT: Final = 2500
+NUMBER_DIGIT_INTEGER: Final = 600
+NUMBER_SINGLE: Final = 7000
+NUMBER_SCALE_SINGLE: Final = 2500
+NUMBER_DOUBLE: Final = 60000
+NUMBER_SCALE_DOUBLE: Final = 22000
 NUMBER_CHARACTER: Final = 200
+USING_FIELD: Final = 2500
+"""A field of PRINT USING, beside the number's conversion."""
 
 # -- strings --------------------------------------------------------------------------------------
 STRING_BYTE: Final = 22
@@ -178,3 +185,21 @@ def constant(text: bytes, value: object) -> int:
         total += digits * CONSTANT_DIGIT_DOUBLE
         down = CONSTANT_SCALE_DOWN_DOUBLE
     return total + (places * CONSTANT_SCALE_UP if places > 0 else -places * down)
+
+
+def number_text(value: object, text: str) -> int:
+    """T-states to turn a number into the characters that PRINT and STR$ show.
+
+    Args:
+        value: `int`, `float` or a double.
+        text: what it came to.
+    """
+    total = NUMBER_TEXT + NUMBER_CHARACTER * len(text)
+    if isinstance(value, int):
+        return total + NUMBER_DIGIT_INTEGER * len(text)
+    if isinstance(value, float):
+        steps = abs(5 - math.floor(math.log10(abs(value)))) if value else 0
+        return total + NUMBER_SINGLE + NUMBER_SCALE_SINGLE * steps
+    exponent = getattr(value, "exponent", 0)
+    steps = abs(15 - math.floor((exponent - 128) * 0.30103)) if exponent else 0
+    return total + NUMBER_DOUBLE + NUMBER_SCALE_DOUBLE * steps

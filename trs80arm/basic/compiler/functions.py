@@ -159,7 +159,6 @@ class FunctionCompiler(ExpressionCompiler):
         if name == "CHR$":
             return Expression(f"chr_({self.to_byte(value)})", STRING)
         if name == "STR$":
-            self.out.cost += costs.NUMBER_TEXT[value.kind]
             return Expression(f"str_({value.text})", STRING)
         if name == "SGN":
             return Expression(f"sign({value.text})", INTEGER)

@@ -79,7 +79,6 @@ class OutputCompiler(FlowCompiler):
             out.charge()
             out.emit(f"print_string({value.text})")
             return
-        out.cost += costs.NUMBER_TEXT[value.kind]
         text = out.keep(value.text)
         out.charge()
         out.emit(f"print_number({text})")

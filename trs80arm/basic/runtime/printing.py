@@ -87,8 +87,9 @@ class Printing(Part):
 
     def print_number(self, value: Number) -> None:
         """A number and a blank; on a new line if it would not fit (facts, thing 20)."""
-        text = decimal.number_text(value).encode("ascii")
-        self._clock.now += costs.NUMBER_CHARACTER * len(text)
+        shown = decimal.number_text(value)
+        self._clock.now += costs.number_text(value, shown)
+        text = shown.encode("ascii")
         if not self._ram[system_area.OUTPUT_DEVICE]:
             column = self._console.column
             if column and column + len(text) + 1 > _SCREEN_WIDTH:
@@ -127,6 +128,7 @@ class Printing(Part):
 
     def using_number(self, layout: UsingFormat, value: Number) -> None:
         """A number in the next field."""
+        self._clock.now += costs.USING_FIELD + costs.number_text(value, layout.text)
         self._put(layout.field(value).encode("latin-1"))
 
     def using_string(self, layout: UsingFormat, value: Descriptor) -> None:

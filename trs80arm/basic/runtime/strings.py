@@ -77,9 +77,9 @@ class StringFunctions(Part):
 
     def str_(self, value: Number) -> Descriptor:
         """STR$."""
-        text = decimal.number_text(value).encode("ascii")
-        self._clock.now += costs.NUMBER_CHARACTER * len(text)
-        return self._strings.new(text)
+        text = decimal.number_text(value)
+        self._clock.now += costs.number_text(value, text)
+        return self._strings.new(text.encode("ascii"))
 
     def string_of(self, count: int, code: int) -> Descriptor:
         """STRING$."""
