@@ -14,7 +14,7 @@ from typing import TextIO
 
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.basic.activity import Waiting
-from trs80arm.basic.interpreter import OutcomeKind
+from trs80arm.basic.interpreter import Kind
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.operator import Hold, Operator, ScriptError, parse_holds
@@ -23,6 +23,9 @@ from trs80arm.trace import PoseTrace, Trace, TraceError
 
 DEFAULT_SECONDS = 3600.0
 """Virtual seconds after which an unattended run ends when no limit is given."""
+
+
+ENTER = 13
 
 
 class UnusableError(Exception):
@@ -80,9 +83,9 @@ class Teletype:
         self._stream = stream
         self._column = 0
 
-    def __call__(self, code: int, is_echo: bool) -> None:
+    def __call__(self, code: int) -> None:
         """Print one character; the operator's own typing is printed too, as on a teletype."""
-        if code == 13 or code == 10:
+        if code in (10, ENTER):
             self._write("\n")
         elif 32 <= code < 128:
             self._write(chr(code))
@@ -156,12 +159,16 @@ def _from_run_to_end(
     """Type RUN and let the program run until it ends, waits in vain, or its time is over."""
     teletype = Teletype(stream)
     start: list[int] = []
+    after_the_end = bytearray()
 
     def listener(code: int, is_echo: bool) -> None:
-        if start and rig.outcome is None:
-            teletype(code, is_echo)
-        elif is_echo and code == 13:
-            start.append(rig.clock.now)
+        if not start:
+            if is_echo and code == ENTER:
+                start.append(rig.clock.now)
+        elif rig.outcome is None:
+            teletype(code)
+        else:
+            after_the_end.append(code)
 
     stop_listening = rig.listen(listener)
     rig.type("RUN\r")
@@ -171,6 +178,9 @@ def _from_run_to_end(
     spent = (rig.clock.now - start[0]) / T_STATES_PER_SECOND
     waiting = Operator(rig, options.inputs, sets).run(limit - spent)
     stop_listening()
+    # `?UL Error in 20` is the program's last word; READY and the prompt are the machine's.
+    for code in after_the_end.partition(b"READY")[0]:
+        teletype(code)
     teletype.end_line()
     return waiting
 
@@ -178,7 +188,7 @@ def _from_run_to_end(
 def _verdict(rig: Rig, options: BatchOptions, waiting: Waiting) -> int:
     """Say on standard error what the output does not show, and give the exit code."""
     outcome = rig.outcome
-    if outcome is not None and outcome.kind is OutcomeKind.ERROR:
+    if outcome is not None and outcome.kind is Kind.ERROR:
         return 1
     if waiting in (Waiting.INPUT, Waiting.SET):
         word, option = ("INPUT", "--input") if waiting is Waiting.INPUT else ("@SET", "--set")

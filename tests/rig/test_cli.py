@@ -64,8 +64,8 @@ def test_the_limit_counts_virtual_seconds_from_run(tmp_path: Path) -> None:
     assert done.exit_code == 0
     steps = int(done.stdout.splitlines()[-1].split()[0])
     assert steps == done.stdout.count(" 1 ")
-    # A step of 3 ms, and some 20 ms for three statements.
-    assert 300 < steps < 700
+    # A step of 3 ms, and not quite 10 ms for the three statements.
+    assert 600 < steps < 1100
 
 
 def test_screen_registers_and_pose_are_printed_when_asked_for(tmp_path: Path) -> None:
@@ -105,7 +105,7 @@ def test_a_file_that_is_no_program_is_refused_in_one_line(tmp_path: Path) -> Non
     path.write_bytes(bytes(range(256)))
     done = run(path)
     assert done.exit_code == 2
-    assert done.stderr.startswith("trs80arm: noise.bas")
+    assert "noise.bas: neither text nor a crunched program" in done.stderr
     assert len(done.stderr.splitlines()) == 1
 
 

@@ -104,3 +104,13 @@ def test_two_runs_are_the_same_to_the_last_bit() -> None:
         rig.run_to(60 * 1_774_080)
         ends.append((rig.clock.now, rig.screen(), rig.registers, rig.state, len(rig.arm.events)))
     assert ends[0] == ends[1]
+
+
+def test_as_printed_the_shoulder_never_moves() -> None:
+    rig = Rig(bench=Bench.load(PROGRAMS / "table4-as-printed.toml"))
+    rig.load(PROGRAMS / "table4-as-printed.bas")
+    rig.type("RUN\r")
+    Operator(rig, sets=[parse_holds("6:1.0 0")]).run(30)
+    # S2 and S5 are used and never set, so J2 and J5 are always told to go nowhere.
+    assert (rig.registers[1], rig.registers[4]) == (0, 0)
+    assert rig.registers[0] != rig.joints[0] or any(rig.state.slipped)
