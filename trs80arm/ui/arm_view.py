@@ -115,11 +115,7 @@ class ArmView(Panel):
 
     def caption(self, readings: Readings, width: int) -> str:
         """What is written under the drawing, as wordy as `width` cells allow."""
-        return ""
-
-    def legend(self, readings: Readings, width: int) -> str:
-        """What is written above the drawing."""
-        return ""
+        raise TypeError(f"{type(self).__name__} does not say what is written under it")
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
         """The drawing with its words."""
@@ -129,8 +125,5 @@ class ArmView(Panel):
         scene = self.scene(readings, Extras(self._envelope, tuple(self._trail)))
         canvas = (BrailleCanvas if self._braille else AsciiCanvas)(width, height)
         draw(scene, self._viewport.window(scene, width, height), canvas)
-        legend = self.legend(readings, width)
-        if self._labels and height >= WITH_CAPTION and len(legend) <= width:
-            canvas.write(0, 0, legend, Ink.GHOST)
         rows = canvas.rows()
         return [*rows, fitted(((caption, Ink.LABEL),), width)] if caption else rows

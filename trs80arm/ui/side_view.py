@@ -9,7 +9,7 @@ from trs80arm.ui.readings import Readings
 from trs80arm.ui.rows import signed
 from trs80arm.ui.scene import Extras, Scene, side_scene
 
-_LEGEND = ":: where the motors were told to be"
+_LEGENDS = ("  :: where the motors were told to be", "  :: as commanded", " :: told")
 
 
 class SideView(ArmView):
@@ -33,12 +33,14 @@ The angles below are those of the article: upper arm, forearm and hand to the ho
         return side_scene(readings, extras)
 
     def caption(self, readings: Readings, width: int) -> str:
-        """The angles."""
+        """The angles, and what the dots mean while there are any."""
+        if not readings.believed:
+            return angles_text(readings, width)
+        for legend in _LEGENDS:
+            angles = angles_text(readings, width - len(legend))
+            if angles:
+                return angles + legend
         return angles_text(readings, width)
-
-    def legend(self, readings: Readings, width: int) -> str:
-        """What the dots mean, while there are any."""
-        return _LEGEND if readings.believed else ""
 
 
 def angles_text(readings: Readings, width: int) -> str:
