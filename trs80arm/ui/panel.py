@@ -54,6 +54,7 @@ class Panel(Widget, can_focus=False):
         self._readings: Readings | None = None
         self._rows: list[Row] = []
         self._strips: dict[Row, Strip] = {}
+        self._known_styles: dict[Ink, Style] = {}
 
     def show(self, readings: Readings) -> None:
         """Show these readings."""
@@ -90,6 +91,7 @@ class Panel(Widget, can_focus=False):
     def notify_style_update(self) -> None:
         """The theme changed: the colours of all strips are void."""
         self._strips.clear()
+        self._known_styles.clear()
         super().notify_style_update()
 
     def render_line(self, y: int) -> Strip:
@@ -107,6 +109,9 @@ class Panel(Widget, can_focus=False):
         return strip
 
     def _style(self, ink: Ink) -> Style:
-        if ink is Ink.PLAIN:
-            return self.rich_style
-        return self.get_component_rich_style(_component(ink))
+        style = self._known_styles.get(ink)
+        if style is None:
+            plain = ink is Ink.PLAIN
+            style = self.rich_style if plain else self.get_component_rich_style(_component(ink))
+            self._known_styles[ink] = style
+        return style
