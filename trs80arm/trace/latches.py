@@ -115,7 +115,7 @@ class Trace:
 
     def __init__(self, rig: Probed, path: Path) -> None:
         kind = kind_of(path, (".csv", ".npz", ".vcd"))
-        self._card, self._clock = rig.card, rig.clock
+        self._rig = rig
         self._opened = ExitStack()
         file = self._opened.enter_context(trace_file(path))
         self._sink: LatchSink
@@ -124,8 +124,8 @@ class Trace:
         elif kind == ".npz":
             self._sink = NpzSink(file)
         else:
-            self._sink = VcdSink(file, self._clock.now, self._card.latches)
-        self._card.observers.append(self)
+            self._sink = VcdSink(file, rig.clock.now, rig.card.latches)
+        rig.card.observers.append(self)
 
     def wrote(self, times: Series, latches: Series, nibbles: Series) -> None:
         """Note a burst of writes (the card calls this)."""
@@ -133,10 +133,10 @@ class Trace:
 
     def close(self) -> None:
         """End the trace and let the file have its name."""
-        if self in self._card.observers:
-            self._card.observers.remove(self)
+        if self in self._rig.card.observers:
+            self._rig.card.observers.remove(self)
             with self._opened:
-                self._sink.finish(self._clock.now)
+                self._sink.finish(self._rig.clock.now)
 
     def __enter__(self) -> Trace:
         return self

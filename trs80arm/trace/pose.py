@@ -126,7 +126,6 @@ class PoseTrace:
             raise ValueError(f"{rate} looks a second cannot be taken")
         kind = kind_of(path, (".csv", ".npz"))
         self._rig = rig
-        self._card = rig.card
         self._interval = None if rate is None else T_STATES_PER_SECOND / rate
         self._start = rig.clock.now
         self._looks = 0
@@ -136,7 +135,7 @@ class PoseTrace:
         self._sink: PoseSink = CsvSink(file) if kind == ".csv" else NpzSink(file)
         if rate is None:
             self._sink.row(self._start, self._last)
-        self._card.observers.append(self)
+        rig.card.observers.append(self)
 
     def wrote(self, times: Series, latches: Series, nibbles: Series) -> None:
         """Look at the arm after an instant's writes (the card calls this)."""
@@ -149,8 +148,8 @@ class PoseTrace:
 
     def close(self) -> None:
         """End the trace and let the file have its name."""
-        if self in self._card.observers:
-            self._card.observers.remove(self)
+        if self in self._rig.card.observers:
+            self._rig.card.observers.remove(self)
             with self._opened:
                 self._stand_still(self._rig.clock.now + 1)
                 self._sink.finish()

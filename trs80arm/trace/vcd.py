@@ -21,7 +21,8 @@ class VcdSink:
     """Writes the coils of the seven latches as 28 wires in seven scopes, at 1 ns.
 
     The auxiliary latch's four lines are named like the coils that they may drive. A coil is listed
-    only when it changes.
+    only when it changes. A dump cannot go back in time: when an earlier state is restored, changes
+    stand at the latest time until the clock has come to it again.
     """
 
     def __init__(self, file: BinaryIO, time: int, latches: Sequence[int]) -> None:
@@ -59,7 +60,7 @@ class VcdSink:
 
     def _moment(self, time: int) -> list[str]:
         now = nanoseconds(time)
-        if now == self._now:
+        if now <= self._now:
             return []
         self._now = now
         return [f"#{now}"]
