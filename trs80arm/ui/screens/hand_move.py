@@ -29,6 +29,7 @@ JOINTS = ("base", "shoulder", "elbow", "pitch", "roll", "hand")
 """What can be turned by hand, as the arm names them."""
 NUDGE = {"hand": 0.1}
 """How far an arrow key moves, inches; all others go by one degree."""
+_FIGURES = "0123456789.-"
 PLACES = ("x", "y", "z", "pitch", "roll", "opening")
 
 
@@ -69,7 +70,7 @@ class HandMoveScreen(Dialog[None]):
         Binding("shift+left,pageup", "nudge(-10)", "Less x10", show=False),
         Binding("shift+right,pagedown", "nudge(10)", "More x10", show=False),
         Binding("home", "home", "Start"),
-        Binding("tab", "app.focus_next", show=False),
+        Binding("tab", "to_entry", show=False),
     ]
     AUTO_FOCUS = ""
     DEFAULT_CSS = """
@@ -77,18 +78,18 @@ class HandMoveScreen(Dialog[None]):
     HandMoveScreen Horizontal { height: 1fr; }
     HandMoveScreen SideView { width: 3fr; height: 100%; }
     HandMoveScreen TopView { width: 2fr; height: 100%; }
-    HandMoveScreen #joints { height: 6; width: 24; }
-    HandMoveScreen #entry { height: auto; }
-    HandMoveScreen #below { height: 6; }
-    HandMoveScreen #pose { width: 1fr; height: 6; }
+    HandMoveScreen .below { height: 6; }
+    HandMoveScreen .joints { height: 6; width: 24; }
+    HandMoveScreen .entry { height: 6; width: 1fr; }
     """
     HELP = """
 ## Moving the arm by hand
 
 With the motors off, before the first step or after `@RESET`, the arm turns freely. Choose a joint
 with Up and Down and turn it with Left and Right, with Shift ten times as far; or type a value, or
-a whole pose, and press Enter. Angles of upper arm, forearm and hand are to the horizontal. With the
-motors on the arm does not give way; `@RESET` turns them off.
+a whole pose, and press Enter. Tab goes to the line to type in and back. Angles of upper arm,
+forearm and hand are to the horizontal. With the motors on the arm does not give way; `@RESET` turns
+them off.
 """
 
     def __init__(self, look: Callable[[], Readings]) -> None:
@@ -104,15 +105,15 @@ motors on the arm does not give way; `@RESET` turns them off.
             with Horizontal():
                 yield SideView()
                 yield TopView()
-            with Horizontal(id="below"):
-                yield Static("", id="joints", markup=False)
-                with Vertical(id="pose"):
+            with Horizontal(classes="below"):
+                yield Static("", classes="joints", markup=False)
+                with Vertical(classes="entry"):
                     yield Static(
                         "Type a value for the joint marked, or a pose:\nx y z pitch roll hand",
                         classes="hint",
                         markup=False,
                     )
-                    yield Input(id="entry", placeholder="8 0 1.5 -90 0 0.5", select_on_focus=False)
+                    yield Input(placeholder="8 0 1.5 -90 0 0.5", select_on_focus=False)
                     yield Static("", classes="wrong", markup=False)
 
     def on_mount(self) -> None:
@@ -123,10 +124,17 @@ motors on the arm does not give way; `@RESET` turns them off.
     def on_key(self, event: Key) -> None:
         """Begin to type a value: a figure goes to the line at once."""
         entry = self.query_one(Input)
-        if not entry.has_focus and event.character and event.character in "0123456789.-":
+        # More keys may come before the line has the focus.
+        expected = _FIGURES + " ," if entry.value else _FIGURES
+        if not entry.has_focus and event.character and event.character in expected:
             entry.focus()
             entry.insert_text_at_cursor(event.character)
             event.stop()
+
+    def action_to_entry(self) -> None:
+        """To the line to type in, or back to the arrows."""
+        entry = self.query_one(Input)
+        self.set_focus(None if entry.has_focus else entry)
 
     def say(self, text: str) -> None:
         """Tell the operator what became of a move; an empty text is that it was made."""
@@ -143,7 +151,7 @@ motors on the arm does not give way; `@RESET` turns them off.
             unit = "in" if joint == "hand" else "°"
             digits = 2 if joint == "hand" else 1
             lines.append(f"{mark} {joint:9}{signed(value, digits):>7} {unit}")
-        self.query_one("#joints", Static).update("\n".join(lines))
+        self.query_one(".joints", Static).update("\n".join(lines))
         if readings.motors_on:
             self.query_one(".wrong", Static).update("The motors are on: @RESET turns them off.")
 
@@ -183,6 +191,7 @@ motors on the arm does not give way; `@RESET` turns them off.
             self.say("one figure for the joint, or 3 to 6 for a pose")
             return
         event.input.value = ""
+        self.set_focus(None)
 
 
 def joint_values(readings: Readings) -> tuple[float, ...]:
