@@ -109,7 +109,8 @@ def open_session(options: TerminalOptions) -> Session:
     if bench is None and options.program is not None:
         bench = bench_beside(options.program)
     session = Session(options.rig, bench, options.record)
-    if options.program is None and not options.demo and options.replay is None:
+    started_with = (options.program, options.replay, options.demo or None, options.plain or None)
+    if all(choice is None for choice in started_with):
         session.greet()
     return session
 

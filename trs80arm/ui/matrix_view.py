@@ -44,7 +44,7 @@ _ASCII_CAPS = {Key.UP: "^", Key.DOWN: "v", Key.LEFT: "<-", Key.RIGHT: "->"}
 _SHORT_KEY = 3
 JOINTS = ("BASE", "SHOULDER", "ELBOW", "L.WRIST", "R.WRIST", "HAND")
 """The joints of J1 to J6, short enough for a key."""
-TALL = 10
+TALL = 9
 """Rows from which on each row of keys has a row of labels under it."""
 
 

@@ -64,7 +64,12 @@ class PlainMode:
 
     def _printed(self, code: int, is_echo: bool) -> None:
         if self._echo or not is_echo or code < 32:
-            self._teletype(code, is_echo)
+            self._teletype(code)
+
+    def _tell(self, text: object) -> None:
+        """Say something that the machine did not, on a line of its own."""
+        self._teletype.end_line()
+        print(text, file=self._out)
 
     def talk(self, lines: Iterator[str]) -> int:
         """Take lines until `.quit` or the last one.
@@ -108,7 +113,7 @@ class PlainMode:
         except KeyboardInterrupt:
             self._press_break()
         if rig.waiting is Waiting.SET:
-            print("@SET: which keys? (.help)", file=self._out)
+            self._tell("@SET: which keys? (.help)")
         self._out.flush()
 
     def _press_break(self) -> None:
@@ -121,7 +126,7 @@ class PlainMode:
         try:
             holds = parse_holds(line)
         except ScriptError as error:
-            print(error, file=self._out)
+            self._tell(error)
             return
         rig = self.session.rig
         for hold in holds:
@@ -132,9 +137,9 @@ class PlainMode:
     def _command(self, text: str) -> None:
         word, _, rest = text.partition(" ")
         commands: dict[str, Callable[[], None]] = {
-            "help": lambda: print(HELP, file=self._out),
+            "help": lambda: self._tell(HELP),
             "run": lambda: self.session.rig.type("RUN\r"),
-            "screen": lambda: print("\n".join(self.session.rig.screen()), file=self._out),
+            "screen": lambda: self._tell("\n".join(self.session.rig.screen())),
             "registers": self._registers,
             "pose": self._pose,
             "events": self._events,
@@ -144,41 +149,40 @@ class PlainMode:
         }
         do = commands.get(word)
         if do is None:
-            print(f"There is no .{word}; .help lists what there is.", file=self._out)
+            self._tell(f"There is no .{word}; .help lists what there is.")
         else:
             do()
 
     def _file(self, do: Callable[[Path], None], name: str, done: str) -> None:
         if not name.strip():
-            print("Which file?", file=self._out)
+            self._tell("Which file?")
             return
         path = Path(name.strip()).expanduser()
         try:
             do(path)
         except FileFormatError as error:
-            print(f"{path}: {error}", file=self._out)
+            self._tell(f"{path}: {error}")
         except OSError as error:
-            print(f"{path}: {error.strerror or error}", file=self._out)
+            self._tell(f"{path}: {error.strerror or error}")
         else:
-            print(f"{path.name} is {done}.", file=self._out)
+            self._tell(f"{path.name} is {done}.")
 
     def _registers(self) -> None:
         rig = self.session.rig
         for name, register, true in zip(JOINTS, rig.registers, rig.joints, strict=True):
             lost = "" if register == true else f", {register - true} lost"
-            print(f"{name}: {register}, true {true}{lost}", file=self._out)
+            self._tell(f"{name}: {register}, true {true}{lost}")
 
     def _pose(self) -> None:
         pose = self.session.rig.pose
-        print(
+        self._tell(
             f"X {pose.x:.2f}, Y {pose.y:.2f}, Z {pose.z:.2f} inches, pitch {pose.pitch:.1f}, "
-            f"roll {pose.roll:.1f} degrees, hand open {pose.opening:.2f} inches",
-            file=self._out,
+            f"roll {pose.roll:.1f} degrees, hand open {pose.opening:.2f} inches"
         )
 
     def _events(self) -> None:
         for event in self.session.rig.arm.events[-5:]:
-            print(event.text, file=self._out)
+            self._tell(event.text)
 
     def _leave(self) -> None:
         self._left = True

@@ -14,9 +14,9 @@ from trs80arm.ui.screens.help import HelpScreen
 from trs80arm.ui.screens.settings import SettingsScreen
 
 GLYPH_NOTES = {
-    GlyphSet.SEXTANT: "solid blocks, exact; most terminals draw them themselves",
+    GlyphSet.SEXTANT: "solid, exact; most terminals have them",
     GlyphSet.BRAILLE: "dots, exact",
-    GlyphSet.QUADRANT: "solid, two rows where there should be three",
+    GlyphSet.QUADRANT: "solid, but two rows for three",
     GlyphSet.ASCII: "anywhere",
 }
 

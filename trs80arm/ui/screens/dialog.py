@@ -35,8 +35,8 @@ class Dialog(ModalScreen[Answer | None], Generic[Answer]):
     Dialog Input { border: none; height: 1; background: $panel; padding: 0 1; }
     Dialog Input:focus { border: none; }
     Dialog .buttons { height: auto; align-horizontal: right; margin-top: 1; }
-    Dialog Button { margin-left: 2; min-width: 10; height: 1; border: none; }
-    Dialog Button:focus { text-style: reverse bold; border: none; }
+    Dialog Button { margin-left: 2; padding: 0 1; background: $panel; }
+    Dialog Button:focus { background: $primary; color: $background; text-style: bold; }
     """
 
     def action_cancel(self) -> None:
@@ -125,7 +125,7 @@ class Ask(Dialog[str]):
             yield Static(self._question, markup=False)
             with Horizontal(classes="buttons"):
                 for number, answer in enumerate(self._answers):
-                    yield Button(answer.label, id=f"answer-{number}", tooltip=answer.note or None)
+                    yield Button(answer.label, id=f"answer-{number}", compact=True)
 
     def on_button_pressed(self, event: Button.Pressed) -> None:
         """Answer."""

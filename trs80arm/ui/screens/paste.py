@@ -37,8 +37,8 @@ class PasteScreen(Dialog[Listing]):
             box.border_subtitle = "Tab to the buttons, Escape goes back"
             yield TextArea(tab_behavior="focus")
             with Horizontal(classes="buttons"):
-                yield Button("Load at once", id="load")
-                yield Button("Type it in", id="type")
+                yield Button("Load at once", id="load", compact=True)
+                yield Button("Type it in", id="type", compact=True)
 
     def on_button_pressed(self, event: Button.Pressed) -> None:
         """Answer."""

@@ -1,0 +1,104 @@
+"""A desk whose clocks the test holds: no time passes but what the test lets pass."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from trs80arm.options import TerminalOptions
+from trs80arm.ui.app import Trs80Arm, open_session
+
+PROGRAMS = Path(__file__).parents[2] / "programs"
+FRAME = 1 / 60
+
+
+class Wall:
+    """The wall's clock, in the test's hands."""
+
+    def __init__(self) -> None:
+        self.now = 1000.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+class Sitting:
+    """A person at a desk in a test.
+
+    Attributes:
+        app: the program.
+        pilot: Textual's own pilot, for sizes and mouse.
+        wall: the wall's clock.
+    """
+
+    def __init__(self, app: Trs80Arm, pilot: Any, wall: Wall) -> None:
+        self.app = app
+        self.pilot = pilot
+        self.wall = wall
+
+    async def pass_time(self, seconds: float) -> None:
+        """Let time pass, on the wall and in the machine, and draw."""
+        for _ in range(round(seconds / FRAME)):
+            self.wall.now += FRAME
+            self.app.tick()
+        await self.settle()
+
+    async def settle(self) -> None:
+        """Let Textual do what it was asked to, and draw what there is."""
+        await self.pilot.pause()
+        self.app.draw()
+        await self.pilot.pause()
+
+    async def press(self, *keys: str) -> None:
+        """Press keys of the terminal, one after the other."""
+        await self.pilot.press(*keys)
+
+    async def type_line(self, text: str) -> None:
+        """Type a line into the machine, through the typist."""
+        self.app.session.rig.type(text + "\r")
+        self.app.session.rig.run_until_waiting(60)
+        self.app.pacer.forgive()
+        await self.settle()
+
+    @property
+    def tube(self) -> str:
+        """What the tube shows."""
+        return self.app.tube.text
+
+
+Opener = Callable[..., AbstractAsyncContextManager[Sitting]]
+
+
+@pytest.fixture(autouse=True)
+def _own_places(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """No test sees or touches the files of whoever runs it."""
+    monkeypatch.setenv("TRS80ARM_STATE", str(tmp_path / "state"))
+    monkeypatch.setenv("TRS80ARM_CONFIG", str(tmp_path / "settings.toml"))
+    monkeypatch.setenv("LANG", "C.UTF-8")
+    for name in ("LC_ALL", "LC_CTYPE", "TERM_PROGRAM", "NO_COLOR"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.chdir(tmp_path)
+    return
+
+
+@pytest.fixture
+def sit_down(tmp_path: Path) -> Opener:
+    """Opens the program at a size, with options, and with the clocks held."""
+
+    @asynccontextmanager
+    async def opener(width: int = 80, height: int = 24, **options: Any) -> Any:
+        wall = Wall()
+        chosen = TerminalOptions(**options)
+        app = Trs80Arm(open_session(chosen), chosen, tmp_path / "state", wall=wall, ticking=False)
+        app.animation_level = "none"
+        async with app.run_test(size=(width, height)) as pilot:
+            await pilot.pause()
+            sitting = Sitting(app, pilot, wall)
+            await sitting.settle()
+            yield sitting
+
+    return opener

@@ -1,0 +1,259 @@
+"""The real program in a pty that plays a terminal; the terminal is left as it was found."""
+
+from __future__ import annotations
+
+import os
+import pty
+import re
+import select
+import signal
+import subprocess
+import sys
+import termios
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from trs80arm.machine.clock import T_STATES_PER_SECOND
+from trs80arm.ui import recording
+
+PATIENCE = 40.0
+"""Seconds of the wall after which something that should come has not come."""
+PROGRAM = "from trs80arm.cli import main; main()"
+FAULTY = """
+from trs80arm.ui.desk import Desk
+def fault(self, now=None):
+    raise RuntimeError("forced")
+real = Desk.draw
+count = [0]
+def draw(self, now=None):
+    count[0] += 1
+    if count[0] > 20:
+        raise RuntimeError("forced")
+    real(self, now)
+Desk.draw = draw
+from trs80arm.cli import main; main()
+"""
+MODES = re.compile(rb"\x1b\[\?([\d;]+)([hl])")
+STACK = re.compile(rb"\x1b\[([<>])(\d*)u")
+
+
+class Terminal:
+    """A terminal with a program in it.
+
+    Args:
+        reports: whether it knows the Kitty keyboard protocol and reports releases.
+        arguments: of the program.
+        script: what Python runs.
+        folder: for the program's files.
+    """
+
+    def __init__(
+        self, folder: Path, arguments: list[str], *, reports: bool, script: str = PROGRAM
+    ) -> None:
+        self.reports = reports
+        self.output = b""
+        self._answered = 0
+        self.master, slave = pty.openpty()
+        termios.tcsetwinsize(slave, (24, 80))
+        self.before = termios.tcgetattr(slave)
+        environment = os.environ | {
+            "TERM": "xterm-256color",
+            "LANG": "C.UTF-8",
+            "TRS80ARM_STATE": str(folder / "state"),
+            "TRS80ARM_CONFIG": str(folder / "settings.toml"),
+        }
+        self.slave = slave
+        self.process = subprocess.Popen(
+            [sys.executable, "-c", script, *arguments],
+            stdin=slave,
+            stdout=slave,
+            stderr=slave,
+            env=environment,
+            cwd=folder,
+            start_new_session=True,
+        )
+
+    def read(self, seconds: float) -> None:
+        """Take what the program writes, and answer what a terminal answers."""
+        end = time.monotonic() + seconds
+        while (left := end - time.monotonic()) > 0:
+            ready, _, _ = select.select([self.master], [], [], min(left, 0.05))
+            if ready:
+                try:
+                    self.output += os.read(self.master, 65536)
+                except OSError:
+                    return
+                self._answer()
+
+    def _answer(self) -> None:
+        asked = self.output.count(b"\x1b[?u")
+        if self.reports:
+            for _ in range(asked - self._answered):
+                os.write(self.master, b"\x1b[?31u\x1b[?62;22c")
+        self._answered = asked
+
+    def wait_for(self, text: str) -> None:
+        """Wait until something is shown, from now on."""
+        start = len(self.output)
+        end = time.monotonic() + PATIENCE
+        while text.encode() not in self.output[start:]:
+            assert time.monotonic() < end, (text, self.output[-2000:])
+            assert self.process.poll() is None, self.output[-3000:]
+            self.read(0.05)
+
+    def send(self, data: str, seconds: float = 0.0) -> None:
+        """Press keys, and let a little time pass."""
+        os.write(self.master, data.encode())
+        self.read(seconds)
+
+    def type(self, text: str) -> None:
+        """Type text as this terminal spells it."""
+        for character in text:
+            self.send(self._down(character))
+            self.read(0.02)
+            self.send(self._up(character))
+
+    def _down(self, character: str) -> str:
+        if not self.reports:
+            return character
+        code = ord(character)
+        return f"\x1b[{code}u" if character == "\r" else f"\x1b[{code};1:1;{code}u"
+
+    def _up(self, character: str) -> str:
+        return f"\x1b[{ord(character)};1:3u" if self.reports else ""
+
+    def hold(self, characters: str, seconds: float) -> None:
+        """Hold keys together."""
+        for character in characters:
+            self.send(self._down(character))
+        self.read(seconds)
+        for character in characters:
+            self.send(self._up(character))
+
+    def leave(self) -> int:
+        """Wait until the program has ended; its exit code."""
+        end = time.monotonic() + PATIENCE
+        while self.process.poll() is None:
+            assert time.monotonic() < end, self.output[-2000:]
+            self.read(0.05)
+        self.read(0.2)
+        return self.process.returncode
+
+    def is_as_it_was(self) -> bool:
+        """Whether nothing of the program is left in the terminal."""
+        modes: dict[bytes, bytes] = {}
+        for numbers, state in MODES.findall(self.output):
+            modes[numbers] = state
+        on_at_first = {b"25", b"7"}
+        left_on = [mode for mode, state in modes.items() if state == b"h"]
+        left_off = [mode for mode, state in modes.items() if state == b"l" and mode in on_at_first]
+        depth = sum(1 if sign == b">" else -1 for sign, _ in STACK.findall(self.output))
+        attributes = termios.tcgetattr(self.slave)
+        assert set(left_on) <= on_at_first, left_on
+        assert not left_off, left_off
+        assert depth == 0
+        return attributes == self.before
+
+
+@contextmanager
+def terminal(
+    folder: Path, *arguments: str, reports: bool = False, script: str = PROGRAM
+) -> Iterator[Terminal]:
+    """A terminal that is cleared away at the end."""
+    one = Terminal(folder, list(arguments), reports=reports, script=script)
+    try:
+        one.wait_for("READY")
+        yield one
+    finally:
+        if one.process.poll() is None:
+            os.killpg(one.process.pid, signal.SIGKILL)
+            one.process.wait()
+        os.close(one.master)
+        os.close(one.slave)
+
+
+def replayed_registers(path: Path) -> tuple[int, ...]:
+    """Where a recorded session brings the registers."""
+    session = recording.load(path)
+    rig = session.rig()
+    rig.replay(session.inputs)
+    rig.run_to(session.end)
+    return rig.registers
+
+
+@pytest.mark.parametrize(("reports", "keys"), [(True, "auto"), (False, "latch")])
+def test_two_joints_are_jogged_at_once_and_the_terminal_is_left_alone(
+    tmp_path: Path, reports: bool, keys: str
+) -> None:
+    """With release reports the keys are held; without, they are latched."""
+    record = tmp_path / "session.jsonl"
+    arguments = ("--record", str(record), "--keys", keys)
+    with terminal(tmp_path, *arguments, reports=reports) as one:
+        one.read(0.5)
+        one.type("@SET\r")
+        one.read(0.8)
+        one.hold("1w", 0.7)
+        one.read(0.1)
+        if not reports:
+            one.type(" ")
+            one.read(0.2)
+        one.type("0")
+        one.read(0.6)
+        one.send("\x1b[21~")
+        assert one.leave() == 0
+        assert one.is_as_it_was()
+    held: set[str] = set()
+    most: set[str] = set()
+    for done in recording.load(record).inputs:
+        if done.action == "press":
+            held.add(done.arguments[0])
+        elif done.action == "release":
+            held.discard(done.arguments[0])
+        most = max(most, held, key=len).copy()
+    assert most == {"1", "W"}
+    assert not held
+    base, shoulder = replayed_registers(record)[:2]
+    assert base > 0
+    assert shoulder < 0
+
+
+def test_a_terminal_without_releases_jogs_by_taps(tmp_path: Path) -> None:
+    record = tmp_path / "session.jsonl"
+    with terminal(tmp_path, "--record", str(record)) as one:
+        one.read(0.5)
+        one.type("@SET\r")
+        one.read(0.8)
+        one.type("1")
+        one.read(0.5)
+        one.type("0")
+        one.read(0.4)
+        one.send("\x11")
+        assert one.leave() == 0
+        assert one.is_as_it_was()
+    holds = [done for done in recording.load(record).inputs if done.arguments == ("1",)]
+    down, up = (done.time / T_STATES_PER_SECOND for done in holds)
+    assert 0.08 < up - down < 0.4
+    assert replayed_registers(record)[0] > 0
+
+
+@pytest.mark.parametrize("reports", [True, False])
+def test_ctrl_c_leaves_the_terminal_as_it_was(tmp_path: Path, reports: bool) -> None:
+    with terminal(tmp_path, reports=reports) as one:
+        one.read(0.3)
+        one.send("\x1b[99;5u\x1b[99;5:3u" if reports else "\x03")
+        assert one.leave() == 0
+        assert one.is_as_it_was()
+
+
+def test_a_fault_leaves_the_terminal_as_it_was_and_keeps_the_program(tmp_path: Path) -> None:
+    program = tmp_path / "mine.bas"
+    program.write_text("10 PRINT 1\n")
+    with terminal(tmp_path, str(program), reports=True, script=FAULTY) as one:
+        assert one.leave() == 3
+        assert one.is_as_it_was()
+        assert b"RuntimeError" in one.output
+        assert b"forced" in one.output

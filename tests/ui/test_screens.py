@@ -1,0 +1,135 @@
+"""Golden screens: what the program shows, at the sizes it was made for and in every theme."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Coroutine
+from typing import Any
+
+import pytest
+
+from tests.ui.conftest import PROGRAMS, Opener
+from tests.ui.golden_text import check_golden, screen_text
+from trs80arm.options import ArmStyle, GlyphSet
+from trs80arm.ui.themes import THEMES
+
+SIZES = [(80, 24), (100, 30), (120, 40)]
+
+
+def run(work: Coroutine[Any, Any, None]) -> None:
+    asyncio.run(work)
+
+
+def shape(width: int, height: int) -> str:
+    return f"{width}x{height}"
+
+
+@pytest.mark.parametrize(("width", "height"), [*SIZES, (64, 18), (70, 24), (160, 50), (60, 17)])
+def test_the_first_start(sit_down: Opener, width: int, height: int) -> None:
+    async def work() -> None:
+        async with sit_down(width, height) as sitting:
+            await sitting.settle()
+            check_golden(f"start-{shape(width, height)}", screen_text(sitting.app))
+
+    run(work())
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES)
+def test_table_4_is_loaded(sit_down: Opener, width: int, height: int) -> None:
+    async def work() -> None:
+        async with sit_down(width, height, program=PROGRAMS / "table4.bas") as sitting:
+            await sitting.type_line("LIST 10-100")
+            check_golden(f"table4-{shape(width, height)}", screen_text(sitting.app))
+
+    run(work())
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES)
+def test_the_arm_after_a_motion(sit_down: Opener, width: int, height: int) -> None:
+    async def work() -> None:
+        async with sit_down(width, height) as sitting:
+            await sitting.type_line("CLS:@STEP 50,400,-300,200,100,-100,300")
+            await sitting.pass_time(3)
+            check_golden(f"moved-{shape(width, height)}", screen_text(sitting.app))
+
+    run(work())
+
+
+@pytest.mark.parametrize("bottom", ["motors", "log", "keyboard"])
+@pytest.mark.parametrize(("width", "height"), SIZES)
+def test_the_switched_panels(sit_down: Opener, width: int, height: int, bottom: str) -> None:
+    async def work() -> None:
+        async with sit_down(width, height) as sitting:
+            await sitting.app.run_action(f"show_bottom('{bottom}')")
+            await sitting.settle()
+            check_golden(f"{bottom}-{shape(width, height)}", screen_text(sitting.app))
+
+    run(work())
+
+
+@pytest.mark.parametrize("theme", [theme.name for theme in THEMES])
+def test_every_theme_has_its_colours(sit_down: Opener, theme: str) -> None:
+    from tests.ui.golden_text import screen_colours
+
+    async def work() -> None:
+        async with sit_down(80, 24, theme=theme) as sitting:
+            await sitting.settle()
+            text = screen_text(sitting.app) + "\n" + screen_colours(sitting.app)
+            check_golden(f"theme-{theme}", text)
+
+    run(work())
+
+
+@pytest.mark.parametrize("action", ["help", "open", "speed", "glyphs", "bench", "key_test"])
+def test_the_dialogs(sit_down: Opener, action: str) -> None:
+    async def work() -> None:
+        async with sit_down(80, 24) as sitting:
+            await sitting.app.run_action(action)
+            await sitting.settle()
+            text = screen_text(sitting.app).replace(str(PROGRAMS), "PROGRAMS")
+            assert "Traceback" not in text
+            if action not in ("open", "bench"):
+                check_golden(f"dialog-{action}", text)
+
+    run(work())
+
+
+def test_the_question_before_leaving(sit_down: Opener) -> None:
+    async def work() -> None:
+        async with sit_down(80, 24) as sitting:
+            await sitting.type_line("10 PRINT 1")
+            await sitting.press("f10")
+            await sitting.settle()
+            check_golden("dialog-leave", screen_text(sitting.app))
+
+    run(work())
+
+
+def test_ascii_means_ascii(sit_down: Opener) -> None:
+    async def work() -> None:
+        async with sit_down(120, 40, glyphs=GlyphSet.ASCII) as sitting:
+            await sitting.type_line("CLS:FOR I=128 TO 191:PRINT CHR$(I);:NEXT:PRINT 2[3")
+            await sitting.pass_time(1)
+            check_golden("ascii-120x40", screen_text(sitting.app))
+            assert sitting.tube.isascii()
+
+    run(work())
+
+
+def test_the_arm_in_braille(sit_down: Opener) -> None:
+    async def work() -> None:
+        async with sit_down(120, 40, arm_style=ArmStyle.BRAILLE) as sitting:
+            await sitting.settle()
+            check_golden("braille-120x40", screen_text(sitting.app))
+
+    run(work())
+
+
+def test_32_columns(sit_down: Opener) -> None:
+    async def work() -> None:
+        async with sit_down(80, 24) as sitting:
+            await sitting.type_line('CLS:PRINT CHR$(23);"WIDE";CHR$(191);CHR$(149)')
+            await sitting.pass_time(0.5)
+            check_golden("wide-80x24", screen_text(sitting.app))
+
+    run(work())
