@@ -167,7 +167,7 @@ def play(case: Case) -> Played:
         played.screen.append("".join(map(chr, codes)).rstrip(" "))
     played.cursor = (peek(0x4020) | peek(0x4021) << 8) - 0x3C00
     played.wide = rig.video.wide
-    played.printer = rig.printer.text[paper:]
+    played.printer = rig.printer.text[paper:].replace("\n", "\r")
     for dump in case.dumps:
         data = (peek(dump.address + place & 0xFFFF) for place in range(dump.length))
         played.dump[dump.name] = bytes(data).hex()

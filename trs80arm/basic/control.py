@@ -91,7 +91,7 @@ class Control:
     resume_line: int = 0
     data: int = 0
     data_line: int = 0
-    dot: int = 0
+    dot: int = DIRECT
     traced: bool = False
 
     def stack_bytes(self) -> int:

@@ -61,7 +61,7 @@ def split_line(text: bytes) -> tuple[int | None, bytes]:
         return None, text[start:]
     number, end = line_number(text, start)
     behind = end
-    while behind > 0 and text[behind - 1] in b" \t\n":
+    while behind > 0 and text[behind - 1] == _BLANK:
         behind -= 1
     if behind < size and text[behind] == _BLANK:
         behind += 1

@@ -61,7 +61,13 @@ class Execution(Activity):
         """The number of the line being executed, 65535 in direct mode (40A2H)."""
         if self.forced_line is not None:
             return self.forced_line
-        address = self.statement
+        return self._line_of(basic, self.statement)
+
+    def next_line(self, basic: Interpreter) -> int:
+        """The number of the line of the statement that is next, 65535 in direct mode."""
+        return self._line_of(basic, self.next)
+
+    def _line_of(self, basic: Interpreter, address: int) -> int:
         program = basic.program
         ram = basic.memory.ram
         if address < program.start - 1:
@@ -182,8 +188,7 @@ class Execution(Activity):
         basic.strings.temporaries.clear()
         control.error = (min(int(error.code), 255) - 1) * 2
         control.error_line = line
-        if line != DIRECT:
-            control.dot = line
+        control.dot = line
         control.error_address = self.statement
         if line != DIRECT:
             control.resume_line = line

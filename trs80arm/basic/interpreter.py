@@ -145,15 +145,19 @@ class Interpreter:
             self.failed(error)
 
     def step_statement(self) -> None:
-        """Execute one statement of the running program, for a debugger's single step."""
+        """Execute one statement of the running program, for a debugger's single step.
+
+        Whatever else the machine is doing, as a motion of the arm, goes on to the clock's limit or
+        to its own end.
+        """
         top = self.stack[-1]
-        if isinstance(top, Execution):
-            try:
+        try:
+            if isinstance(top, Execution):
                 top.step(self)
-            except BasicError as error:
-                self.failed(error)
-        else:
-            self.advance(until_waiting=True)
+            else:
+                top.advance(self)
+        except BasicError as error:
+            self.failed(error)
 
     # -- lines --------------------------------------------------------------------------------
 
@@ -234,10 +238,18 @@ class Interpreter:
                 return activity
         return None
 
+    @property
+    def next_line(self) -> int | None:
+        """The number of the line that is executed next; None when no program runs."""
+        execution = self.execution()
+        line = DIRECT if execution is None else execution.next_line(self)
+        return None if line == DIRECT else line
+
     def failed(self, error: BasicError) -> None:
         """An error of the activity on top: the running statement's, or the command level's."""
         execution = self.execution()
         if execution is None:
+            self.control.dot = DIRECT
             self.report(error.code, None)
             return
         while self.stack[-1] is not execution:

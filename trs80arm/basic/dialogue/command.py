@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from trs80arm.basic.activity import Waiting
-from trs80arm.basic.dialogue import auto
+from trs80arm.basic.dialogue import auto, line_range
 from trs80arm.basic.dialogue.edit import Edit
 from trs80arm.basic.dialogue.home import Home, return_to_command
 from trs80arm.basic.dialogue.line_input import Line, LineInput
@@ -20,7 +20,6 @@ __all__ = ["CommandLevel", "return_to_command"]
 
 _T_READY: Final = 2700
 """T-states from the end of a command to the R of READY, and between READY and the `>`."""
-_BLANKS = b" \t\n"
 
 
 class CommandLevel(Home):
@@ -55,7 +54,7 @@ class CommandLevel(Home):
             self._ready = True
         elif number is not None:
             self._numbered(basic, number, result.text)
-        elif result.text is not None and result.text.strip(_BLANKS):
+        elif result.text is not None and result.text.strip(line_range.BLANKS):
             # An error in storing the line, as any, leads to READY.
             self._ready = True
             self._ready = basic.enter_line(result.text)
@@ -66,5 +65,5 @@ class CommandLevel(Home):
         if line is None or not auto.go_on(basic, number):
             auto.switch_off(basic)
         else:
-            basic.store_line(number, line if line.strip(_BLANKS) else b"")
+            basic.store_line(number, line if line.strip(line_range.BLANKS) else b"")
             self._ready = False

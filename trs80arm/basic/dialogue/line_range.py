@@ -18,7 +18,8 @@ MINUS: Final = 0xCE
 """The token of `-`."""
 BEYOND: Final = 0xFFFA
 """The end of a range that has none: larger than any line number."""
-_BLANKS = b" \t\n"
+BLANKS = b" \t\n"
+"""What the ROM's fetch routine passes over."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,7 @@ class LineRange:
 
 def skip_blanks(text: bytes, position: int) -> int:
     """The first place from `position` on that is no blank."""
-    while position < len(text) and text[position] in _BLANKS:
+    while position < len(text) and text[position] in BLANKS:
         position += 1
     return position
 
