@@ -26,7 +26,7 @@ from trs80arm.machine.card import Card, CardSettings, Latch
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.machine.console import Console
 from trs80arm.machine.display import Display
-from trs80arm.machine.driver import Driver, DriverSettings
+from trs80arm.machine.driver import Driver, DriverSettings, Mode
 from trs80arm.machine.keyboard import KEYBOARD_START, KEYBOARD_STOP, KeyboardDriver, Matrix
 from trs80arm.machine.keys import Key
 from trs80arm.machine.memory import Memory
@@ -119,7 +119,8 @@ class Rig:
         self.settings = settings or RigSettings()
         self._bench = bench
         self._recorders: list[Callable[[Input], None]] = []
-        self._works = self._build(MiniMover(self.settings.arm, bench))
+        self._works = self._build(MiniMover(self.settings.arm, pickle.loads(pickle.dumps(bench))))
+        self._watch()
         self._switch_on()
 
     def _switch_on(self) -> None:
@@ -234,6 +235,25 @@ class Rig:
             self._turn(end, until_waiting=True)
         return works.basic.waiting
 
+    def step_statement(self) -> int | None:
+        """Let the machine do one statement of BASIC, or of what it does instead.
+
+        A statement that begins a motion of the arm is done when the motion has ended, or when the
+        operator is asked for something. Key events that are due are applied first.
+
+        Returns:
+            The number of the line that is next; None when no program runs.
+        """
+        self._record("step_statement")
+        works = self._works
+        clock = works.clock
+        before = clock.now
+        while clock.now == before or works.driver.mode in (Mode.STEP, Mode.CLOSE):
+            self._apply_due()
+            clock.limit = clock.now + T_STATES_PER_SECOND // 60
+            works.basic.step_statement()
+        return works.basic.next_line
+
     def _turn(self, target: int, until_waiting: bool) -> None:
         """Hand the machine one stretch of time in which no key changes."""
         works = self._works
@@ -248,6 +268,13 @@ class Rig:
 
     def _move_keys(self) -> None:
         """Let the keys go down and up whose time has come."""
+        works = self._works
+        while works.events and works.events[0].time <= works.clock.now:
+            event = heapq.heappop(works.events)
+            (works.matrix.press if event.down else works.matrix.release)(event.key)
+
+    def _apply_due(self) -> None:
+        """Press and release the keys whose time has come."""
         works = self._works
         while works.events and works.events[0].time <= works.clock.now:
             event = heapq.heappop(works.events)
@@ -384,13 +411,30 @@ class Rig:
         old.driver.reset()
         old.card.write_latch(Latch.AUXILIARY, 0)
         self._works = self._build(old.arm, old)
+        self._watch()
         self._switch_on()
 
     def set_bench(self, bench: Bench) -> None:
-        """Clear the table and set up another bench; the arm goes to where that bench wants it."""
+        """Clear the table and set up another bench.
+
+        The arm goes to where that bench wants it, motors off and registers zero as by `@RESET`.
+        """
         self._record("set_bench", bench)
-        self._works.arm.set_bench(bench)
+        self._bench = bench
+        works = self._works
+        works.driver.reset()
+        works.arm = MiniMover(self.settings.arm, pickle.loads(pickle.dumps(bench)))
+        works.card.plug = works.arm
+        works.card.write_latch(Latch.AUXILIARY, works.card.latches[Latch.AUXILIARY])
         self._zero()
+
+    def _zero(self) -> None:
+        """The registers stand at zero from now on, with the rotors where they are."""
+        self._works.zero = self._works.arm.state().rotors
+
+    def _watch(self) -> None:
+        """Attach what the rig itself looks at; a snapshot does not keep it."""
+        self._works.driver.reset_observers.append(self._zero)
 
     def refill(self) -> None:
         """Put every part of the bench back to where it was at the start."""
@@ -544,3 +588,4 @@ class Rig:
         if not isinstance(works, _Works):
             raise ValueError("not a snapshot of a rig")
         self._works = works
+        self._watch()

@@ -63,9 +63,9 @@ def test_the_limit_counts_virtual_seconds_from_run(tmp_path: Path) -> None:
     done = run(path, "--seconds", 10, "--registers")
     assert done.exit_code == 0
     steps = int(done.stdout.splitlines()[-1].split()[0])
-    assert steps == done.stdout.count(" 1 ")
-    # A step of 3 ms, and not quite 10 ms for the three statements.
-    assert 600 < steps < 1100
+    assert abs(steps - done.stdout.count(" 1 ")) <= 1
+    # A step of 3 ms, and some 10 to 20 ms for the three statements and scrolling now and then.
+    assert 300 < steps < 1100
 
 
 def test_screen_registers_and_pose_are_printed_when_asked_for(tmp_path: Path) -> None:

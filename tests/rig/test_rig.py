@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 from trs80arm import Rig, RigSettings
+from trs80arm.arm.bench import Bench
+from trs80arm.arm.minimover import MotorsOn
 from trs80arm.basic.activity import Waiting
 from trs80arm.rig import Input
 
@@ -114,3 +116,51 @@ def test_without_armbasic_the_words_are_syntax_errors() -> None:
     rig.type("@RESET\r")
     rig.run_until_waiting()
     assert "?SN ERROR" in rig.screen()
+
+
+def test_single_step_does_one_statement_and_a_motion_to_its_end() -> None:
+    rig = Rig()
+    rig.load_text("10 A=1:B=2\n20 @STEP 50,37\n30 GOTO 10\n")
+    rig.type("RUN\r")
+    rig.run_until(lambda rig: rig.basic.next_line is not None)
+    lines = []
+    while len(lines) < 12:
+        lines.append(rig.step_statement())
+        if rig.registers[0] == 37:
+            break
+    assert lines[-1] == 30
+    assert rig.registers[0] % 37 == 0
+
+
+def test_a_new_bench_is_set_up_with_the_motors_off() -> None:
+    rig = Rig()
+    rig.type("@STEP 50,200\r")
+    rig.run_until_waiting()
+    bench = Bench.from_toml("[[part]]\nname = 'cube'\nat = [9, 1]\nsize = [1, 1, 1]\nweight = 1\n")
+    rig.set_bench(bench)
+    assert rig.registers == rig.joints == (0, 0, 0, 0, 0, 0)
+    assert not rig.state.motors_on
+    assert list(rig.arm.bench.parts) == ["cube"]
+
+
+def test_hand_moving_wants_the_motors_off() -> None:
+    rig = Rig()
+    rig.move_joint("base", 30)
+    assert rig.pose.y > 2
+    rig.type("@STEP 50,1\r")
+    rig.run_until_waiting()
+    with pytest.raises(MotorsOn):
+        rig.move_joint("base", 0)
+
+
+def test_the_parts_go_back_to_where_they_were() -> None:
+    rig = Rig()
+    rig.load_text("10 @STEP 50,0,-207,290:@STEP 50,0,0,0,0,0,370:@STEP 50,0,132,-36:@CLOSE")
+    rig.type("RUN\r")
+    rig.run_until_waiting()
+    assert rig.state.held == "block"
+    rig.type("@STEP 100,0,-132,36\r@STEP 100,300\r@STEP 100,0,0,0,0,0,200\r")
+    rig.run_until_waiting()
+    moved = rig.arm.bench.parts["block"].box
+    rig.refill()
+    assert rig.arm.bench.parts["block"].box != moved
