@@ -22,7 +22,7 @@ from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.host import Host
 from trs80arm.basic.interpreter import Interpreter, Outcome
-from trs80arm.machine.card import Card, CardSettings, Latch
+from trs80arm.machine.card import Card, CardSettings, Latch, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.machine.console import Console
 from trs80arm.machine.display import Display
@@ -411,7 +411,7 @@ class Rig:
         old.driver.reset()
         old.card.write_latch(Latch.AUXILIARY, 0)
         self._works = self._build(old.arm, old)
-        self._watch()
+        self._watch(old.card.observers)
         self._switch_on()
 
     def set_bench(self, bench: Bench) -> None:
@@ -432,9 +432,10 @@ class Rig:
         """The registers stand at zero from now on, with the rotors where they are."""
         self._works.zero = self._works.arm.state().rotors
 
-    def _watch(self) -> None:
-        """Attach what the rig itself looks at; a snapshot does not keep it."""
+    def _watch(self, observers: Iterable[Observer] = ()) -> None:
+        """Attach what the rig looks at, and the card's analysers; a snapshot keeps neither."""
         self._works.driver.reset_observers.append(self._zero)
+        self._works.card.observers.extend(observers)
 
     def refill(self) -> None:
         """Put every part of the bench back to where it was at the start."""
@@ -587,5 +588,6 @@ class Rig:
         works = pickle.loads(snapshot)
         if not isinstance(works, _Works):
             raise ValueError("not a snapshot of a rig")
+        observers = self._works.card.observers
         self._works = works
-        self._watch()
+        self._watch(observers)
