@@ -174,3 +174,52 @@ def test_manual_mode_with_a_delay_of_its_own():
     rig.run_for(1.1)
     assert rig.registers[1] == pytest.approx(1000 / 7.2, abs=1)
     assert rig.registers[5] == -rig.registers[1]
+
+
+def run(text: str) -> Rig:
+    """Run a program to its end on a fresh machine, its hand closed and empty."""
+    rig = Rig()
+    rig.load_text(text)
+    rig.type("RUN\r")
+    rig.run_for(0.4)
+    assert rig.run_until(lambda rig: rig.waiting is Waiting.COMMAND, 60)
+    return rig
+
+
+def test_an_empty_hand_closes_on_itself_and_a_closed_switch_ends_the_next_close_at_once():
+    rig = run("10 @CLOSE\n20 @CLOSE\n")
+    # 2 ounces at 52 steps a pound.
+    assert rig.registers[5] == -7
+    assert rig.state.switch_closed
+
+
+def test_close_takes_up_a_slack_cable_first():
+    """Raising the forearm with OUT alone pays out the cable of a hand that is wide open."""
+    rig = run(
+        "10 DIM P(7):FOR R=0 TO 7:READ P(R):NEXT:DATA 5,4,6,2,10,8,9,1\n"
+        "20 @STEP 50,0,-200,0,0,0,1854\n"
+        "30 FOR K=1 TO 80:OUT 154,P(K-INT(K/8)*8):NEXT\n"
+        "40 @CLOSE\n"
+    )
+    assert rig.registers == (0, -200, 0, 0, 0, -80 - 7)
+    assert rig.state.switch_closed
+    assert rig.pose.opening == 0
+
+
+def test_a_close_faster_than_the_hand_can_follow_goes_on_until_break():
+    rig = Rig()
+    rig.load_text("10 @STEP 50,0,0,0,0,0,600\n20 @CLOSE 0\n")
+    rig.type("RUN\r")
+    rig.run_for(20)
+    assert rig.waiting is Waiting.NOTHING
+    assert rig.registers[5] < -5000
+    rig.hold(["BREAK"], 0.1)
+    rig.run_for(0.5)
+    assert rig.waiting is Waiting.COMMAND
+    assert "BREAK IN 20" in rig.screen()
+
+
+def test_the_elbow_does_not_change_the_opening():
+    rig = run("10 @STEP 50,0,0,0,0,0,600\n20 @STEP 50,0,-100,400\n30 @STEP 50,0,0,-150,0,0,62\n")
+    assert rig.pose.opening == pytest.approx(662 / 618, abs=0.002)
+    assert rig.registers == rig.joints == (0, -100, 250, 0, 0, 662)

@@ -140,3 +140,32 @@ def test_the_same_writes_in_one_go_in_slices_and_after_a_restore_in_mid_motion()
         assert rig.registers == whole.registers
         assert rig.screen() == whole.screen()
         assert rig.state == whole.state
+
+
+def test_true_joints_are_counted_from_the_last_reset_also_after_a_restore():
+    rig = Rig()
+    run(rig, "10 @STEP 50,100,-50,60\n20 @RESET\n30 @STEP 50,7\n")
+    assert rig.registers == rig.joints == (7, 0, 0, 0, 0, 0)
+    rig.restore(rig.snapshot())
+    run(rig, "10 @RESET:@STEP 50,-3,2\n")
+    assert rig.registers == rig.joints == (-3, 2, 0, 0, 0, 0)
+
+
+def test_a_trace_goes_on_through_a_reset_and_a_restore(tmp_path):
+    rig = Rig()
+    with Trace(rig, tmp_path / "a.csv"), Trace(rig, tmp_path / "a.vcd"):
+        snapshot = rig.snapshot()
+        run(rig, "10 @STEP 50,5\n")
+        rig.restore(snapshot)
+        run(rig, "10 @STEP 50,5\n")
+        rig.reset()
+        run(rig, "10 @STEP 50,5\n")
+    assert rig.card.observers == []
+    rows = writes(tmp_path / "a.csv")
+    nibbles = [int(row["nibble"]) for row in rows if row["latch"] == "base"]
+    assert nibbles == [*FIGURE_8[1:6], *FIGURE_8[1:6], 0, *FIGURE_8[1:6]]
+    assert rows[0]["t_states"] == rows[5]["t_states"]
+    times = [
+        int(line[1:]) for line in (tmp_path / "a.vcd").read_text().splitlines() if line[0] == "#"
+    ]
+    assert times == sorted(set(times))
