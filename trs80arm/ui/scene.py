@@ -67,11 +67,12 @@ class Stroke:
 
 @dataclass(frozen=True)
 class Joint:
-    """A joint, marked by a glyph."""
+    """A joint or another single place, marked by a glyph; a small one is never drawn as a disc."""
 
     place: Point
     ink: Ink
     glyph: str = "o"
+    small: bool = False
 
 
 @dataclass(frozen=True)
@@ -188,6 +189,12 @@ def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
         shapes += _side_ghost(readings.believed)
     shapes += [_side_block(thing, base) for thing in inside if thing.held]
     shapes += _side_arm(posture)
+    # However small the picture is, a part in the hand can be seen.
+    shapes += [
+        Joint((_turned(thing.box.center, base)[0], thing.box.center[2]), Ink.PART, "#", small=True)
+        for thing in inside
+        if thing.held
+    ]
     return Scene(tuple(shapes), bounds, _middle(points[2], points[3]))
 
 
@@ -331,6 +338,11 @@ def top_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
         if thing.held:
             shapes += _top_block(thing)
     shapes += _top_arm(posture)
+    shapes += [
+        Joint(thing.box.center[:2], Ink.PART, "#", small=True)
+        for thing in readings.things
+        if thing.held
+    ]
     return Scene(tuple(shapes), bounds, _middle(flat[1], flat[2]))
 
 
@@ -358,7 +370,7 @@ def _top_block(thing: Thing) -> list[Shape]:
         for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))
     ]
     edges: list[Shape] = [Stroke(corners[place - 1], corners[place], ink) for place in range(4)]
-    return [*edges, Joint((x, y), ink, _FILL[thing.kind])]
+    return [*edges, Joint((x, y), ink, _FILL[thing.kind], small=True)]
 
 
 def _plate(box: Box) -> list[Shape]:
@@ -406,7 +418,7 @@ def _top_arm(posture: Posture) -> list[Shape]:
         shapes.append(Stroke(pad, back, Ink.HAND))
     if posture.opening < NARROW:
         # The bars are too short to show which way they lie where the picture is small.
-        shapes.append(Joint(tip, Ink.HAND, _lying(across)))
+        shapes.append(Joint(tip, Ink.HAND, _lying(across), small=True))
     return shapes
 
 

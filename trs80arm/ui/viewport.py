@@ -139,8 +139,9 @@ def draw(scene: Scene, window: Window, canvas: Canvas) -> None:
         match shape:
             case Stroke():
                 _stroke(shape, window, canvas)
-            case Joint(place, ink, glyph):
-                canvas.joint(window.cell(place), ink, glyph, round_it=window.scale > ROUND_FROM)
+            case Joint(place, ink, glyph, small):
+                round_it = window.scale > ROUND_FROM and not small
+                canvas.joint(window.cell(place), ink, glyph, round_it=round_it)
             case Block(corner, opposite, ink, fill):
                 canvas.box(window.cell(corner), window.cell(opposite), ink, fill)
             case Trace(points, ink, glyphs):
