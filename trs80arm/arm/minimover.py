@@ -370,7 +370,11 @@ class MiniMover:
         steps: int = 0,
         reason: Reason | None = None,
     ) -> None:
-        """Remember an event."""
+        """Remember an event; what goes on and on is one."""
+        if kind in (EventKind.CONTACT, EventKind.PUSHED) and self.events:
+            last = self.events[-1]
+            if (last.kind, last.motor, last.text) == (kind, motor, text):
+                return
         self.events.append(ArmEvent(self.event_count, self._time, kind, motor, steps, reason, text))
         self.event_count += 1
         if len(self.events) > self.settings.events_kept:

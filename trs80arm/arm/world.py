@@ -17,7 +17,7 @@ from trs80arm.arm.geometry import HAND_LENGTH, CableDrive
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.limits import MOST_SQUEEZE
 from trs80arm.arm.settings import ArmSettings
-from trs80arm.arm.shapes import Box, interval, minus, overlap, plus
+from trs80arm.arm.shapes import SKIN, Box, interval, minus, overlap, plus
 
 HAND = 5
 FINGER_TURNS = 8
@@ -237,6 +237,8 @@ class World:
         """Push a part aside with a link or finger; whether it is clear then."""
         start, end = body.segments[index]
         old = self.body.segments[index]
+        if min(old[0][2], old[1][2]) > part.box.top - self.settings.touch - SKIN:
+            return False  # it comes down on the part
         t = (inside[0] + inside[1]) / 2
         here = plus(start, minus(end, start), t)
         there = plus(old[0], minus(old[1], old[0]), t)
@@ -368,12 +370,15 @@ class World:
             span = self._between(self.body, part.box)
             if span is None:
                 continue
-            half = grip.opening / 2
+            half = grip.opening / 2 + SKIN
             low, high = span
+            over = 2 * self.settings.touch
+            if high > half + over or low < -half - over:
+                continue  # a fingertip stands on it
             if high > half and low > -half:
-                self._centre(part, half - high)
+                self._centre(part, grip.opening / 2 - high)
             elif low < -half and high < half:
-                self._centre(part, -half - low)
+                self._centre(part, -grip.opening / 2 - low)
             if part.name not in self.bench.parts:
                 continue
             span = self._between(self.body, part.box)
