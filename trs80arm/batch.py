@@ -46,6 +46,7 @@ class BatchOptions:
     pose: bool = False
     trace: Path | None = None
     trace_pose: Path | None = None
+    trace_rate: float | None = None
     rig: RigSettings = field(default_factory=RigSettings)
 
 
@@ -139,7 +140,7 @@ def _run(options: BatchOptions, stream: TextIO) -> int:
         if options.trace:
             traces.enter_context(Trace(rig, options.trace))
         if options.trace_pose:
-            traces.enter_context(PoseTrace(rig, options.trace_pose))
+            traces.enter_context(PoseTrace(rig, options.trace_pose, options.trace_rate))
         waiting = _from_run_to_end(rig, options, sets, stream)
     if options.screen:
         print("\n".join(rig.screen()), file=stream)

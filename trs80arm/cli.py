@@ -194,6 +194,11 @@ def serve(host: str, port: int, program: Path | None) -> None:
 @click.option("--pose", is_flag=True, help="Print x y z pitch roll opening at the end.")
 @click.option("--trace", type=A_PATH, help="Latch writes to a .csv, .npz or .vcd file.")
 @click.option("--trace-pose", type=A_PATH, help="Angles, pose, force, switch to .csv or .npz.")
+@click.option(
+    "--trace-rate",
+    type=click.FloatRange(min=0, max=100_000, min_open=True),
+    help="Poses a virtual second; one after each step unless given.",
+)
 @_machine_options
 def run(**given: Any) -> None:
     """Run PROGRAM without a screen, as fast as the computer can.
