@@ -396,6 +396,12 @@ def test_keys_that_contradict_each_other_are_refused(wrong):
         JogKeys(**wrong)
 
 
+@pytest.mark.parametrize("wrong", [{"set_delay": -1}, {"close_delay": 32768}])
+def test_a_usual_delay_must_be_one_that_basic_could_give(wrong):
+    with pytest.raises(ValueError):
+        DriverSettings(**wrong)
+
+
 # -- @RESET and @READ ------------------------------------------------------------------------
 
 

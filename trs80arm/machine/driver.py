@@ -60,6 +60,11 @@ class DriverSettings:
     keys: JogKeys = field(default_factory=JogKeys)
     break_now: bool = False
 
+    def __post_init__(self) -> None:
+        for name, delay in (("close_delay", self.close_delay), ("set_delay", self.set_delay)):
+            if not 0 <= delay <= 32767:
+                raise ValueError(f"{name} must be 0 to 32767, not {delay}")
+
 
 class Driver:
     """The five commands, and the six position registers.
