@@ -1,16 +1,18 @@
-"""The compiled program: statement functions by the address of the separator in front of them.
+"""The compiled program: functions by the address of the separator in front of their statement.
 
-The statement loop asks for `code[address]` and calls it. A statement is compiled when it is reached
-for the first time, so an error in the text shows where and when the ROM would find it. Compiled
-statements are kept while the text stays the same, and used again as long as what they assumed about
-the variables holds (`compiler.scope`).
+The statement loop asks a table for `table[address]` and calls it. What is missing is compiled when
+it is reached for the first time, so an error in the text shows where and when the ROM would find
+it. There are two tables: one function a statement, and one function a run of statements (`blocks`),
+which is faster and gives the same results at the same times. Compiled functions are kept while the
+text stays the same, and used again as long as what they assumed about the variables holds
+(`compiler.scope`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from types import CellType, FunctionType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 from trs80arm.basic import costs, system_area
 from trs80arm.basic.compiler.emitter import Emitter, Mark
@@ -24,10 +26,16 @@ from trs80arm.basic.variables import Key
 if TYPE_CHECKING:
     from trs80arm.basic.interpreter import Interpreter
 
-Function = Callable[[], int]
+MARGIN: Final = 200_000
+"""T-states that a block of statements may take at most; near the clock's limit single statements
+are executed instead, so that both ways stop at the same statement."""
+_LONGEST = 40
+"""Statements in a block at most."""
 _COLON = 0x3A
 _VARIANTS = 4
 """Compiled forms of one statement that are kept for different pictures of the variables."""
+
+Function = Callable[[], int]
 
 
 class Compiled(NamedTuple):
@@ -39,39 +47,78 @@ class Compiled(NamedTuple):
     first_line: int
 
 
-class CompiledCode(dict[int, Function]):
-    """Address to function; what is missing is compiled when it is asked for.
+class Trial(NamedTuple):
+    """What a statement turned out to be when it was compiled for a look.
 
     Attributes:
-        stale: the text or the types of names changed under the running statement.
+        goes_on: where the next statement is if control goes on behind it, else None.
+        plain: whether it may stand anywhere in a block.
+        observes: whether it looks at the machine, so that the clock must be right.
+        cost: T-states it takes.
     """
 
-    def __init__(self, basic: Interpreter) -> None:
+    goes_on: int | None
+    plain: bool
+    observes: bool
+    cost: int
+
+
+class Pace:
+    """Until when blocks may be begun.
+
+    Attributes:
+        soft: the clock's limit less `MARGIN`.
+    """
+
+    __slots__ = ("soft",)
+
+    def __init__(self) -> None:
+        self.soft = 0
+
+
+class Table(dict[int, Function]):
+    """Address to function; `compile_` makes what is missing.
+
+    Attributes:
+        current: the compiled form behind each function in use.
+    """
+
+    def __init__(self, owner: CompiledCode, compile_: Callable[[int, bytes], Compiled]) -> None:
         super().__init__()
-        self._basic = basic
-        self._environment: dict[str, Any] = basic.runtime.environment()
-        self._array_cells: dict[Key, CellType] = {}
+        self._owner = owner
+        self._compile = compile_
         self._kept: dict[bytes, dict[int, list[Compiled]]] = {}
-        self._version = basic.program.version
         self._fragile: list[int] = []
-        self._current: dict[int, Compiled] = {}
-        self.stale = False
+        self.current: dict[int, Compiled] = {}
 
     def __missing__(self, address: int) -> Function:
         compiled = self._find(address)
-        self._current[address] = compiled
+        self.current[address] = compiled
         if compiled.assumptions.fragile:
             self._fragile.append(address)
         function: Function = compiled.function
         self[address] = function
         return function
 
-    # -- what makes compiled statements invalid -----------------------------------------------
+    def _find(self, address: int) -> Compiled:
+        owner = self._owner
+        owner.check_version()
+        types = owner.types()
+        variants = self._kept.setdefault(types, {}).setdefault(address, [])
+        for compiled in variants:
+            if compiled.assumptions.hold(owner.variables):
+                owner.refresh_cells(compiled.assumptions)
+                return compiled
+        compiled = self._compile(address, types)
+        variants.append(compiled)
+        del variants[:-_VARIANTS]
+        return compiled
 
-    def look_around(self) -> None:
-        """The text, the types of names or the mode changed: start afresh."""
+    def forget_all(self) -> None:
+        """The text is another one."""
         self.clear()
-        self.stale = True
+        self._kept.clear()
+        self._fragile.clear()
 
     def cleared(self) -> None:
         """The variables are gone."""
@@ -79,82 +126,179 @@ class CompiledCode(dict[int, Function]):
         self._fragile.clear()
 
     def created(self) -> None:
-        """A variable or an array was made: statements that missed something are looked at again."""
+        """Something was made: statements that missed something are looked at again."""
         for address in self._fragile:
             self.pop(address, None)
         self._fragile.clear()
 
-    def forget_direct(self) -> None:
-        """Another direct line stands in the buffer."""
-        start, stop = system_area.INPUT_BUFFER, self._basic.program.start - 1
+    def forget(self, start: int, stop: int) -> None:
+        """Drop everything compiled from an address range."""
         for kept in self._kept.values():
             for address in [a for a in kept if start <= a < stop]:
                 del kept[address]
         for address in [a for a in self if start <= a < stop]:
             del self[address]
 
+    def failed(self, address: int, error: BaseException) -> Mark:
+        """The statement in which an error was raised, and what it had cost by then."""
+        compiled = self.current.get(address)
+        traceback = error.__traceback__
+        if compiled is not None:
+            code = compiled.function.__code__
+            while traceback is not None:
+                if traceback.tb_frame.f_code is code:
+                    index = traceback.tb_lineno - compiled.first_line - 1
+                    if 0 <= index < len(compiled.marks):
+                        return compiled.marks[index]
+                    break
+                traceback = traceback.tb_next
+        return Mark(address, 0)
+
+
+class CompiledCode:
+    """Both tables.
+
+    Attributes:
+        statements: one function a statement.
+        blocks: one function for a run of statements.
+        pace: until when blocks may be begun.
+        stale: the text or the types of names changed under the running statement.
+    """
+
+    def __init__(self, basic: Interpreter) -> None:
+        self._basic = basic
+        self.variables = basic.variables
+        self.pace = Pace()
+        self._environment: dict[str, Any] = {**basic.runtime.environment(), "pace": self.pace}
+        self._array_cells: dict[Key, CellType] = {}
+        self._version = basic.program.version
+        self.statements = Table(self, self._compile_statement)
+        self.blocks = Table(self, self._compile_block)
+        self.stale = False
+
+    # -- what makes compiled statements invalid -----------------------------------------------
+
+    def look_around(self) -> None:
+        """The text, the types of names or the mode changed: start afresh."""
+        self.statements.clear()
+        self.blocks.clear()
+        self.stale = True
+
+    def cleared(self) -> None:
+        """The variables are gone."""
+        self.statements.cleared()
+        self.blocks.cleared()
+
+    def created(self) -> None:
+        """A variable or an array was made."""
+        self.statements.created()
+        self.blocks.created()
+
+    def forget_direct(self) -> None:
+        """Another direct line stands in the buffer."""
+        start, stop = system_area.INPUT_BUFFER, self._basic.program.start - 1
+        self.statements.forget(start, stop)
+        self.blocks.forget(start, stop)
+
+    def check_version(self) -> None:
+        """Forget what was compiled from another text."""
+        if self._version != self._basic.program.version:
+            self._version = self._basic.program.version
+            self.statements.forget_all()
+            self.blocks.forget_all()
+
+    def types(self) -> bytes:
+        """The table of DEFINT and so on, by which compiled statements are kept."""
+        ram = self._basic.memory.ram
+        return bytes(ram[system_area.DEF_TABLE : system_area.DEF_TABLE + 26])
+
+    def refresh_cells(self, assumptions: Assumptions) -> None:
+        """Arrays made anew have new lists."""
+        for key, dims, _ in assumptions.arrays:
+            if dims is not None and key in self._array_cells:
+                self._array_cells[key].cell_contents = self.variables.arrays[key].data
+
     # -- compiling ----------------------------------------------------------------------------
 
-    def _find(self, address: int) -> Compiled:
-        basic = self._basic
-        if self._version != basic.program.version:
-            self._version = basic.program.version
-            self._kept.clear()
-        types = bytes(basic.memory.ram[system_area.DEF_TABLE : system_area.DEF_TABLE + 26])
-        variants = self._kept.setdefault(types, {}).setdefault(address, [])
-        for compiled in variants:
-            if compiled.assumptions.hold(basic.variables):
-                self._refresh_cells(compiled)
-                return compiled
-        compiled = self._compile(address, types)
-        variants.append(compiled)
-        del variants[:-_VARIANTS]
-        return compiled
+    def _scope(self, types: bytes) -> Scope:
+        return Scope(self.variables, self._array_cells, self._environment, types)
 
-    def _refresh_cells(self, compiled: Compiled) -> None:
-        """Arrays made anew have new lists."""
-        for key, dims, _ in compiled.assumptions.arrays:
-            if dims is not None and key in self._array_cells:
-                self._array_cells[key].cell_contents = self._basic.variables.arrays[key].data
-
-    def _compile(self, address: int, types: bytes) -> Compiled:
-        basic = self._basic
+    def _compile_statement(self, address: int, types: bytes) -> Compiled:
         out = Emitter()
-        scope = Scope(basic.variables, self._array_cells, self._environment, types)
-        out.statement = address
-        self._statement(address, out, scope)
+        scope = self._scope(types)
+        goes_on = self._write(address, out, scope, self._loops()).goes_on
+        if goes_on is not None:
+            out.go(goes_on)
+        return self._built(out, scope)
+
+    def _compile_block(self, address: int, types: bytes) -> Compiled:
+        """The statements from an address on, as far as they can be run in one go."""
+        out = Emitter()
+        out.lead(address)
+        scope = self._scope(types)
+        loops = self._loops()
+        here: int | None = address
+        total = count = 0
+        while here is not None:
+            trial_scope = self._scope(types)
+            trial = self._write(here, Emitter(), trial_scope, list(loops))
+            solid = trial.plain and not trial_scope.assumptions().fragile
+            total += trial.cost
+            if count and (not solid or total > MARGIN or count == _LONGEST):
+                break
+            if trial.observes and count:
+                out.charge()
+                out.emit(f"now_at({here})")
+            goes_on = self._write(here, out, scope, loops).goes_on
+            count += 1
+            here = goes_on
+            if not solid:
+                break
+        if here is not None:
+            out.go(here)
+        return self._built(out, scope)
+
+    def _built(self, out: Emitter, scope: Scope) -> Compiled:
         function, first_line = out.build(self._environment)
         return Compiled(function, scope.assumptions(), out.marks, first_line)
 
-    def _statement(self, address: int, out: Emitter, scope: Scope) -> None:
+    def _loops(self) -> list[Key]:
+        """The variables of the loops that are open now."""
+        return [
+            (frame.scalar.name, frame.scalar.kind)
+            for frame in self._basic.control.frames
+            if isinstance(frame, ForFrame)
+        ]
+
+    def _write(self, address: int, out: Emitter, scope: Scope, loops: list[Key]) -> Trial:
         """Write the statement behind a separator."""
         basic = self._basic
         ram = basic.memory.ram
         program = basic.program
+        out.statement = address
         direct = address < program.start - 1
         start = address + 1
         line = DIRECT
         if ram[address] == 0:
             if direct or not (ram[start] or ram[start + 1]):
                 out.emit(f"end_of_text({address})")
-                return
+                return Trial(None, False, False, 0)
             start += 4
             line = ram[address + 3] | ram[address + 4] << 8
             out.cost += costs.NEW_LINE
         elif ram[address] != _COLON:
             out.cost += costs.STATEMENT
             out.fail(Code.SN)
-            return
+            return Trial(None, False, False, 0)
         elif not direct:
             link = program.line_at(address)
             line = 0 if link is None else program.number_at(link)
+        before = out.cost
         reader = Reader(bytes(ram[start : ram.index(0, start)]), start, out)
         reader.skip()
-        top = basic.control.frames[-1]
-        innermost = None
-        if isinstance(top, ForFrame):
-            innermost = top.scalar.name, top.scalar.kind
-        StatementCompiler(reader, out, scope, program, line, innermost, basic.armbasic).compile()
+        compiler = StatementCompiler(reader, out, scope, program, line, loops, basic.armbasic)
+        goes_on = reader.address if compiler.compile() else None
+        return Trial(goes_on, compiler.plain, compiler.observes, out.most_cost - before)
 
     def find_target(self, address: int) -> tuple[Any, int]:
         """The variable whose name stands at an address (INPUT's list), and what stands behind it.
@@ -163,31 +307,11 @@ class CompiledCode(dict[int, Function]):
         """
         basic = self._basic
         ram = basic.memory.ram
-        types = bytes(ram[system_area.DEF_TABLE : system_area.DEF_TABLE + 26])
         out = Emitter()
-        scope = Scope(basic.variables, self._array_cells, self._environment, types)
         reader = Reader(bytes(ram[address : ram.index(0, address)]), address, out)
         compiler = StatementCompiler(
-            reader, out, scope, basic.program, DIRECT, None, basic.armbasic
+            reader, out, self._scope(self.types()), basic.program, DIRECT, [], basic.armbasic
         )
         compiler.compile_target()
         function, _ = out.build(self._environment)
         return function(), reader.address
-
-    # -- errors -------------------------------------------------------------------------------
-
-    def failing_cost(self, address: int, error: BaseException) -> int:
-        """T-states that a statement had come to when it raised an error."""
-        compiled = self._current.get(address)
-        traceback = error.__traceback__
-        if compiled is None:
-            return 0
-        code = compiled.function.__code__
-        while traceback is not None:
-            if traceback.tb_frame.f_code is code:
-                index = traceback.tb_lineno - compiled.first_line - 1
-                if 0 <= index < len(compiled.marks):
-                    return compiled.marks[index].cost
-                return 0
-            traceback = traceback.tb_next
-        return 0

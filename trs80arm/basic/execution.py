@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from trs80arm.basic import costs, system_area
 from trs80arm.basic.activity import Activity
+from trs80arm.basic.code import MARGIN
 from trs80arm.basic.control import DIRECT
 from trs80arm.basic.dialogue.pause import Pause
 from trs80arm.basic.errors import BasicError, Code
@@ -101,14 +102,23 @@ class Execution(Activity):
     def _quickly(self, basic: Interpreter) -> None:
         clock = basic.clock
         code = basic.code
+        pace = code.pace
         address = self.next
         self.forced_line = None
+        table = code.blocks
         try:
+            if basic.blocks:
+                pace.soft = clock.limit - MARGIN
+                while clock.now < pace.soft:
+                    self.statement = address
+                    address = table[address]()
+            table = code.statements
             while clock.now < clock.limit:
                 self.statement = address
-                address = code[address]()
+                address = table[address]()
         except (BasicError, Leave) as error:
-            clock.now += code.failing_cost(address, error)
+            self.statement, cost = table.failed(address, error)
+            clock.now += cost
             raise
         self.next = address
 
@@ -134,10 +144,11 @@ class Execution(Activity):
             number = ram[address + 3] | ram[address + 4] << 8
             if address >= basic.program.start - 1:
                 basic.print_text(b"<%d>" % number)
+        table = basic.code.statements
         try:
-            self.next = basic.code[address]()
+            self.next = table[address]()
         except (BasicError, Leave) as error:
-            clock.now += basic.code.failing_cost(address, error)
+            clock.now += table.failed(address, error).cost
             raise
 
     def _tell(self, basic: Interpreter, listener: Any, address: int) -> None:

@@ -69,6 +69,7 @@ class AssignmentCompiler(FunctionCompiler):
             raise self.mistake(Code.TM)
         if target.kind == STRING:
             self.out.cost += costs.STRING_ASSIGN
+            self.plain = False
             self.out.emit(f"assign({target.text}, {value.text})")
             return
         self.out.cost += costs.MOVE_DOUBLE if target.kind == DOUBLE else costs.MOVE

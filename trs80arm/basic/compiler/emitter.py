@@ -13,6 +13,9 @@ from typing import Any, NamedTuple
 
 from trs80arm.basic.errors import Code
 
+LOOP_BODY = "f.body"
+"""Where NEXT goes back to, in generated text."""
+
 
 class Mark(NamedTuple):
     """What is known of a line of generated text.
@@ -31,6 +34,7 @@ class Emitter:
 
     Attributes:
         cost: T-states that came together since the clock was last charged.
+        most_cost: the most that came together on one way through the function.
         statement: the address of the statement whose text is being written.
     """
 
@@ -43,6 +47,15 @@ class Emitter:
         self.cells: dict[str, CellType] = {}
         self.stored: set[str] = set()
         self._temporaries = 0
+        self._leader: int | None = None
+        self.most_cost = 0
+        self._charged = 0
+
+    def lead(self, address: int) -> None:
+        """The function begins a block: a jump to its own start goes round inside it."""
+        self._leader = address
+        self.emit("while True:")
+        self.indent += 1
 
     def emit(self, text: str) -> None:
         """Add a line."""
@@ -53,12 +66,23 @@ class Emitter:
         """Write what has come together to the clock."""
         if self.cost:
             cost, self.cost = self.cost, 0
+            self._charged += cost
             self.emit(f"clock.now += {cost}")
+
+    def note_cost(self) -> None:
+        """One way through the function ends here."""
+        self.most_cost = max(self.most_cost, self._charged + self.cost)
 
     def go(self, address: int | str) -> None:
         """Leave the function for the statement at an address."""
+        self.note_cost()
         if self.cost:
             self.emit(f"clock.now += {self.cost}")
+        if self._leader is not None:
+            if address == self._leader:
+                self.emit("if clock.now < pace.soft: continue")
+            elif address == LOOP_BODY:
+                self.emit(f"if {LOOP_BODY} == {self._leader} and clock.now < pace.soft: continue")
         self.emit(f"return {address}")
 
     def fail(self, code: Code) -> None:

@@ -94,6 +94,7 @@ class ExpressionCompiler:
         self.pending: list[str] = []
         self._depth = 0
         self.observes = False
+        self.plain = True
 
     # -- mistakes -----------------------------------------------------------------------------
 
@@ -226,6 +227,7 @@ class ExpressionCompiler:
             self.pending.append(right.text)
             raise self.mistake(Code.TM)
         self.pending.pop()
+        self.plain = False
         self.out.cost += costs.CONCATENATE
         return Expression(f"concatenate({left.text}, {right.text})", STRING)
 
@@ -277,12 +279,44 @@ class ExpressionCompiler:
         if kind == DOUBLE:
             text = f"double_{name}({self.to_double(left)}, {self.to_double(right)})"
         elif kind == SINGLE:
-            text = f"{name}({self.as_float(left)}, {self.as_float(right)})"
+            text = self._single(name, left, right)
         elif kind == NUMBER and left.kind == right.kind == INTEGER:
             text = f"integer_{name}({left.text}, {right.text})"
         else:
             text = f"any_{name}({left.text}, {right.text})"
         return Expression(text, kind)
+
+    def _single(self, name: str, left: Expression, right: Expression) -> str:
+        """Single arithmetic: the common case in line, the rest by a call (`numbers.single`).
+
+        The range test is on the square, so both signs take the short way.
+        """
+        first, a = self._twice(left)
+        second, b = self._twice(right)
+        call = f"{name}({a}, {b})"
+        if name in ("add", "sub"):
+            sign = "+" if name == "add" else "-"
+            return (
+                f"(s if (c := (s := {first} {sign} {second}) * 536870913.0) - (c - s) == s"
+                f" and 1e-74 < s * s < 1e74 else {call})"
+            )
+        sign, guard = ("*", "") if name == "mul" else ("/", f"{b} and ")
+        if guard and second != b:
+            # The divisor is looked at first, but the dividend is evaluated before it.
+            guard = f"({first} or True) and {second} and " if first != a else f"{second} and "
+            first, second = a, b
+        return (
+            f"((c := s * 536870913.0) - (c - s) if {guard}1e-74 <"
+            f" (s := {first} {sign} {second} * 1.0000000000000002) * s < 1e74 else {call})"
+        )
+
+    def _twice(self, value: Expression, name: str | None = None) -> tuple[str, str]:
+        """Text that computes an operand, and text that gives it again."""
+        text = self.as_float(value)
+        if value.simple or value.constant is not None:
+            return text, text
+        name = name or self.out.temporary()
+        return f"({name} := {text})", name
 
     # -- conversions --------------------------------------------------------------------------
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from trs80arm.basic import costs, tokens
 from trs80arm.basic.compiler.assignments import AssignmentCompiler
+from trs80arm.basic.compiler.emitter import LOOP_BODY
 from trs80arm.basic.compiler.expressions import Mistake
 from trs80arm.basic.control import DIRECT
 from trs80arm.basic.errors import Code
@@ -17,12 +18,13 @@ class FlowCompiler(AssignmentCompiler):
     Attributes:
         program: to find lines.
         line: the number of the line that is compiled, 65535 for a direct one.
-        innermost: the variable of the innermost open loop, the guess for a bare NEXT.
+        loops: the variables of the open loops, the guess for a bare NEXT.
     """
 
     program: Program
     line: int
-    innermost: Key | None
+    loops: list[Key]
+    plain: bool
 
     def statement(self) -> bool:
         """One statement; whether control goes on behind it."""
@@ -126,8 +128,7 @@ class FlowCompiler(AssignmentCompiler):
         if self._find_else():
             self._branch()
             return False
-        out.go(reader.address)
-        return False
+        return True
 
     def _branch(self) -> None:
         """What is done in one case: a line number, a statement, or nothing."""
@@ -139,6 +140,7 @@ class FlowCompiler(AssignmentCompiler):
         except Mistake as mistake:
             self.flush()
             self.out.fail(mistake.code)
+            self.plain = False
             return
         if goes_on:
             self.out.go(self.reader.address)
@@ -193,11 +195,13 @@ class FlowCompiler(AssignmentCompiler):
             reader.advance()
             step = self.to_kind(self.number(), key[1])
         out.emit(f"open_loop({scalar}, {limit}, {step}, {body}, {self.line})")
+        self.loops.append(key)
 
     def next_(self) -> None:
         """NEXT [names]: step, compare, and go back to the body or on."""
         if self.reader.at_end:
             self._step_loop(None)
+            del self.loops[-1:]
             return
         while True:
             key = self.name()
@@ -206,6 +210,7 @@ class FlowCompiler(AssignmentCompiler):
             if not self.scope.exists(key):
                 self.out.emit(f"create({key!r})")
             self._step_loop(key)
+            del self.loops[-1:]
             if self.reader.code != 0x2C:
                 return
             self.reader.advance()
@@ -213,7 +218,7 @@ class FlowCompiler(AssignmentCompiler):
     def _step_loop(self, key: Key | None) -> None:
         """One loop's step: at once when the innermost loop is the expected one."""
         out = self.out
-        guess = key or self.innermost
+        guess = key or (self.loops[-1] if self.loops else None)
         if guess is None or guess[1] in (STRING, DOUBLE):
             out.cost += costs.STATEMENT_WORK["NEXT"] + costs.ADD["s"] + costs.COMPARE["s"]
             self._slow_step(key)
@@ -240,7 +245,7 @@ class FlowCompiler(AssignmentCompiler):
             out.emit(f"{name} = t")
         out.emit("if (t <= f.limit if f.up > 0 else goes_on(t, f)):")
         out.indent += 1
-        out.go("f.body")
+        out.go(LOOP_BODY)
         out.indent -= 1
         out.emit("frames.pop()")
         out.indent -= 1
@@ -281,6 +286,7 @@ class FlowCompiler(AssignmentCompiler):
                 self.gosub() if word == tokens.GOSUB else self.goto()
             except Mistake as mistake:
                 out.fail(mistake.code)
+                self.plain = False
             out.indent -= 1
             reader.restore(here)
             self.line_number()

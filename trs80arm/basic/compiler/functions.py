@@ -8,6 +8,8 @@ from trs80arm.basic.errors import Code
 from trs80arm.basic.variables import DOUBLE, INTEGER, SINGLE, STRING
 
 _SINGLE_FUNCTIONS = ("SQR", "LOG", "EXP", "COS", "SIN", "TAN", "ATN")
+_DYNAMIC = ("FRE", "USR", "VAL", "CHR$", "STR$")
+"""Functions whose time depends on what there is at run time; they end a block."""
 _DISK_FUNCTIONS = ("CVI", "CVS", "CVD", "EOF", "LOC", "LOF", "MKI$", "MKS$", "MKD$")
 
 
@@ -33,6 +35,7 @@ class FunctionCompiler(ExpressionCompiler):
             self.observes = True
             return Expression(f"point({x}, {y})", INTEGER)
         if name in ("LEFT$", "RIGHT$", "MID$"):
+            self.plain = False
             return self._part(name)
         self.reader.advance()
         if self.reader.code != 0x28:
@@ -49,6 +52,7 @@ class FunctionCompiler(ExpressionCompiler):
 
     def _system_value(self, code: int) -> Expression:
         if code == tokens.INKEY:
+            self.plain = False
             self.observes = True
             return Expression("inkey()", STRING)
         if code == tokens.MEM:
@@ -69,6 +73,7 @@ class FunctionCompiler(ExpressionCompiler):
         return Expression(text, INTEGER)
 
     def _string_of_characters(self) -> Expression:
+        self.plain = False
         self.reader.advance()
         self.expect(0x28)
         count = self.byte()
@@ -125,6 +130,8 @@ class FunctionCompiler(ExpressionCompiler):
 
     def _apply(self, name: str, value: Expression) -> Expression:
         """A function of one argument in parentheses."""
+        if name in _DYNAMIC:
+            self.plain = False
         if name == "FRE":
             if value.kind == STRING:
                 return Expression(f"free_strings({value.text})", NUMBER)
@@ -170,6 +177,8 @@ class FunctionCompiler(ExpressionCompiler):
             return Expression(self.to_double(value), DOUBLE)
         if value.kind == INTEGER and name in ("INT", "FIX"):
             return value
+        if value.kind == SINGLE and name == "INT":
+            return Expression(f"({value.text} // 1.0)", SINGLE)
         if value.kind == SINGLE:
             function = {"INT": "single_floor", "FIX": "fix", "ABS": "abs"}[name]
             return Expression(f"{function}({value.text})", SINGLE)

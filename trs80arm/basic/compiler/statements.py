@@ -28,6 +28,11 @@ _COMMANDS = {
     tokens.token("EDIT"): "edit_line",
     tokens.token("AUTO"): "auto_lines",
 }
+_PLAIN = frozenset(
+    tokens.token(word)
+    for word in ["FOR", "NEXT", "DATA", "LET", "GOTO", "IF", "GOSUB", "RETURN", "REM", "ELSE", "ON", "POKE", "SET", "RESET", "OUT", "RESTORE"]
+)
+"""Statements that may stand anywhere in a block, unless something in them may not."""
 _KINDS = {
     tokens.token("DEFSTR"): STRING,
     tokens.token("DEFINT"): INTEGER,
@@ -46,26 +51,29 @@ class StatementCompiler(ArmCompiler):
         scope: Scope,
         program: Program,
         line: int,
-        innermost: Key | None,
+        loops: list[Key],
         armbasic: bool,
     ) -> None:
         super().__init__(reader, out, scope)
         self.program = program
         self.line = line
-        self.innermost = innermost
+        self.loops = loops
+        self.plain = False
         self.armbasic = armbasic
 
-    def compile(self) -> None:
-        """Write the statement at the reader, and where it leads to."""
+    def compile(self) -> bool:
+        """Write the statement at the reader; whether control goes on behind it."""
+        self.plain = self.reader.at_end or self.reader.code in _PLAIN or self.reader.code < 0x80
         try:
             self.out.cost += costs.STATEMENT
             goes_on = self.reader.at_end or self.statement()
         except Mistake as mistake:
             self.flush()
             self.out.fail(mistake.code)
-            return
-        if goes_on:
-            self.out.go(self.reader.address)
+            goes_on = False
+            self.plain = False
+        self.out.note_cost()
+        return goes_on
 
     def compile_target(self) -> None:
         """Write a function that finds one variable and returns a reference to it."""
@@ -83,6 +91,7 @@ class StatementCompiler(ArmCompiler):
         code = self.reader.code
         if code < tokens.FIRST:
             if code == 0x40:
+                self.plain = False
                 return self.arm()
             self.let()
             return True
@@ -91,6 +100,8 @@ class StatementCompiler(ArmCompiler):
         if code in _DISK:
             raise self.mistake(Code.L3)
         self.reader.advance()
+        if code not in _PLAIN:
+            self.plain = False
         if code in _COMMANDS:
             self.out.charge()
             rest = self.reader.address, len(self.reader.text) - self.reader.position
@@ -134,6 +145,7 @@ class StatementCompiler(ArmCompiler):
         x, y = self.coordinates()
         x, y = self.out.keep(x), self.out.keep(y)
         self.out.charge()
+        self.observes = True
         self.out.emit(f"plot({x}, {y}, {lit})")
 
     def set_block(self) -> None:
@@ -162,6 +174,7 @@ class StatementCompiler(ArmCompiler):
         self.expect(0x2C)
         value = self.out.keep(self.byte())
         self.out.charge()
+        self.observes = True
         self.out.emit(f"poke({address}, {value}, {self.reader.address})")
 
     def out_port(self) -> None:
@@ -171,6 +184,7 @@ class StatementCompiler(ArmCompiler):
         self.expect(0x2C)
         value = self.out.keep(self.byte())
         self.out.charge()
+        self.observes = True
         self.out.emit(f"write_port({port}, {value})")
 
     def error(self) -> None:

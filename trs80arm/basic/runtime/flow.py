@@ -193,6 +193,10 @@ class Flow(Part):
             raise BasicError(Code.CN)
         return address
 
+    def now_at(self, address: int) -> None:
+        """A statement inside a block that looks at the machine begins."""
+        self._execution().statement = address
+
     def leave(self, address: int) -> NoReturn:
         """Have the statement loop look around."""
         raise Leave(address)
