@@ -6,6 +6,7 @@ import pytest
 
 from trs80arm import Rig
 from trs80arm.basic.activity import Waiting
+from trs80arm.machine.card import CardSettings, Jumper, Latch
 from trs80arm.machine.driver import DriverSettings, Mode
 from trs80arm.rig import RigSettings
 
@@ -163,6 +164,24 @@ def test_out_and_inp_reach_the_latches_that_the_driver_uses():
     assert rig.card.latches == [9, 0, 0, 0, 0, 0, 12]
     assert rig.registers[0] == 1
     assert " 1  255" in below
+
+
+@pytest.mark.parametrize(
+    ("card", "line"),
+    [
+        (CardSettings(), "OUT 152,4:OUT 153,2"),
+        (CardSettings(base=0xB8), "OUT 184,4:OUT 185,2"),
+        (CardSettings(coil_bits=(0, 1, 2, 3)), "OUT 152,2:OUT 153,4"),
+        (CardSettings(order=(Latch.SHOULDER, Latch.BASE, *[None] * 6)), "OUT 153,4:OUT 152,2"),
+        (CardSettings(jumper=Jumper.PARALLEL), "OUT 152,4:OUT 152,18"),
+    ],
+    ids=["default", "base", "bit-order", "port-order", "parallel-jumper"],
+)
+def test_however_the_card_is_wired_out_and_the_driver_reach_the_same_coils(card, line):
+    rig, _ = direct(line + ":@STEP 50,2,-3", RigSettings(card=card))
+    # Rows 1 and 3 of Figure 8 by hand, then the driver's own rows 2 and -3.
+    assert rig.card.latches[:3] == [0b0110, 0b1000, 0]
+    assert rig.state.coils[:3] == (0b0110, 0b1000, 0)
 
 
 def test_manual_mode_with_a_delay_of_its_own():
