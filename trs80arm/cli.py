@@ -230,6 +230,30 @@ def convert(source: Path, target: Path, keep_good: bool) -> None:
     click.echo(f"{target}: {count} line{'' if count == 1 else 's'}")
 
 
+@cli.command()
+@click.argument("name")
+@click.option("-o", "--output", type=A_PATH, help="An .svg or .png file instead of text.")
+@click.option("--width", type=click.IntRange(40, 400), help="Columns of the text.")
+def figure(name: str, output: Path | None, width: int | None) -> None:
+    """Draw the article's figure NAME from the running model: 2, 6, 8, 10, 12 or table1."""
+    import shutil
+
+    from trs80arm.arm.figures import FigureError
+    from trs80arm.article import draw
+    from trs80arm.batch import reason
+
+    try:
+        drawn = draw(name)
+        if output is None:
+            click.echo(drawn.text(width or shutil.get_terminal_size().columns))
+        else:
+            drawn.save(output)
+    except FigureError as error:
+        fail(error)
+    except OSError as error:
+        fail(f"{output}: {reason(error)}")
+
+
 def main() -> None:
     """Run the command line."""
     cli(prog_name="trs80arm")

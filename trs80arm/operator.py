@@ -1,7 +1,7 @@
 """A person at the keyboard, from a script: answers INPUT, and jogs the arm in `@SET`.
 
-The command line's `--input` and `--set` and many tests sit a scripted operator in front of a rig. It
-does what a person would do and no more: it types when the machine waits, and holds keys down.
+The command line's `--input` and `--set` and many tests sit a scripted operator in front of a rig.
+It does what a person would do and no more: it types when the machine waits, and holds keys down.
 """
 
 from __future__ import annotations

@@ -129,3 +129,24 @@ def test_table_4_cycles_parts_until_the_limit_and_twice_the_same() -> None:
     assert first.stdout == second.stdout
     assert "SET ARM TO THE FOLLOWING POSITION & ORIENTATION" in first.stdout
     assert " RUN THE PROGRAM" in first.stdout
+
+
+@pytest.mark.parametrize("name", ["2", "6", "8", "10", "12"])
+def test_figures_are_drawn_as_text(name: str) -> None:
+    done = CliRunner().invoke(cli, ["figure", name, "--width", "70"])
+    assert done.exit_code == 0
+    assert done.stdout.startswith(f"Figure {name}. ")
+    assert max(map(len, done.stdout.splitlines())) <= 92
+
+
+def test_a_figure_that_is_not_in_the_article_is_refused(tmp_path: Path) -> None:
+    done = CliRunner().invoke(cli, ["figure", "3"])
+    assert (done.exit_code, done.stderr.count("\n")) == (2, 1)
+    done = CliRunner().invoke(cli, ["figure", "8", "-o", str(tmp_path / "8.gif")])
+    assert (done.exit_code, done.stderr.count("\n")) == (2, 1)
+
+
+def test_figure_10_shows_the_article_s_21_steps_against_3() -> None:
+    text = CliRunner().invoke(cli, ["figure", "10"]).stdout
+    assert "base, 21 steps" in text
+    assert "shoulder, 3 steps" in text

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from trs80arm.basic.activity import Waiting
+from trs80arm.bundled import programs_folder
 from trs80arm.machine.keys import Key
-from trs80arm.ui.places import programs_that_come_along
 from trs80arm.ui.session import Session
 
 PROGRAM = "table4.bas"
@@ -91,7 +91,7 @@ class Demo:
     """
 
     def __init__(self, session: Session) -> None:
-        folder = programs_that_come_along() or Path("programs")
+        folder = programs_folder() or Path("programs")
         session.set_bench((folder / PROGRAM).with_suffix(".toml"))
         session.load(folder / PROGRAM)
         self._session = session

@@ -7,10 +7,11 @@ from pathlib import Path
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.batch import bench_beside
+from trs80arm.bundled import programs_folder
 from trs80arm.files import FileFormatError, Kind
 from trs80arm.saving import write_whole
 from trs80arm.ui import recording
-from trs80arm.ui.places import program_files, programs_that_come_along, recovered_copies
+from trs80arm.ui.places import program_files, recovered_copies
 from trs80arm.ui.screens.dialog import Ask, AskPath, Choice
 from trs80arm.ui.screens.open import OpenScreen, Shelf
 from trs80arm.ui.screens.paste import Listing, PasteScreen
@@ -38,7 +39,7 @@ class FileCommands(ViewCommands):
 
     def action_open(self) -> None:
         """Choose a program and load it."""
-        along = programs_that_come_along()
+        along = programs_folder()
         shelves = [
             Shelf("Recovered", recovered_copies(self.copy_path.parent, self.copy_path)),
             Shelf("Recent", self.recent.all()),

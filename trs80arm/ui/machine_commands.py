@@ -12,7 +12,6 @@ from trs80arm.machine.keys import Key
 from trs80arm.options import KeyMode
 from trs80arm.settings import Speed
 from trs80arm.ui.file_commands import FileCommands
-from trs80arm.ui.places import programs_that_come_along
 from trs80arm.ui.screens.dialog import Choice, Choose
 from trs80arm.ui.screens.hand_move import HandMoveScreen, MoveJoint, MoveTo
 from trs80arm.ui.screens.key_test import KeyTest
@@ -105,7 +104,7 @@ class MachineCommands(FileCommands):
         self.push_screen(Choose("Bench", choices, now), self._chosen_bench)
 
     def _benches(self) -> list[Path]:
-        folders = {Path.cwd(), programs_that_come_along()}
+        folders = {Path.cwd()()}
         if self.session.path is not None:
             folders.add(self.session.path.resolve().parent)
         found = {

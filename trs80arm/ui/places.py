@@ -24,14 +24,6 @@ def state_folder() -> Path:
     return Path(os.environ.get("TRS80ARM_STATE") or user_state_path(APP, appauthor=False))
 
 
-def programs_that_come_along() -> Path | None:
-    """The folder of the programs that come with trs80arm, None where it was not installed."""
-    for folder in (Path(__file__).parents[2] / "programs", Path(__file__).parents[1] / "programs"):
-        if (folder / "table4.bas").is_file():
-            return folder
-    return None
-
-
 class RecentFiles:
     """The program files opened lately, newest first.
 
