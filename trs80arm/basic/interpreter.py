@@ -250,6 +250,8 @@ class Interpreter:
         execution = self.execution()
         if execution is None:
             self.control.dot = DIRECT
+            self.control.error = (min(int(error.code), 255) - 1) * 2
+            self.control.error_line = DIRECT
             self.report(error.code, None)
             return
         while self.stack[-1] is not execution:
@@ -264,7 +266,7 @@ class Interpreter:
         self.newline_if_needed()
         where = b"" if line is None else b" in %d" % line
         self.print_text(b"?" + code.letters.encode("ascii") + b" Error" + where + b"\r")
-        return_to_command(self, line if code is Code.SN else None)
+        return_to_command(self)
 
     def break_(self) -> None:
         """`Break in n` and to command level; CONT repeats the statement under way."""

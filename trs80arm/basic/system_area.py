@@ -21,6 +21,7 @@ USR_VECTOR: Final = 0x408E
 USR_UNSET: Final = 0x1E4A
 """Where the vector points until a program sets it: the ROM's FC error."""
 KEY_LATCH: Final = 0x4099
+ERROR_CODE: Final = 0x409A
 PRINTER_COLUMN: Final = 0x409B
 OUTPUT_DEVICE: Final = 0x409C
 PROGRAM_START: Final = 0x40A4
@@ -100,8 +101,8 @@ class SystemArea:
         basic = self._basic
         if address == 0x40AC:
             return basic.seed >> 16
-        if address == 0x409A:
-            return basic.control.error // 2 + 1
+        if address == ERROR_CODE:
+            return basic.control.error
         if address == 0x40F2:
             return 0xFF if basic.control.handling else 0
         if address == TRACE_FLAG:
@@ -120,6 +121,8 @@ class SystemArea:
         if 0x40AA <= address <= 0x40AC:
             shift = 8 * (address - 0x40AA)
             basic.seed = basic.seed & ~(0xFF << shift) | value << shift
+        elif address == ERROR_CODE:
+            basic.control.error = value
         elif address == 0x40F2:
             basic.control.handling = bool(value)
         elif address == TRACE_FLAG:

@@ -8,16 +8,20 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from trs80arm.basic.activity import Waiting
+from trs80arm.basic.control import DIRECT
 from trs80arm.basic.dialogue import auto, line_range
 from trs80arm.basic.dialogue.edit import Edit
 from trs80arm.basic.dialogue.home import Home, return_to_command
 from trs80arm.basic.dialogue.line_input import Line, LineInput
+from trs80arm.basic.errors import Code
 
 if TYPE_CHECKING:
     from trs80arm.basic.interpreter import Interpreter
 
 __all__ = ["CommandLevel", "return_to_command"]
 
+_SYNTAX_ERROR: Final = (Code.SN - 1) * 2
+"""What 409AH holds after an SN error."""
 _T_READY: Final = 2700
 """T-states from the end of a command to the R of READY, and between READY and the `>`."""
 
@@ -37,9 +41,7 @@ class CommandLevel(Home):
             basic.host.clock.now += _T_READY
             basic.print_text(b"READY\r")
             self._ready = False
-            if self._edit_line is not None:
-                line, self._edit_line = self._edit_line, None
-                basic.begin(Edit(line))
+            self._edit_after_syntax_error(basic)
         elif auto.is_on(basic):
             self._number = auto.prompt(basic)
             basic.begin(LineInput(Waiting.AUTO))
@@ -58,6 +60,14 @@ class CommandLevel(Home):
             # An error in storing the line, as any, leads to READY.
             self._ready = True
             self._ready = basic.enter_line(result.text)
+
+    def _edit_after_syntax_error(self, basic: Interpreter) -> None:
+        """EDIT on its line when the last error was SN, also one that a program has trapped."""
+        control = basic.control
+        if control.error == _SYNTAX_ERROR:
+            control.error = 0
+            if control.error_line != DIRECT:
+                basic.begin(Edit(control.error_line))
 
     def _numbered(self, basic: Interpreter, number: int, line: bytes | None) -> None:
         """A line typed at AUTO's number; BREAK, or a next number too large, ends AUTO."""

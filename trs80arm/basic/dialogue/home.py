@@ -19,25 +19,20 @@ class Home(Activity):
 
     def __init__(self) -> None:
         self._ready = True
-        self._edit_line: int | None = None
 
-    def come_back(self, edit_line: int | None, ready: bool) -> None:
-        """Begin again, with READY and perhaps EDIT on a line, or with a prompt alone."""
+    def come_back(self, ready: bool) -> None:
+        """Begin again, with READY or with a prompt alone."""
         self._ready = ready
-        self._edit_line = edit_line
 
 
-def return_to_command(
-    basic: Interpreter, edit_line: int | None = None, *, ready: bool = True
-) -> None:
-    """End everything under way: READY and `>`, and EDIT on `edit_line` if there is one.
+def return_to_command(basic: Interpreter, *, ready: bool = True) -> None:
+    """End everything under way: READY and `>`.
 
     Args:
         basic: the interpreter.
-        edit_line: the line that a syntax error drops the operator into.
         ready: whether READY is printed; after a stored line there is `>` alone.
     """
     bottom = basic.stack[0]
     assert isinstance(bottom, Home)
     del basic.stack[1:]
-    bottom.come_back(edit_line, ready)
+    bottom.come_back(ready)

@@ -133,6 +133,7 @@ class Flow(Part):
         if not self._control.handling:
             raise BasicError(Code.RW)
         self._control.handling = False
+        self._control.error = 0
 
     def resume_again(self) -> int:
         """RESUME: the failing statement again."""
