@@ -9,8 +9,9 @@ from tests.ui.golden_text import check_golden
 from trs80arm.ui.arm_view import ArmView
 from trs80arm.ui.readings import Posture, Readings
 from trs80arm.ui.rows import Ink, text_of
-from trs80arm.ui.scene import Extras, Joint, skeleton, top_scene
+from trs80arm.ui.scene import Extras, Joint, skeleton
 from trs80arm.ui.side_view import SideView, angles_text
+from trs80arm.ui.top_scene import top_scene
 from trs80arm.ui.top_view import TopView
 
 SIZES = [(76, 28), (50, 18), (40, 12), (16, 8), (46, 6)]

@@ -7,7 +7,8 @@ from math import degrees
 from trs80arm.ui.arm_view import ArmView
 from trs80arm.ui.readings import Readings
 from trs80arm.ui.rows import signed
-from trs80arm.ui.scene import Extras, Scene, side_scene
+from trs80arm.ui.scene import Extras, Scene
+from trs80arm.ui.side_scene import side_scene
 
 _LEGENDS = ("  :: where the motors were told to be", "  :: as commanded", " :: told")
 

@@ -7,7 +7,8 @@ from math import degrees
 from trs80arm.ui.arm_view import ArmView
 from trs80arm.ui.readings import Readings
 from trs80arm.ui.rows import signed
-from trs80arm.ui.scene import Extras, Scene, top_scene
+from trs80arm.ui.scene import Extras, Scene
+from trs80arm.ui.top_scene import top_scene
 
 
 class TopView(ArmView):
