@@ -103,8 +103,11 @@ PROGRAM = """
 """
 
 
-def operate(rig: Rig, pause: float | None, restore_at: float | None = None) -> Analyser:
-    """Run `PROGRAM` with somebody at the keys, in slices of `pause` seconds."""
+def operate(rig: Rig, pause: float | None, restore_at: dict[float, Mode] | None = None) -> Analyser:
+    """Run `PROGRAM` with somebody at the keys, in slices of `pause` seconds.
+
+    At the times of `restore_at` the rig is put away and brought back, in the motion given there.
+    """
     analyser = Analyser()
     rig.card.observers.append(analyser)
     rig.load_text(PROGRAM)
@@ -113,27 +116,31 @@ def operate(rig: Rig, pause: float | None, restore_at: float | None = None) -> A
     rig.type("RUN\r")
     script = [(11.0, "1"), (11.5, "W"), (12.25, "3"), (14.0, "0")]
     holds = [(begin + int(at * T_STATES_PER_SECOND), key) for at, key in script]
+    restores = [
+        (begin + int(at * T_STATES_PER_SECOND), mode) for at, mode in (restore_at or {}).items()
+    ]
     while rig.clock.now < end:
         target = min(end, rig.clock.now + int(pause * T_STATES_PER_SECOND)) if pause else end
-        if restore_at and rig.clock.now >= begin + restore_at * T_STATES_PER_SECOND:
-            restore_at = None
-            assert rig.driver.mode is Mode.STEP
+        if restores and rig.clock.now >= restores[0][0]:
+            assert rig.driver.mode is restores.pop(0)[1]
             rig.restore(rig.snapshot())
-            rig.card.observers[:] = [analyser]
         if holds and holds[0][0] <= target:
             time, key = holds.pop(0)
             rig.run_to(time)
             rig.hold([key], 0.6)
         else:
             rig.run_to(target)
+    assert not restores
     return analyser
 
 
-def test_the_same_writes_in_one_go_in_slices_and_after_a_restore_in_mid_motion():
+def test_the_same_writes_in_one_go_in_slices_and_after_restores_in_mid_motion():
     whole = Rig()
     expected = operate(whole, None)
     assert len(expected.writes) > 3000
-    for pause, restore_at in ((1 / 30, None), (0.0031, None), (1 / 60, 0.9)):
+    assert whole.driver.mode is Mode.IDLE
+    restores = {0.6: Mode.STEP, 2.0: Mode.CLOSE, 11.2: Mode.SET, 12.3: Mode.SET}
+    for pause, restore_at in ((1 / 30, None), (0.0031, None), (1 / 60, restores)):
         rig = Rig()
         seen = operate(rig, pause, restore_at)
         assert seen.writes == expected.writes
