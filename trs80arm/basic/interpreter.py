@@ -262,7 +262,7 @@ class Interpreter:
         """Print an error message and go to command level; ?SN in a line goes on to EDIT."""
         self.outcome = Outcome(Kind.ERROR, code, line)
         self.strings.temporaries.clear()
-        self.runtime.printing.to_screen()
+        self.runtime.printing.leave_printer()
         self.newline_if_needed()
         where = b"" if line is None else b" in %d" % line
         self.print_text(b"?" + code.letters.encode("ascii") + b" Error" + where + b"\r")
@@ -286,14 +286,14 @@ class Interpreter:
         self.strings.temporaries.clear()
         if kind is Kind.END:
             self.outcome = Outcome(kind, None, number)
-            self.runtime.printing.to_screen()
+            self.runtime.printing.leave_printer()
             return_to_command(self)
         else:
             self._say_break(number, kind)
 
     def _say_break(self, line: int | None, kind: Kind) -> None:
         self.outcome = Outcome(kind, None, line)
-        self.runtime.printing.to_screen()
+        self.runtime.printing.leave_printer()
         self.newline_if_needed()
         self.print_text(b"Break" + (b"" if line is None else b" in %d" % line) + b"\r")
         return_to_command(self)

@@ -37,6 +37,8 @@ _PRECEDENCE = {
     tokens.OR: 0x46,
 }
 _RELATIONS = {1: ">", 2: "==", 3: ">=", 4: "<", 5: "!=", 6: "<="}
+PARENTHESIS_BYTES = 6
+"""What a level of parentheses takes on the Z-80's stack, which MEM shows."""
 _MAX_DEPTH = 60
 """Nesting that the Z-80's stack would still hold in a small machine; beyond it is OM."""
 
@@ -95,6 +97,7 @@ class ExpressionCompiler:
         self._depth = 0
         self.observes = False
         self.plain = True
+        self.stack_bytes = 0
 
     # -- mistakes -----------------------------------------------------------------------------
 
@@ -112,6 +115,7 @@ class ExpressionCompiler:
 
     def expression(self) -> Expression:
         """An expression, up to the first character that does not belong to it."""
+        self.reader.skip()
         return self._evaluate(0)
 
     def number(self) -> Expression:
@@ -187,7 +191,13 @@ class ExpressionCompiler:
         return right
 
     def _relation(self, left: Expression, mask: int) -> Expression:
-        right = self._right(left.text, RELATION)
+        if left.kind == STRING:
+            # A string is compared with a single operand: "A"="B"+"C" is ("A"="B")+"C".
+            self.pending.append(left.text)
+            right = self._operand()
+            self.pending.pop()
+        else:
+            right = self._right(left.text, RELATION)
         strings = (left.kind == STRING) + (right.kind == STRING)
         if strings == 1:
             self.pending += [left.text, right.text]
@@ -408,7 +418,9 @@ class ExpressionCompiler:
         if code != 0x28:
             raise self.mistake(Code.SN)
         reader.advance()
+        self.stack_bytes += PARENTHESIS_BYTES
         value = self.expression()
+        self.stack_bytes -= PARENTHESIS_BYTES
         self.close_parenthesis(value.text)
         text = value.text if value.text.isidentifier() else f"({value.text})"
         condition = f"({value.condition})" if value.condition else None
@@ -452,7 +464,9 @@ class ExpressionCompiler:
             raise self.mistake(error.code) from None
         reader.position = end
         self.out.cost += costs.constant(reader.text[start:end], value)
-        reader.skip()
+        if reader.text[end - 1 : end] not in (b"#", b"!", b"%"):
+            # Blanks behind a type sign are not passed: they end the expression.
+            reader.skip()
         if isinstance(value, Double):
             return Expression(self._double_constant(value), DOUBLE, simple=True)
         kind = INTEGER if isinstance(value, int) else SINGLE

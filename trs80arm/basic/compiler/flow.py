@@ -132,6 +132,7 @@ class FlowCompiler(AssignmentCompiler):
 
     def _branch(self) -> None:
         """What is done in one case: a line number, a statement, or nothing."""
+        self.reader.skip()
         try:
             if 0x30 <= self.reader.code <= 0x39:
                 self.goto()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from trs80arm.basic import costs, tokens
-from trs80arm.basic.compiler.expressions import Expression, Mistake
+from trs80arm.basic.compiler.expressions import PARENTHESIS_BYTES, Expression, Mistake
 from trs80arm.basic.compiler.flow import FlowCompiler
 from trs80arm.basic.errors import Code
 from trs80arm.basic.variables import STRING
@@ -92,14 +92,15 @@ class OutputCompiler(FlowCompiler):
         while True:
             out.charge()
             out.emit(f"using_literal({layout_name})")
+            self.stack_bytes = PARENTHESIS_BYTES
             value = self.expression()
-            separator = reader.code in (0x2C, 0x3B)
-            if not separator and not reader.at_end:
-                self.pending.append(value.text)
-                raise Mistake(Code.SN)
+            self.stack_bytes = 0
             out.charge()
             function = "using_string" if value.kind == STRING else "using_number"
             out.emit(f"{function}({layout_name}, {value.text})")
+            separator = reader.code in (0x2C, 0x3B)
+            if not separator and not reader.at_end:
+                raise Mistake(Code.SN)
             if not separator:
                 out.emit(f"using_end({layout_name})")
                 out.emit("print_newline()")

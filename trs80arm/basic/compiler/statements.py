@@ -215,9 +215,7 @@ class StatementCompiler(ArmCompiler):
             self.out.emit("new_program()")
 
     def cont(self) -> bool:
-        """CONT."""
-        if not self.reader.at_end:
-            return True
+        """CONT; what stands behind it is not looked at."""
         self.out.go("continue_program()")
         return False
 

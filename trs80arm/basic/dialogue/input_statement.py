@@ -7,7 +7,6 @@ items before, and an error in the list comes after the question.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from trs80arm.basic.activity import Activity, Waiting
@@ -38,6 +37,17 @@ class Target(Protocol):
 
     def assign(self, value: Any) -> None:
         """Give it a number of any type, or bytes."""
+
+
+class TargetList(Protocol):
+    """The list of variables, each found in its turn."""
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, number: int) -> Target: ...
+
+    def restart(self) -> None:
+        """The answer was no good: none has been found yet."""
 
 
 class Items:
@@ -106,7 +116,7 @@ class InputStatement(Activity):
         targets: the variables.
     """
 
-    def __init__(self, prompt: bytes, targets: Sequence[Target]) -> None:
+    def __init__(self, prompt: bytes, targets: TargetList) -> None:
         self._prompt = prompt
         self._targets = targets
         self._done = 0
@@ -141,6 +151,7 @@ class InputStatement(Activity):
             if not items.separator():
                 basic.print_text(b"?REDO\r")
                 self._done = 0
+                self._targets.restart()
                 self._question = self._prompt + b"? "
                 return
             self._done += 1

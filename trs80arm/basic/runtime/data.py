@@ -67,6 +67,10 @@ class Targets:
             raise IndexError(number)
         return ListedTarget(self._basic, self, number)
 
+    def restart(self) -> None:
+        """Begin again with the first variable."""
+        del self._places[1:]
+
     def find(self, number: int) -> Any:
         """The variable of that number; what comes before it has been found already."""
         del self._places[number + 1 :]

@@ -25,6 +25,12 @@ class Printing(Part):
         """Send what is printed to the screen."""
         self._ram[system_area.OUTPUT_DEVICE] = 0
 
+    def leave_printer(self) -> None:
+        """To the screen for good (038BH): the printer gets the end of a line begun."""
+        self._ram[system_area.OUTPUT_DEVICE] = 0
+        if self._ram[system_area.PRINTER_COLUMN]:
+            self._put_printer(_NEWLINE)
+
     def to_printer(self) -> None:
         """Send what is printed to the printer."""
         self._ram[system_area.OUTPUT_DEVICE] = 1

@@ -64,14 +64,14 @@ class Storage(Part):
         stack = self._control.stack_bytes() + system_area.STACK_AT_REST
         return self._strings.bottom - stack - self._variables.end
 
-    def free_memory(self) -> int | float:
-        """MEM."""
-        free = self.free_bytes()
+    def free_memory(self, in_use: int) -> int | float:
+        """MEM, with so many bytes of the stack in use by the expression."""
+        free = self.free_bytes() - in_use
         return free if free < 32768 else float(free)
 
-    def free_after(self, _argument: object) -> int | float:
+    def free_after(self, _argument: object, in_use: int) -> int | float:
         """FRE of a number."""
-        return self.free_memory()
+        return self.free_memory(in_use)
 
     def _check_room(self, size: int) -> None:
         if size > self.free_bytes() - system_area.STACK_RESERVE:
