@@ -17,8 +17,10 @@ class Desk:
         self.cost = cost
         self.waiting = Waiting.NOTHING
         self.typing = False
+        self.slices = 0
 
     def run_for(self, seconds: float) -> None:
+        self.slices += 1
         self.time += seconds
         self.wall += seconds * self.cost
 
@@ -92,3 +94,10 @@ def test_flat_out_waits_for_its_operator_at_speed_one() -> None:
     desk.waiting = Waiting.SET
     desk.pass_wall(paced(desk, None), 10.0)
     assert desk.time == pytest.approx(10.0, rel=0.01)
+
+
+def test_a_rest_below_a_t_state_is_not_paid_over_and_over() -> None:
+    desk = Desk()
+    pacer = paced(desk, 1.0)
+    desk.pass_wall(pacer, 5.0)
+    assert desk.slices < 5 * 60 * 6

@@ -21,6 +21,8 @@ SLICE = 0.004
 """Virtual seconds in one slice at the start; slices grow and shrink with what they cost."""
 LONGEST_SLICE = 0.25
 SHORTEST_SLICE = 0.0005
+LEAST_OWED = 0.0001
+"""Virtual seconds that are too few to be paid now."""
 MOST_OWED = 0.25
 """Seconds of the wall that may be owed; after a suspend the rest is forgotten."""
 ACHIEVED_OVER = 1.0
@@ -116,7 +118,7 @@ class Pacer:
 
     def _pay(self, end: float) -> None:
         machine = self.machine
-        while (owed := self._target - machine.time) > 0:
+        while (owed := self._target - machine.time) > LEAST_OWED:
             self._one_slice(min(owed, self._slice))
             if self._wall() >= end:
                 return
