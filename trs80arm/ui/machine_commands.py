@@ -104,7 +104,7 @@ class MachineCommands(FileCommands):
         self.push_screen(Choose("Bench", choices, now), self._chosen_bench)
 
     def _benches(self) -> list[Path]:
-        folders = {Path.cwd()()}
+        folders = {Path.cwd(), programs_folder()}
         if self.session.path is not None:
             folders.add(self.session.path.resolve().parent)
         found = {
