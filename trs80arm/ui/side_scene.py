@@ -75,7 +75,7 @@ def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     shapes += _pedestal(base, fittings)
     shapes.append(Stroke((-99.0, 0.0), (99.0, 0.0), Ink.FURNITURE))
     shapes += [_side_block(thing, base) for thing in inside if not thing.held]
-    shapes.append(Trace(tuple(point.side for point in extras.trail), Ink.TRAIL, "'."))
+    shapes.append(Trace(tuple(point.side for point in extras.trail), Ink.TRAIL, "`,"))
     if readings.believed:
         shapes += _side_ghost(readings.believed)
     shapes += [_side_block(thing, base) for thing in inside if thing.held]

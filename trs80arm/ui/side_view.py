@@ -26,7 +26,11 @@ hand is drawn turned towards you, so that its opening shows; how it is rolled is
 `[#]` is a part, `[:]` a thing that stands beside the plane, `=` a feeder, `_` a tray, `X` an
 obstacle. When a motor has slipped, dots `::` show where the arm would be if it had not.
 
-The angles below are those of the article: upper arm, forearm and hand to the horizontal.
+On request `+` outlines where the fingertip can reach with the hand straight, and `,` marks where it
+has been. A closer look follows the hand.
+
+The angles below are those of the article: upper arm, forearm and hand to the horizontal, the roll
+with the base's turn taken out.
 """
 
     def scene(self, readings: Readings, extras: Extras) -> Scene:
@@ -48,8 +52,8 @@ def angles_text(readings: Readings, width: int) -> str:
     """The five angles in degrees, as wordy as `width` cells allow; nothing if there is no room."""
     angles = readings.posture.angles
     values = [
-        degrees(angle)
-        for angle in (angles.base, angles.shoulder, angles.elbow, angles.pitch, angles.roll)
+        *map(degrees, (angles.base, angles.shoulder, angles.elbow, angles.pitch)),
+        readings.pose.roll,
     ]
     for names, digits in (
         (("base ", "shoulder ", "elbow ", "pitch ", "roll "), 1),

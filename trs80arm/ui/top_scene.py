@@ -64,7 +64,7 @@ def top_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     )
     for thing in loose:
         shapes += _top_block(thing)
-    shapes.append(Trace(tuple(point.top for point in extras.trail), Ink.TRAIL, "'."))
+    shapes.append(Trace(tuple(point.top for point in extras.trail), Ink.TRAIL, "`,"))
     if readings.believed:
         ghost = forward(readings.believed.angles)
         shapes.append(Stroke((0.0, 0.0), ghost.fingertip[:2], Ink.GHOST, dotted=True))

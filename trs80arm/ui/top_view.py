@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import degrees
-
 from trs80arm.ui.arm_view import ArmView
 from trs80arm.ui.readings import Readings
 from trs80arm.ui.rows import signed
@@ -19,11 +17,13 @@ class TopView(ArmView):
 
 The arm's front, the article's x, is to the right, and its left side, y, is up. `O` is the axis of
 the base, and the outline around it the base plate. The two bars at the fingertips are the fingers,
-with the opening between them: they lie as the roll turns them. Small as they are, one of
+with the opening between them: they lie as the roll turns them (the caption counts it as Table 4 does, with the base's turn taken
+out). Small as they are, one of
 `|` `/` `-` `\\` shows it.
 
 `[#]` is a part, `=` a feeder, `_` or a frame a tray, `X` an obstacle, `@` a turntable, `?` a
-sensor. Dots `::` lead to where the fingertip would be if no motor had slipped.
+sensor. Dots `::` lead to where the fingertip would be if no motor had slipped. On request `+`
+outlines how far the arm reaches, and `,` marks where the fingertip has been.
 """
 
     def scene(self, readings: Readings, extras: Extras) -> Scene:
@@ -33,7 +33,6 @@ sensor. Dots `::` lead to where the fingertip would be if no motor had slipped.
     def caption(self, readings: Readings, width: int) -> str:
         """The place of the fingertip, and the roll."""
         pose = readings.pose
-        roll = degrees(readings.posture.angles.roll)
         place = f"x{signed(pose.x, 1)} y{signed(pose.y, 1)} z{signed(pose.z, 1)}"
-        longer = f"{place} roll{signed(roll, 0)}"
+        longer = f"{place} roll{signed(pose.roll, 0)}"
         return longer if len(longer) <= width else place if len(place) <= width else ""

@@ -27,6 +27,8 @@ from trs80arm.ui.top_view import TopView
 FRAMES_PER_SECOND = 15
 JOINTS = ("base", "shoulder", "elbow", "pitch", "roll", "hand")
 """What can be turned by hand, as the arm names them."""
+_SHOWN = {"roll": "roll on arm"}
+"""The wrist's own roll; the captions and poses count it with the base's turn taken out."""
 NUDGE = {"hand": 0.1}
 """How far an arrow key moves, inches; all others go by one degree."""
 _FIGURES = "0123456789.-"
@@ -79,7 +81,7 @@ class HandMoveScreen(Dialog[None]):
     HandMoveScreen SideView { width: 3fr; height: 100%; }
     HandMoveScreen TopView { width: 2fr; height: 100%; }
     HandMoveScreen .below { height: 6; }
-    HandMoveScreen .joints { height: 6; width: 24; }
+    HandMoveScreen .joints { height: 6; width: 25; }
     HandMoveScreen .entry { height: 6; width: 1fr; }
     """
     HELP = """
@@ -150,7 +152,7 @@ them off.
             mark = ">" if place == self._joint else " "
             unit = "in" if joint == "hand" else "°"
             digits = 2 if joint == "hand" else 1
-            lines.append(f"{mark} {joint:9}{signed(value, digits):>7} {unit}")
+            lines.append(f"{mark} {_SHOWN.get(joint, joint):11}{signed(value, digits):>7} {unit}")
         self.query_one(".joints", Static).update("\n".join(lines))
         if readings.motors_on:
             self.query_one(".wrong", Static).update("The motors are on: @RESET turns them off.")
