@@ -17,9 +17,8 @@ class TopView(ArmView):
 
 The arm's front, the article's x, is to the right, and its left side, y, is up. `O` is the axis of
 the base, and the outline around it the base plate. The two bars at the fingertips are the fingers,
-with the opening between them: they lie as the roll turns them (the caption counts it as Table 4 does, with the base's turn taken
-out). Small as they are, one of
-`|` `/` `-` `\\` shows it.
+with the opening between them: they lie as the roll turns them. (The caption counts the roll as
+Table 4 does, with the base's turn taken out.) Small as they are, one of `|` `/` `-` `\\` shows it.
 
 `[#]` is a part, `=` a feeder, `_` or a frame a tray, `X` an obstacle, `@` a turntable, `?` a
 sensor. Dots `::` lead to where the fingertip would be if no motor had slipped. On request `+`
