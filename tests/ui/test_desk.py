@@ -340,3 +340,42 @@ def test_ctrl_keys_are_not_the_machines(sit_down: Opener) -> None:
             assert sitting.tube.rstrip().endswith(">_")
 
     run(work())
+
+
+def test_break_ends_a_pause(sit_down: Opener) -> None:
+    async def work() -> None:
+        async with sit_down() as sitting:
+            await sitting.press("f6")
+            await sitting.press("escape")
+            await sitting.pilot.pause()
+            assert not sitting.app.pacer.paused
+
+    run(work())
+
+
+def test_one_statement_at_a_time(sit_down: Opener) -> None:
+    async def work() -> None:
+        async with sit_down() as sitting:
+            await sitting.type_line("10 A=1")
+            await sitting.type_line("20 GOTO 10")
+            await sitting.press("f5")
+            await sitting.pass_time(1.5)
+            lines = {sitting.app.session.step_statement() for _ in range(4)}
+            assert lines == {10, 20}
+
+    run(work())
+
+
+def test_one_motor_step_at_a_time(sit_down: Opener) -> None:
+    async def work() -> None:
+        async with sit_down() as sitting:
+            rig = sitting.app.session.rig
+            rig.type("@STEP 50,20\r")
+            rig.run_until(lambda rig: rig.registers[0] > 3)
+            before = rig.registers[0]
+            await sitting.press("shift+f7")
+            await sitting.press("shift+f7")
+            await sitting.pilot.pause()
+            assert rig.registers[0] == before + 2
+
+    run(work())

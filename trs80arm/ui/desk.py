@@ -304,6 +304,7 @@ class Desk(App[int]):
     def on_key_went_down(self, message: KeyWentDown) -> None:
         """A key of a terminal that tells presses from releases."""
         if self.at_the_keyboard and not self.operator_came():
+            self._mind_the_pause(message.name)
             self.keyboard.went_down(message.base, message.name, message.text)
 
     def on_key_went_up(self, message: KeyWentUp) -> None:
@@ -318,7 +319,18 @@ class Desk(App[int]):
         """A key of a terminal that does not."""
         if not self.keyboard.reports_releases and self.operator_came():
             return
+        self._mind_the_pause(message.name)
         self.keyboard.typed(message.name, message.text)
+
+    def _mind_the_pause(self, name: str) -> None:
+        """A key in a pause waits for its end, but BREAK ends it."""
+        if not self.pacer.paused:
+            return
+        if name == "escape":
+            self.pacer.pause(False)
+            self.say("Going on.")
+        else:
+            self.say("Paused: keys wait until F6.")
 
     def operator_came(self) -> bool:
         """Whether a key only ended something that was playing; the commands say what plays."""

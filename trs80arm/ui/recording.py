@@ -33,6 +33,7 @@ ACTIONS = frozenset(
         "refill",
         "move_joint",
         "move_to",
+        "step_statement",
     )
 )
 """What may stand in a recording: the methods of `Rig` that it records."""
