@@ -249,7 +249,7 @@ class Rig:
         clock = works.clock
         before = clock.now
         while clock.now == before or works.driver.mode in (Mode.STEP, Mode.CLOSE):
-            self._apply_due()
+            self._move_keys()
             clock.limit = clock.now + T_STATES_PER_SECOND // 60
             works.basic.step_statement()
         return works.basic.next_line
@@ -268,13 +268,6 @@ class Rig:
 
     def _move_keys(self) -> None:
         """Let the keys go down and up whose time has come."""
-        works = self._works
-        while works.events and works.events[0].time <= works.clock.now:
-            event = heapq.heappop(works.events)
-            (works.matrix.press if event.down else works.matrix.release)(event.key)
-
-    def _apply_due(self) -> None:
-        """Press and release the keys whose time has come."""
         works = self._works
         while works.events and works.events[0].time <= works.clock.now:
             event = heapq.heappop(works.events)

@@ -6,9 +6,9 @@ import itertools
 from pathlib import Path
 
 import pytest
-from trs80arm.arm.bench import Bench
 
 from trs80arm import Rig
+from trs80arm.arm.bench import Bench
 from trs80arm.operator import Operator, parse_holds
 
 PROGRAMS = Path(__file__).parents[2] / "programs"

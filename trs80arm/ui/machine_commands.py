@@ -8,6 +8,7 @@ from pathlib import Path
 from trs80arm.arm.bench import BenchError
 from trs80arm.arm.geometry import OutOfReach
 from trs80arm.arm.minimover import InTheWay, MotorsOn
+from trs80arm.bundled import programs_folder
 from trs80arm.machine.keys import Key
 from trs80arm.options import KeyMode
 from trs80arm.settings import Speed
