@@ -124,6 +124,19 @@ def test_the_hand_takes_hold_after_arriving_and_lets_go_after_arriving() -> None
     assert all(move.joints[5] == 0 for move in route)
 
 
+def test_a_tighter_hold_comes_before_the_move_and_a_looser_one_after_it() -> None:
+    lesson = pick_and_place()
+    lesson.set_grip(2, grips=True, squeeze=0)
+    lesson.set_grip(4, grips=True, squeeze=10)
+    route = moves(lesson.positions, Manner())
+    assert [(move.before, move.hand) for move in route[1:4]] == [(0, 0), (-30, 0), (0, 20)]
+    steps = in_steps(lesson.positions, Manner())
+    assert re.search(r"@STEP S,0,0,0,0,0,-30\n\d+ @STEP S, 0, -132", steps)
+    data = in_data(lesson.positions, Manner())
+    assert "DATA 8, 0, 0.5, -90, 0, 0, -30, 50\n" in data
+    assert "110 DIM UU(8,9)" in data
+
+
 def test_going_round_brings_every_joint_back() -> None:
     route = moves(pick_and_place().positions, Manner())
     assert [sum(column) for column in zip(*(move.joints[:5] for move in route), strict=True)] == (

@@ -7,7 +7,7 @@ computes the joints.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -38,20 +38,23 @@ class Move:
         joints: steps of J1 to J5, and of J6 where the hand opens or closes freely on the way.
         closes: whether the hand closes by `@CLOSE` on arrival.
         hand: steps of the hand on arrival: the squeeze after a `@CLOSE`, or the opening.
+        before: steps of the hand before setting off, where it holds more tightly from here on.
     """
 
     start: Position
     end: Position
     joints: Counts
-    closes: bool
-    hand: int
+    closes: bool = False
+    hand: int = 0
+    before: int = 0
 
 
 def moves(positions: Sequence[Position], manner: Manner) -> list[Move]:
     """The moves from the first position through all others, and back to it if the arm repeats.
 
     The hand moves along with the arm while it holds nothing. It takes hold after the arm has
-    arrived, and lets go after it has arrived; while it holds, its motor rests.
+    arrived, and lets go after it has arrived. While it holds, its motor only makes up for another
+    squeeze: a tighter one before the arm sets off, a looser one after it has arrived.
     """
     route = list(positions)
     if manner.repeats and len(route) > 1:
@@ -62,12 +65,15 @@ def moves(positions: Sequence[Position], manner: Manner) -> list[Move]:
 def _move(start: Position, end: Position) -> Move:
     *arm, hand = steps_between(start.registers, end.registers)
     a, b, c, d, e = arm
+    held = (a, b, c, d, e, 0)
     if end.grips and not start.grips:
-        return Move(start, end, (a, b, c, d, e, 0), True, -end.squeeze)
+        return Move(start, end, held, closes=True, hand=-end.squeeze)
     if start.grips and not end.grips:
-        return Move(start, end, (a, b, c, d, e, 0), False, hand)
-    along = 0 if start.grips else hand
-    return Move(start, end, (a, b, c, d, e, along), False, 0)
+        return Move(start, end, held, hand=hand)
+    if start.grips:
+        tighter = start.squeeze - end.squeeze
+        return Move(start, end, held, hand=max(0, tighter), before=min(0, tighter))
+    return Move(start, end, (a, b, c, d, e, hand))
 
 
 def in_steps(positions: Sequence[Position], manner: Manner) -> str:
@@ -101,6 +107,8 @@ def in_steps(positions: Sequence[Position], manner: Manner) -> str:
     start = lines.number
     for move in moves(positions, manner):
         lines.add(f"REM {move.start.name} TO {move.end.name}")
+        if move.before:
+            lines.add(f"@STEP S,0,0,0,0,0,{move.before}")
         if any(move.joints):
             lines.add(f"@STEP S, {_listed(move.joints)}")
         if move.closes:
@@ -134,9 +142,9 @@ def in_data(positions: Sequence[Position], manner: Manner) -> str:
         lines.add(text)
     for text in ("REM * TAUGHT POSITIONS IN CARTESIAN COORDINATES", "REM *", "REM *****"):
         lines.add(text)
-    route = moves(positions, manner)
-    program = _TABLE_4.replace("{moves}", str(max(1, len(route))))
-    again = "1010" if route and manner.repeats else "2000"
+    data = list(_data_lines(moves(positions, manner), manner.speed))
+    program = _TABLE_4.replace("{moves}", str(max(1, len(data))))
+    again = "1010" if data and manner.repeats else "2000"
     for line in program.replace("{again}", again).splitlines():
         lines.quote(line)
     lines.next(9000)
@@ -145,12 +153,19 @@ def in_data(positions: Sequence[Position], manner: Manner) -> str:
     lines.next(10000)
     opening = round(first.pose.opening * HAND_STEPS)
     lines.add(f"DATA {_coordinates(first)}, 0, {opening}, {manner.speed}")
-    for move in route:
-        hand = move.hand or move.joints[5]
-        closes = int(move.closes)
-        lines.add(f"DATA {_coordinates(move.end)}, {closes}, {hand}, {manner.speed}")
+    for line in data:
+        lines.add(line)
     lines.add("DATA -999, 0, 0, 0, 0, 0, 0, 0")
     return lines.text()
+
+
+def _data_lines(route: Sequence[Move], speed: int) -> Iterator[str]:
+    """A line for each move, and one more where the hand tightens before it."""
+    for move in route:
+        if move.before:
+            yield f"DATA {_coordinates(move.start)}, 0, {move.before}, {speed}"
+        hand = move.hand or move.joints[5]
+        yield f"DATA {_coordinates(move.end)}, {int(move.closes)}, {hand}, {speed}"
 
 
 def _first(positions: Sequence[Position]) -> Position:
