@@ -96,6 +96,7 @@ COMMANDS: tuple[Command, ...] = (
     Command("copy_screen", "Screen: copy", "Copy the tube's text.", "ctrl+y"),
     Command("save_screen('txt')", "Screen: save as text", "The tube as a text file."),
     Command("save_screen('svg')", "Screen: save as picture", "The whole window as SVG."),
+    Command("change_theme", "Screen: theme", "Green, white, amber, high contrast, paper."),
     Command("glyphs", "Screen: graphics glyphs", "Sextants, braille, quadrants or ASCII."),
     Command("cursor", "Screen: cursor blinks or not", "The ROM's own is steady."),
     Command("save_recording", "Session: save a recording", "All that was done since power-on."),

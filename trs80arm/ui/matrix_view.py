@@ -42,8 +42,8 @@ _CAPS = {
 }
 _ASCII_CAPS = {Key.UP: "^", Key.DOWN: "v", Key.LEFT: "<-", Key.RIGHT: "->"}
 _SHORT_KEY = 3
-JOINTS = ("BASE", "SHOULDER", "ELBOW", "L.WRIST", "R.WRIST", "HAND")
-"""The joints of J1 to J6, short enough for a key."""
+JOINTS = "Base shoulder elbow wrist wrist hand"
+"""J1 to J6 in a line of 80 columns."""
 TALL = 9
 """Rows from which on each row of keys has a row of labels under it."""
 
@@ -188,8 +188,7 @@ class MatrixView(Widget):
     def _legend(self) -> str:
         plus = "".join(self.jog.positive)
         minus = "".join(self.jog.negative)
-        joints = " ".join(f"{number}{name.lower()}" for number, name in enumerate(JOINTS, start=1))
-        return f"@SET: {plus} forward, {minus} back, {self.jog.leave} ends: {joints}"
+        return f"@SET: {plus} forward, {minus} back, {self.jog.leave} ends. {JOINTS}"
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Hold or latch the key under the mouse."""

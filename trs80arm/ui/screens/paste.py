@@ -28,6 +28,7 @@ class PasteScreen(Dialog[Listing]):
     DEFAULT_CSS = """
     PasteScreen > .dialog { height: 90%; }
     PasteScreen TextArea { height: 1fr; border: none; }
+    PasteScreen TextArea:focus { border: none; }
     """
 
     def compose(self) -> ComposeResult:

@@ -1,0 +1,136 @@
+"""Makes the manual's screenshots from the running program, as SVG files in docs/screenshots.
+
+    python docs/make_screenshots.py
+
+The machine's clock is held and let go by the script, so the pictures are the same every time.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import tempfile
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+
+FOLDER = Path(__file__).parent / "screenshots"
+PROGRAMS = Path(__file__).parents[1] / "programs"
+TICK = 1 / 60
+
+
+class Wall:
+    """A clock that stands until it is moved."""
+
+    def __init__(self) -> None:
+        self.now = 1000.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+class Sitting:
+    """The program with its clocks held."""
+
+    def __init__(self, app: Any, pilot: Any, wall: Wall) -> None:
+        self.app = app
+        self.pilot = pilot
+        self._wall = wall
+
+    async def pass_time(self, seconds: float) -> None:
+        """Let time pass."""
+        for _ in range(round(seconds / TICK)):
+            self._wall.now += TICK
+            self.app.tick()
+        await self.pilot.pause()
+        self.app.draw()
+        await self.pilot.pause()
+
+    async def type(self, text: str) -> None:
+        """Type, and wait until the machine waits again."""
+        self.app.session.rig.type(text)
+        self.app.session.rig.run_until_waiting(60)
+        self.app.pacer.forgive()
+        await self.pass_time(0.2)
+
+
+Scene = Callable[[Sitting], Awaitable[None]]
+
+
+async def start(sitting: Sitting) -> None:
+    """The first start."""
+    await sitting.pass_time(0.2)
+
+
+async def manual(sitting: Sitting) -> None:
+    """Manual mode with two keys held and the keyboard shown."""
+    await sitting.type("@SET\r")
+    await sitting.app.run_action("show_bottom('keyboard')")
+    sitting.app.keyboard.held.latch(("1", "W"))
+    await sitting.pass_time(0.6)
+
+
+async def table4(sitting: Sitting) -> None:
+    """Table 4 at work."""
+    await sitting.type("RUN\r")
+    sitting.app.session.rig.hold(["6"], 1.0)
+    await sitting.pass_time(1.4)
+    sitting.app.session.rig.hold(["0"], 0.1)
+    await sitting.pass_time(19)
+
+
+async def slipped(sitting: Sitting) -> None:
+    """A shoulder driven into its stop: register and arm differ."""
+    await sitting.type("CLS\r")
+    await sitting.type("@STEP 50,0,-3000,0,0,0,200\r")
+    await sitting.pass_time(0.5)
+
+
+def action(name: str) -> Scene:
+    """A dialog."""
+
+    async def scene(sitting: Sitting) -> None:
+        await sitting.app.run_action(name)
+        await sitting.pass_time(0.1)
+
+    return scene
+
+
+async def shoot(name: str, size: tuple[int, int], scene: Scene, **options: Any) -> None:
+    """Make one picture."""
+    from trs80arm.options import TerminalOptions
+    from trs80arm.ui.app import Trs80Arm, open_session
+
+    wall = Wall()
+    chosen = TerminalOptions(**options)
+    with tempfile.TemporaryDirectory() as state:
+        session = open_session(chosen)
+        app = Trs80Arm(session, chosen, Path(state), wall=wall, ticking=False)
+        async with app.run_test(size=size) as pilot:
+            await pilot.pause()
+            await scene(Sitting(app, pilot, wall))
+            picture = app.export_screenshot(title="trs80arm")
+    (FOLDER / f"{name}.svg").write_text(picture, encoding="utf-8")
+    print(FOLDER / f"{name}.svg")
+
+
+async def main() -> None:
+    """Make all of them."""
+    from trs80arm.options import ArmStyle
+
+    FOLDER.mkdir(exist_ok=True)
+    program = PROGRAMS / "table4.bas"
+    await shoot("start", (120, 40), start)
+    await shoot("small", (80, 24), start)
+    await shoot("table4", (120, 40), table4, program=program)
+    await shoot("braille", (120, 40), table4, program=program, arm_style=ArmStyle.BRAILLE)
+    await shoot("manual", (120, 40), manual)
+    await shoot("slipped", (120, 40), slipped, theme="amber")
+    await shoot("open", (100, 30), action("open"), theme="white")
+    await shoot("help", (100, 30), action("help"))
+
+
+if __name__ == "__main__":
+    os.environ["LANG"] = "C.UTF-8"
+    os.environ.pop("NO_COLOR", None)
+    asyncio.run(main())
