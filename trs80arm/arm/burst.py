@@ -60,7 +60,7 @@ def run_free(
     """Do the beginning of a burst in which nothing happens.
 
     Args:
-        arm: the arm; no rotor of it may be held back or out of step.
+        arm: the arm, every motor of it settled.
         times: T-states.
         latches: 0 to 6.
         nibbles: coil patterns.

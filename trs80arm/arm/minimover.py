@@ -168,7 +168,7 @@ class MiniMover:
         done, patience = 0, SHORT
         while done < count:
             ran = 0
-            if count - done >= SHORT and not self._held_back and not self._quivering():
+            if count - done >= SHORT and all(motor.settled for motor in self.motors):
                 window = slice(done, min(count, done + LONGEST))
                 ran, ended = run_free(
                     self, when[window], where[window], what[window], stop, ends[window]
@@ -206,10 +206,6 @@ class MiniMover:
             if last and self.inputs(time) & mask == value:
                 return i + 1, True
         return end, False
-
-    def _quivering(self) -> bool:
-        """Whether any rotor has dropped out of step."""
-        return any(motor.anchor is not None for motor in self.motors)
 
     def arrive(self, rotors: list[int], time: int) -> None:
         """Be where free motion has led to."""

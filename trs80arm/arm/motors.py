@@ -162,9 +162,9 @@ class StepperMotor:
         return self.rotor + (pull if pull < 4 else pull - RING)
 
     @property
-    def strained(self) -> bool:
-        """Whether something keeps the rotor from where the field pulls it."""
-        return self.row >= 0 and self.target != self.rotor
+    def settled(self) -> bool:
+        """Whether the rotor stands in step, where the field points, or there is no field."""
+        return self.row < 0 or (self.anchor is None and (self.rotor - self.row) % RING == 0)
 
     def release(self) -> None:
         """No field: nothing pulls the rotor, and slip is counted anew from where it stands."""

@@ -66,12 +66,12 @@ class Box:
         """From its centre to its highest corner, inches."""
         return sum(h * abs(axis[2]) for h, axis in zip(self.half, self.axes, strict=True))
 
-    @property
+    @cached_property
     def bottom(self) -> float:
         """Height of its lowest corner, inches."""
         return self.center[2] - self.rise
 
-    @property
+    @cached_property
     def top(self) -> float:
         """Height of its highest corner, inches."""
         return self.center[2] + self.rise
@@ -141,20 +141,29 @@ def interval(box: Box, start: Vector, end: Vector, skin: float = 0.0) -> tuple[f
         From and to, as fractions of the segment between 0 and 1, or None if it misses.
     """
     low, high = 0.0, 1.0
-    offset, along = minus(start, box.center), minus(end, start)
-    for axis, half in zip(box.axes, box.half, strict=True):
-        half -= skin
+    cx, cy, cz = box.center
+    px, py, pz = start[0] - cx, start[1] - cy, start[2] - cz
+    vx, vy, vz = end[0] - start[0], end[1] - start[1], end[2] - start[2]
+    # The vertical first: most segments pass above most things.
+    for i in (2, 0, 1):
+        ax, ay, az = box.axes[i]
+        half = box.half[i] - skin
         if half <= 0:
             return None
-        p, v = dot(offset, axis), dot(along, axis)
+        p = px * ax + py * ay + pz * az
+        v = vx * ax + vy * ay + vz * az
         if -1e-12 < v < 1e-12:
-            if abs(p) >= half:
+            if p >= half or p <= -half:
                 return None
             continue
-        t0, t1 = (-half - p) / v, (half - p) / v
-        if t0 > t1:
-            t0, t1 = t1, t0
-        low, high = max(low, t0), min(high, t1)
+        if v > 0:
+            t0, t1 = (-half - p) / v, (half - p) / v
+        else:
+            t0, t1 = (half - p) / v, (-half - p) / v
+        if t0 > low:
+            low = t0
+        if t1 < high:
+            high = t1
         if low >= high:
             return None
     return low, high

@@ -84,10 +84,11 @@ class World:
         if latch == HAND and step < 0 and grip.contact - cable > MOST_SQUEEZE:
             return Reason.LOAD
         body = self._body(rotors, grip.opening_at(cable))
-        held = self._carried(body)
+        held, slid = self._carried(body), grip.slid
         if not self._clear(body, held):
             return Reason.CONTACT
-        held = self._carried(body) if held is not None else None
+        if grip.slid != slid:
+            held = self._carried(body)
         closing = cable < grip.cable
         self.body, grip.cable = body, cable
         if held is not None and grip.part is not None:
@@ -195,9 +196,11 @@ class World:
         if low > self.ceiling + touch:
             return True
         for name, box, part in self._near(body, held):
+            if box.top < low - touch:
+                continue
             if not self._past(body, name, box, part):
                 return False
-            if self.grip.hold is not None and not self._carried_past(body, name, part, box):
+            if held is not None and not self._carried_past(body, name, part, box):
                 return False
         return True
 
@@ -222,6 +225,8 @@ class World:
         """Whether links and fingers clear a thing, having pushed it aside if need be."""
         touch = self.settings.touch
         for index, (start, end) in enumerate(body.segments):
+            if start[2] > box.top and end[2] > box.top:
+                continue
             inside = interval(box, start, end, touch)
             if inside is None:
                 continue
@@ -353,6 +358,8 @@ class World:
         best: tuple[float, float] | None = None
         for k in range(4):
             middle = plus(tip, u, -self.settings.pad_length * (k + 0.1) / 3.2)
+            if middle[2] - half * abs(e[2]) > box.top:
+                continue
             found = interval(box, plus(middle, e, -half), plus(middle, e, half), 1e-4)
             if found is None:
                 continue

@@ -1,0 +1,130 @@
+"""Bench files: what they can say, and the one line that a bad one gets."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from trs80arm.arm import Bench, BenchError, MiniMover
+
+PROGRAMS = Path(__file__).parents[2] / "programs"
+DOCS = Path(__file__).parents[2] / "docs" / "arm.md"
+
+
+@pytest.mark.parametrize("path", sorted(PROGRAMS.glob("*.toml")), ids=lambda p: p.stem)
+def test_every_bench_beside_a_program_can_be_set_up(path: Path) -> None:
+    assert MiniMover(bench=Bench.load(path)).inputs(0) & 1
+
+
+def test_the_example_of_the_manual_is_a_bench() -> None:
+    text = DOCS.read_text(encoding="utf-8")
+    example = text.split("```toml\n", 1)[1].split("```", 1)[0]
+    bench = Bench.from_toml(example)
+    assert bench.parts
+    assert bench.feeders
+    assert bench.trays
+    assert len(bench.sensors) == 3
+    assert bench.turntable is not None
+    assert bench.start is not None
+    MiniMover(bench=bench)
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("[[part]]\nsize=[1,1,1]", "b.toml: part[1].at: expected 2 numbers from -60 to 60"),
+        ("[[part]]\nat=[8,0]", "b.toml: part[1].size: expected 3 numbers from 0.1 to 60"),
+        (
+            "[[part]]\nat=[8,0]\nsize=[1,1,1]\nweigth=3",
+            "b.toml: part[1].weigth: expected nothing by that name; the keys here are "
+            "name, at, bottom, turn, size, weight",
+        ),
+        (
+            "[[part]]\nat=[8,0]\nsize=[1,1,1]\nweight='heavy'",
+            "b.toml: part[1].weight: expected a number from 0.01 to 1600",
+        ),
+        (
+            "[[part]]\nat=[8,0]\nsize=[1,1,1]\nweight=nan",
+            "b.toml: part[1].weight: expected a number from 0.01 to 1600",
+        ),
+        (
+            "[[part]]\nat=[8,0]\nsize=[1,1,1]\n[[part]]\nat=[8.5,0]\nsize=[1,1,1]",
+            "b.toml: part[2].at: expected a free place; it overlaps part 1",
+        ),
+        (
+            "[[part]]\nat=[0,0]\nsize=[1,1,1]",
+            "b.toml: part[1].at: expected a free place; it overlaps base",
+        ),
+        (
+            "[[beam]]\nbit=0\nfrom=[0,0,0]\nto=[1,1,1]",
+            "b.toml: beam[1].bit: expected a whole number from 1 to 3",
+        ),
+        ("[part]\nat=[1,2]", "b.toml: part: expected tables, written [[part]]"),
+        ("[[turntable]]\nat=[1,2]", "b.toml: turntable: expected a table, written [turntable]"),
+        (
+            "colour='red'",
+            "b.toml: colour: expected nothing by that name; the keys here are name, "
+            "arm, part, feeder, tray, obstacle, proximity, tactile, beam, turntable",
+        ),
+        (
+            "[arm]\nat=[30,0,0]",
+            "b.toml: arm.at: expected a pose within reach; the wrist is "
+            "farther from the shoulder than the two links are long",
+        ),
+        ("part = [3]", "b.toml: part[1]: expected a table"),
+    ],
+)
+def test_a_bad_bench_gets_one_line_with_file_key_and_what_was_expected(
+    text: str, line: str
+) -> None:
+    with pytest.raises(BenchError) as caught:
+        Bench.from_toml(text, "b.toml")
+    assert str(caught.value) == line
+
+
+def test_a_file_that_is_not_there_or_not_text_gets_one_line(tmp_path: Path) -> None:
+    with pytest.raises(BenchError, match="cannot be read"):
+        Bench.load(tmp_path / "none.toml")
+    with pytest.raises(BenchError, match="cannot be read"):
+        Bench.load(tmp_path)
+    (tmp_path / "picture.toml").write_bytes(b"\x89PNG\xff\xfe\x00")
+    with pytest.raises(BenchError, match="UTF-8"):
+        Bench.load(tmp_path / "picture.toml")
+
+
+def complaint(text: str) -> str:
+    """What a bench's text is refused with; nothing if an arm can work on it."""
+    try:
+        MiniMover(bench=Bench.from_toml(text))
+    except BenchError as error:
+        return str(error)
+    return ""
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.text(max_size=60))
+def test_no_text_brings_more_than_a_bench_error(text: str) -> None:
+    assert "\n" not in complaint(text)
+
+
+KEYS = st.sampled_from(["at", "size", "weight", "turn", "bottom", "name", "bit", "count", "range"])
+VALUES = st.one_of(
+    st.integers(-(10**20), 10**20).map(str),
+    st.floats().map(str),
+    st.sampled_from(["[8,0]", "[1,1,1]", "'x'", "true", "[[1]]", "{a=1}", "1979-05-27", "''"]),
+)
+
+
+@settings(max_examples=150, deadline=None)
+@given(
+    st.sampled_from(
+        ["[[part]]", "[[feeder]]", "[[tray]]", "[[proximity]]", "[turntable]", "[arm]"]
+    ),
+    st.dictionaries(KEYS, VALUES, max_size=5),
+)
+def test_no_table_brings_more_than_a_bench_error(head: str, keys: dict[str, str]) -> None:
+    text = "\n".join([head, *(f"{key} = {value}" for key, value in keys.items())])
+    assert "\n" not in complaint(text)

@@ -1,0 +1,151 @@
+"""Whole motions as arrays: the state does not depend on how the writes are cut."""
+
+from __future__ import annotations
+
+import pickle
+import random
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from trs80arm.arm import Bench, MiniMover
+from trs80arm.arm.motors import PHASES
+from trs80arm.arm.stepping import SWITCH_CLOSED, PulseGenerator, delay_period
+
+BENCH = """
+[[feeder]]
+at = [8, 0]
+size = [0.5, 0.5, 1.0]
+weight = 6
+[[tray]]
+at = [6, 5]
+size = [3, 3]
+[[part]]
+at = [5, 4]
+size = [1, 1, 2]
+[[obstacle]]
+at = [5, -5]
+size = [1, 2, 6]
+[[proximity]]
+bit = 1
+at = [6, 5, 0]
+range = 2
+"""
+
+Writes = list[tuple[int, int, int]]
+
+
+class Recorder:
+    """Takes the place of an arm's cable and keeps what comes down it."""
+
+    def __init__(self) -> None:
+        self.writes: Writes = []
+        self.rotors = (0,) * 6
+
+    def apply(self, times: list[int], latches: list[int], nibbles: list[int], stop: object) -> int:
+        self.writes += zip(times, latches, nibbles, strict=True)
+        return len(times)
+
+
+def motions(seed: int) -> Writes:
+    """A program's worth of latch writes: free motions, pick-ups, motions that fail."""
+    chance = random.Random(seed)
+    recorder = Recorder()
+    generator = PulseGenerator(recorder)  # type: ignore[arg-type]
+    speeds = [delay_period(d) for d in (50, 50, 100, 0)]
+    generator.step((0, 0, 0, 0, 0, chance.choice([0, 370, 800])), speeds[0])
+    for _ in range(chance.randrange(1, 6)):
+        if chance.random() < 0.4:
+            counts = [chance.randrange(-300, 300) for _ in range(6)]
+            generator.step(counts, chance.choice(speeds))
+            continue
+        for counts in (
+            (0, -207, 290),
+            (0, 132, -36),
+            (0, 0, 0, 0, 0, -chance.randrange(20, 200)),
+            (0, -132, 36),
+            tuple(chance.randrange(-300, 300) for _ in range(5)),
+        ):
+            generator.step(counts, speeds[0])
+        if chance.random() < 0.3:
+            generator.time += 100
+            recorder.writes += [(generator.time, latch, 0) for latch in range(7)]
+    return recorder.writes
+
+
+def run(writes: Writes, cuts: list[int]) -> MiniMover:
+    arm = MiniMover(bench=Bench.from_toml(BENCH))
+    begin = 0
+    for cut in [*cuts, len(writes)]:
+        piece = writes[begin : begin + cut]
+        begin += cut
+        if piece:
+            times, latches, nibbles = zip(*piece, strict=True)
+            assert arm.apply(times, latches, nibbles) == len(piece)
+    return arm
+
+
+def signature(arm: MiniMover) -> object:
+    parts = sorted((part.name, part.box, part.held) for part in arm.bench.parts.values())
+    motors = [(m.coils, m.row, m.field, m.rotor, m.ring, m.anchor) for m in arm.motors]
+    return arm.state(), motors, arm.events, parts, arm.grip, arm.inputs(0)
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.integers(0, 10**6), st.lists(st.integers(1, 900), max_size=12))
+def test_any_cutting_of_the_same_writes_gives_the_same_state(seed: int, cuts: list[int]) -> None:
+    writes = motions(seed)
+    whole = run(writes, [])
+    assert signature(run(writes, cuts)) == signature(whole)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_arrays_and_single_writes_give_the_same_state(seed: int) -> None:
+    writes = motions(seed)
+    assert signature(run(writes, [1] * len(writes))) == signature(run(writes, []))
+
+
+@settings(max_examples=20, deadline=None)
+@given(
+    st.lists(st.tuples(st.integers(0, 9000), st.integers(0, 6), st.integers(0, 15)), max_size=150),
+    st.integers(1, 150),
+)
+def test_random_patterns_are_the_same_however_cut(steps: Writes, cut: int) -> None:
+    time, writes = 0, []
+    for wait, latch, nibble in steps:
+        time += wait
+        writes.append((time, latch, nibble))
+    assert signature(run(writes, [cut])) == signature(run(writes, [1] * len(writes)))
+
+
+def test_a_stop_condition_ends_whole_and_cut_bursts_alike() -> None:
+    ends = set()
+    for piece in (1, 7, 40, 100, 3000):
+        arm = MiniMover(bench=Bench.from_toml(BENCH))
+        generator = PulseGenerator(arm)
+        generator.step((0, 0, 0, 0, 0, 900), delay_period(50))
+        generator.step((0, -75, 254), delay_period(50))
+        done = 0
+        while not arm.grip.switch_closed:
+            done += generator.step((0, 0, 0, 0, 0, -piece), delay_period(50), SWITCH_CLOSED)
+        ends.add((done, arm.state()))
+    assert len(ends) == 1
+
+
+def test_a_burst_without_its_stop_is_done_to_the_end() -> None:
+    arm = MiniMover(bench=Bench("empty"))
+    times = [5000 * i for i in range(200)]
+    patterns = [PHASES[i % 8] for i in range(200)]
+    assert arm.apply(times, [5] * 200, patterns, SWITCH_CLOSED) == 200
+    assert arm.apply(times, [0] * 200, patterns, (1, 1)) == 1
+
+
+def test_an_arm_goes_on_after_pickling_as_if_nothing_had_happened() -> None:
+    writes = motions(3)
+    half = len(writes) // 2
+    arm = run(writes[:half], [])
+    copy = pickle.loads(pickle.dumps(arm))
+    for each in (arm, copy):
+        each.apply(*zip(*writes[half:], strict=True))
+    assert signature(copy) == signature(arm)
