@@ -11,16 +11,25 @@ from __future__ import annotations
 import math
 from typing import Final
 
+from trs80arm.basic import tokens
+from trs80arm.basic.numbers.convert import Number
+from trs80arm.basic.numbers.decimal import DOUBLE_DIGITS, SINGLE_DIGITS
+from trs80arm.basic.numbers.double import Double
+
+_BLANK, _QUOTE, _COLON = 0x20, 0x22, 0x3A
+_FEW_DIGITS = 5
+_LOG_2 = math.log10(2)
+
 # -- the statement loop ---------------------------------------------------------------------------
-STATEMENT: Final = 850
+STATEMENT: Final = 961
 """One turn of the statement loop: the keyboard looked at, the separator, the jump by token."""
-NEW_LINE: Final = 120
+NEW_LINE: Final = 118
 """A new line: its number stored."""
-CHARACTER: Final = 60
+CHARACTER: Final = 151
 """One character of the text passed by the ROM's fetch routine."""
-SKIPPED: Final = 30
+SKIPPED: Final = 96
 """One character of the text passed without a look (REM, DATA, false IF, GOTO's rest of line)."""
-LINE_PASSED: Final = 92
+LINE_PASSED: Final = 89
 """One line passed in the search for a line number."""
 LINE_DIGIT: Final = 160
 """One digit of a line number."""
@@ -28,140 +37,161 @@ KEY_LATCHED: Final = 52
 """A key that the statement loop puts aside for INKEY$."""
 
 # -- operands -------------------------------------------------------------------------------------
-OPERAND: Final = 350
-OPERATOR: Final = 500
-PARENTHESES: Final = 400
-DATA_LINE: Final = 200
+OPERAND: Final = 480
+OPERATOR: Final = 586
+PARENTHESES: Final = 372
+DATA_LINE: Final = 206
 """A line looked through for DATA, beside its characters."""
-CONSTANT: Final = 350
-CONSTANT_DIGIT: Final = 260
-CONSTANT_DIGIT_SINGLE: Final = 1400
-CONSTANT_DIGIT_DOUBLE: Final = 2600
-CONSTANT_SCALE_UP: Final = 1200
-CONSTANT_SCALE_DOWN: Final = 9000
-CONSTANT_SCALE_DOWN_DOUBLE: Final = 24000
-STRING_LITERAL: Final = 700
-STRING_CHARACTER: Final = 50
-VARIABLE: Final = 900
-SCALAR_OTHER_KIND: Final = 75
-SCALAR_OTHER_NAME: Final = 90
-NEW_SCALAR: Final = 1500
-ARRAY: Final = 1500
-ARRAY_OTHER: Final = 130
-SUBSCRIPT: Final = 1300
-NEW_ARRAY: Final = 2500
-NEW_ARRAY_BYTE: Final = 26
-CONVERT: Final = 300
-MOVE: Final = 120
-MOVE_DOUBLE: Final = 250
+CONSTANT: Final = 439
+CONSTANT_DIGIT: Final = 328
+CONSTANT_DIGIT_SINGLE: Final = 1830
+CONSTANT_DIGIT_DOUBLE: Final = 2210
+CONSTANT_SCALE_UP: Final = 1210
+CONSTANT_SCALE_DOWN: Final = 8260
+CONSTANT_SCALE_DOWN_DOUBLE: Final = 84600
+MOST_STEPS: Final = 50
+"""Steps of ten after which every constant is too large or zero."""
+STRING_LITERAL: Final = 822
+STRING_CHARACTER: Final = 75
+VARIABLE: Final = 1070
+SCALAR_OTHER_KIND: Final = 111
+SCALAR_OTHER_NAME: Final = 186
+NEW_SCALAR: Final = 1570
+ARRAY: Final = 1460
+ARRAY_OTHER: Final = 132
+SUBSCRIPT: Final = 1260
+NEW_ARRAY: Final = 2340
+NEW_ARRAY_BYTE: Final = 78
+CONVERT: Final = 370
+MOVE: Final = 128
+MOVE_DOUBLE: Final = 254
 
 # -- arithmetic, by the type of the result --------------------------------------------------------
-ADD: Final = {"i": 200, "n": 300, "s": 850, "d": 2600, "x": 1500}
-MULTIPLY: Final = {"i": 1200, "n": 1500, "s": 3200, "d": 16000, "x": 6000}
-DIVIDE: Final = {"i": 8000, "n": 8000, "s": 8000, "d": 46000, "x": 20000}
-COMPARE: Final = {"i": 250, "n": 300, "s": 500, "d": 700, "x": 600, "t": 700}
+ADD: Final = {"i": 196, "n": 286, "s": 1190, "d": 2570, "x": 1500}
+MULTIPLY: Final = {"i": 1200, "n": 1510, "s": 3060, "d": 13800, "x": 6000}
+DIVIDE: Final = {"i": 8000, "n": 8000, "s": 7970, "d": 84700, "x": 19600}
+COMPARE: Final = {"i": 244, "n": 295, "s": 504, "d": 698, "x": 600, "t": 670}
 NEGATE: Final = 150
-LOGICAL: Final = 400
-POWER: Final = 85000
+LOGICAL: Final = 382
+POWER: Final = 79900
 
-FUNCTION: Final = 500
+FUNCTION: Final = 463
 FUNCTION_WORK: Final[dict[str, int]] = {
-    "SGN": 150,
-    "INT": 900,
-    "ABS": 150,
-    "FRE": 400,
+    "SGN": 149,
+    "INT": 858,
+    "ABS": 149,
+    "FRE": 415,
     "INP": 300,
     "POS": 150,
-    "SQR": 88000,
-    "RND": 13000,
-    "LOG": 33000,
-    "EXP": 40000,
-    "COS": 38000,
-    "SIN": 36000,
-    "TAN": 85000,
-    "ATN": 42000,
-    "PEEK": 300,
+    "SQR": 73100,
+    "RND": 8370,
+    "LOG": 34000,
+    "EXP": 42000,
+    "COS": 47000,
+    "SIN": 36700,
+    "TAN": 88800,
+    "ATN": 50000,
+    "PEEK": 292,
     "CINT": 300,
     "CSNG": 200,
     "CDBL": 200,
-    "FIX": 900,
-    "LEN": 250,
-    "STR$": 6000,
-    "VAL": 3000,
-    "ASC": 300,
-    "CHR$": 700,
-    "LEFT$": 1100,
-    "RIGHT$": 1100,
-    "MID$": 1300,
-    "STRING$": 900,
-    "POINT": 1500,
-    "INKEY$": 900,
-    "MEM": 300,
-    "VARPTR": 400,
-    "USR": 300,
-    "ERR": 150,
-    "ERL": 200,
+    "FIX": 850,
+    "LEN": 249,
+    "STR$": 3780,
+    "VAL": 2710,
+    "ASC": 297,
+    "CHR$": 775,
+    "LEFT$": 1130,
+    "RIGHT$": 1180,
+    "MID$": 1370,
+    "STRING$": 917,
+    "POINT": 1520,
+    "INKEY$": 895,
+    "MEM": 304,
+    "VARPTR": 410,
+    "USR": 301,
+    "ERR": 154,
+    "ERL": 204,
 }
 
 # -- statements -----------------------------------------------------------------------------------
 STATEMENT_WORK: Final[dict[str, int]] = {
-    "LET": 500,
-    "FOR": 2500,
-    "NEXT": 1100,
-    "NEXT_INTEGER": 700,
-    "GOTO": 400,
-    "GOSUB": 650,
-    "RETURN": 700,
-    "IF": 300,
-    "ON": 400,
-    "READ": 900,
+    "LET": 511,
+    "FOR": 2110,
+    "NEXT": 964,
+    "NEXT_INTEGER": 655,
+    "GOTO": 414,
+    "GOSUB": 644,
+    "RETURN": 687,
+    "IF": 304,
+    "ON": 403,
+    "READ": 1220,
     "RESTORE": 200,
-    "SET": 1500,
+    "SET": 1640,
     "RESET": 1500,
-    "POKE": 500,
-    "OUT": 400,
+    "POKE": 531,
+    "OUT": 401,
     "CLS": 100,
-    "DIM": 300,
-    "PRINT": 400,
-    "PRINT_ITEM": 300,
-    "PRINT@": 400,
-    "TAB": 500,
-    "CLEAR": 1500,
-    "RUN": 1500,
-    "ERROR": 600,
-    "RESUME": 600,
-    "ON ERROR": 500,
-    "DEF": 900,
+    "DIM": 299,
+    "PRINT": 354,
+    "PRINT_ITEM": 292,
+    "PRINT@": 394,
+    "TAB": 447,
+    "CLEAR": 1520,
+    "RUN": 1310,
+    "ERROR": 619,
+    "RESUME": 615,
+    "ON ERROR": 487,
+    "DEF": 892,
     "RANDOM": 100,
     "END": 300,
 }
-PRINT_CHARACTER: Final = 68
+PRINT_CHARACTER: Final = 136
 """PRINT's own loop for a character, beside the display driver's time."""
-NUMBER_TEXT: Final = 2500
-NUMBER_DIGIT_INTEGER: Final = 600
-NUMBER_SINGLE: Final = 7000
-NUMBER_SCALE_SINGLE: Final = 2500
-NUMBER_DOUBLE: Final = 60000
-NUMBER_SCALE_DOUBLE: Final = 22000
-NUMBER_CHARACTER: Final = 200
-USING_FIELD: Final = 2500
+NUMBER_TEXT: Final = 1820
+NUMBER_DIGIT_INTEGER: Final = 640
+NUMBER_SINGLE: Final = 2810
+NUMBER_UP_SINGLE: Final = 2180
+NUMBER_DOWN_SINGLE: Final = 8920
+NUMBER_DOUBLE: Final = 30500
+NUMBER_UP_DOUBLE: Final = 2940
+NUMBER_DOWN_DOUBLE: Final = 84600
+NUMBER_FAR_UP_DOUBLE: Final = 19000
+"""Steps of ten up and down, and a double's step of ten to the tenth, when a number is scaled."""
+NUMBER_CHARACTER: Final = 235
+USING_FIELD: Final = 2930
 """A field of PRINT USING, beside the number's conversion."""
 
 # -- strings --------------------------------------------------------------------------------------
-STRING_BYTE: Final = 22
-STRING_ASSIGN: Final = 500
-CONCATENATE: Final = 1500
-COLLECT: Final = 500
-COLLECT_PASS: Final = 800
-COLLECT_DESCRIPTOR: Final = 180
+STRING_BYTE: Final = 28
+STRING_ASSIGN: Final = 461
+CONCATENATE: Final = 1450
+COLLECT: Final = 524
+COLLECT_PASS: Final = 898
+COLLECT_DESCRIPTOR: Final = 191
 COLLECT_NUMBER: Final = 60
 
+# -- typed lines ----------------------------------------------------------------------------------
+CRUNCH_FOUND: Final = 714
+"""A word found in the table of reserved words."""
+CRUNCH_PASSED: Final = 33
+"""One letter of the table passed in the search; a character that begins no word passes them all."""
+CRUNCH_PLAIN: Final = 149
+"""A character that is copied without a search: digits, blanks, quotes, REM and DATA."""
+STORE_LINE: Final = 1410
+"""A numbered line put in or taken out, beside what follows."""
+STORE_BYTE: Final = 48
+"""One byte of the program behind the line, which moves."""
+LINK_LINE: Final = 129
+LINK_BYTE: Final = 48
+"""One line, and one byte of the program, passed when the links are set anew."""
+
 # -- errors and commands --------------------------------------------------------------------------
-ERROR_RAISED: Final = 900
+ERROR_RAISED: Final = 1040
 """From the error to the first character of its message, or to the ON ERROR line."""
 
 
-def constant(text: bytes, value: object) -> int:
+def constant(text: bytes, value: Number) -> int:
     """T-states to convert a constant each time it is executed.
 
     Args:
@@ -177,7 +207,9 @@ def constant(text: bytes, value: object) -> int:
         body, _, exponent = text.upper().partition(b"D")
     decimals = len(body.partition(b".")[2].rstrip(b"!# "))
     number = b"".join(bytes((c,)) for c in exponent if 0x30 <= c <= 0x39)
-    places = (int(number or b"0") * (-1 if b"\xce" in exponent else 1)) - decimals
+    below = b"\xce" in exponent or b"-" in exponent
+    places = int(number or b"0") * (-1 if below else 1) - decimals
+    places = max(-MOST_STEPS, min(MOST_STEPS, places))
     if isinstance(value, float):
         total += digits * CONSTANT_DIGIT_SINGLE
         down = CONSTANT_SCALE_DOWN
@@ -187,19 +219,95 @@ def constant(text: bytes, value: object) -> int:
     return total + (places * CONSTANT_SCALE_UP if places > 0 else -places * down)
 
 
-def number_text(value: object, text: str) -> int:
+def _digits(value: float | Double) -> int:
+    """How many digits a number has before the point; negative for zeros behind it."""
+    if isinstance(value, float):
+        return math.floor(math.log10(abs(value))) + 1 if value else SINGLE_DIGITS
+    return math.floor((value.exponent - 128) * _LOG_2) + 1 if value.exponent else DOUBLE_DIGITS
+
+
+def _scaling(value: float | Double) -> int:
+    """T-states to bring a number to six or sixteen digits before the point."""
+    before = _digits(value)
+    if isinstance(value, float):
+        if before > SINGLE_DIGITS:
+            return NUMBER_DOWN_SINGLE * (before - SINGLE_DIGITS)
+        return NUMBER_UP_SINGLE * (SINGLE_DIGITS - before)
+    far = 0 if before > _FEW_DIGITS else (_FEW_DIGITS - before) // 10 + 1
+    before += 10 * far
+    total = NUMBER_FAR_UP_DOUBLE * far
+    if before > DOUBLE_DIGITS:
+        return total + NUMBER_DOWN_DOUBLE * (before - DOUBLE_DIGITS)
+    return total + NUMBER_UP_DOUBLE * (DOUBLE_DIGITS - before)
+
+
+def number_text(value: Number, text: str) -> int:
     """T-states to turn a number into the characters that PRINT and STR$ show.
 
     Args:
-        value: `int`, `float` or a double.
+        value: the number.
         text: what it came to.
     """
     total = NUMBER_TEXT + NUMBER_CHARACTER * len(text)
     if isinstance(value, int):
         return total + NUMBER_DIGIT_INTEGER * len(text)
-    if isinstance(value, float):
-        steps = abs(5 - math.floor(math.log10(abs(value)))) if value else 0
-        return total + NUMBER_SINGLE + NUMBER_SCALE_SINGLE * steps
-    exponent = getattr(value, "exponent", 0)
-    steps = abs(15 - math.floor((exponent - 128) * 0.30103)) if exponent else 0
-    return total + NUMBER_DOUBLE + NUMBER_SCALE_DOUBLE * steps
+    total += NUMBER_SINGLE if isinstance(value, float) else NUMBER_DOUBLE
+    return total + _scaling(value)
+
+
+def number_field(value: Number, places: int, right: int | None) -> int:
+    """T-states of a field of PRINT USING.
+
+    Args:
+        value: the number.
+        places: the characters of the field.
+        right: places behind the point; None when the field has an exponent.
+    """
+    total = USING_FIELD + NUMBER_TEXT + NUMBER_CHARACTER * places
+    if isinstance(value, int):
+        return total + NUMBER_DIGIT_INTEGER * places
+    single = isinstance(value, float)
+    wanted = places - 1 if right is None else max(0, _digits(value)) + right
+    unwanted = max(0, (SINGLE_DIGITS if single else DOUBLE_DIGITS) - wanted)
+    total += unwanted * (NUMBER_DOWN_SINGLE if single else NUMBER_DOWN_DOUBLE)
+    return total + (NUMBER_SINGLE if single else NUMBER_DOUBLE) + _scaling(value)
+
+
+_PASSED: Final = tuple(
+    sum(len(word) for word in tokens.WORDS[:place]) for place in range(len(tokens.WORDS) + 1)
+)
+
+
+def crunching(crunched: bytes) -> int:
+    """T-states to crunch a typed line.
+
+    Args:
+        crunched: what it came to.
+    """
+    total = 0
+    quoted = in_data = False
+    for place, code in enumerate(crunched):
+        quoted ^= code == _QUOTE
+        in_data = in_data and (quoted or code != _COLON)
+        if quoted or in_data or 0x30 <= code < 0x3C or code in (_QUOTE, _BLANK):
+            total += CRUNCH_PLAIN
+        elif code < tokens.FIRST:
+            total += CRUNCH_FOUND + CRUNCH_PASSED * _PASSED[-1]
+        else:
+            index = min(code, tokens.APOSTROPHE) - tokens.FIRST
+            total += CRUNCH_FOUND + CRUNCH_PASSED * _PASSED[index]
+            if code in (tokens.REM, tokens.APOSTROPHE):
+                return total + CRUNCH_PLAIN * (len(crunched) - place - 1)
+            in_data = code == tokens.DATA
+    return total
+
+
+def storing(moved: int, lines: int, size: int) -> int:
+    """T-states to put a line into the program or take one out.
+
+    Args:
+        moved: bytes of the program behind it.
+        lines: lines of the program.
+        size: bytes of the program.
+    """
+    return STORE_LINE + STORE_BYTE * moved + LINK_LINE * lines + LINK_BYTE * size

@@ -103,6 +103,12 @@ class Program:
         numbers = self._walk()[1]
         return bisect.bisect_left(numbers, number)
 
+    def address_from(self, number: int) -> int | None:
+        """The address of the link of the first line not before `number`, if there is one."""
+        addresses, _ = self._walk()
+        place = self.place(number)
+        return addresses[place] if place < len(addresses) else None
+
     def line_at(self, address: int) -> int | None:
         """The link's address of the line that holds `address` in its text or its final zero."""
         addresses = self._walk()[0]

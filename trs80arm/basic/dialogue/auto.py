@@ -20,7 +20,7 @@ FLAG: Final = 0x40E1
 CURRENT: Final = 0x40E2
 STEP: Final = 0x40E4
 _DEFAULT = 10
-_T_PROMPT: Final = 3000
+_T_PROMPT: Final = 3330
 """T-states of finding and printing the number, beside the display's own."""
 
 

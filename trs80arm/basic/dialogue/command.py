@@ -22,7 +22,7 @@ __all__ = ["CommandLevel", "return_to_command"]
 
 _SYNTAX_ERROR: Final = (Code.SN - 1) * 2
 """What 409AH holds after an SN error."""
-_T_READY: Final = 2700
+_T_READY: Final = 2400
 """T-states from the end of a command to the R of READY, and between READY and the `>`."""
 
 

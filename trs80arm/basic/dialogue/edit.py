@@ -23,12 +23,12 @@ LINE_LENGTH: Final = 255
 _BACK, _ENTER, _SHIFT_UP = 8, 13, 27
 _MARK = ord("!")
 
-_T_KEY: Final = 320
+_T_KEY: Final = 311
 """T-states from a key to what it does, beside display and keyboard."""
-_T_CHARACTER: Final = 51
+_T_CHARACTER: Final = 44
 """T-states of the loop that prints the rest of the line, per character."""
-_T_FINISH: Final = 2500
-_T_SPELL: Final = 150
+_T_FINISH: Final = 1430
+_T_SPELL: Final = 377
 """T-states of spelling out one character of the stored line."""
 
 

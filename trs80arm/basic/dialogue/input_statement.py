@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
+from trs80arm.basic import costs
 from trs80arm.basic.activity import Activity, Waiting
 from trs80arm.basic.dialogue.line_input import LineInput
 from trs80arm.basic.numbers import double, literal
@@ -22,10 +23,9 @@ _QUOTE = ord('"')
 _COMMA = ord(",")
 _COLON = ord(":")
 
-_T_ASK: Final = 300
-_T_ITEM: Final = 2000
-_T_CHARACTER: Final = 90
-"""T-states beside those of the assignment: an item, and each of its characters."""
+_T_ASK: Final = 269
+_T_ITEM: Final = 2130
+"""T-states of an item, beside its conversion and assignment."""
 
 
 class Target(Protocol):
@@ -61,6 +61,8 @@ class Items:
         self._text = text
         self._place = 0
         self._comma = True
+        self.taken = b""
+        """The characters of the number taken last."""
 
     @property
     def is_next(self) -> bool:
@@ -84,6 +86,7 @@ class Items:
         self._skip()
         start: Number = double.ZERO if kind == "d" else 0
         scanned = literal.scan(self._text, self._place, start)
+        self.taken = self._text[self._place : scanned.end]
         self._place = scanned.end
         return scanned.value
 
@@ -147,6 +150,8 @@ class InputStatement(Activity):
                 return
             basic.host.clock.now += _T_ITEM
             value = items.string() if kind == "t" else items.number(kind)
+            if not isinstance(value, bytes):
+                basic.host.clock.now += costs.constant(items.taken, value)
             target.assign(value)
             if not items.separator():
                 basic.print_text(b"?REDO\r")

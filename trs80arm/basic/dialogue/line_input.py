@@ -27,8 +27,8 @@ _BLANK = 32
 _TAB = 8
 
 # T-states of the editor beside display and keyboard, measured from key to key.
-_T_FINISH: Final = 1500
-_T_KEY: Final = 160
+_T_FINISH: Final = 1210
+_T_KEY: Final = 155
 
 
 @dataclass(frozen=True)

@@ -19,16 +19,16 @@ if TYPE_CHECKING:
     from trs80arm.basic.interpreter import Interpreter
 
 _NEWLINE = 13
-_T_LINE: Final = 2600
+_T_LINE: Final = 3290
 """T-states of finding a line and turning its number into digits."""
-_T_CHARACTER: Final = 51
+_T_CHARACTER: Final = 41
 """T-states of the loop that prints a line, per character."""
-_T_STORED: Final = 260
+_T_STORED: Final = 198
 """T-states of copying one stored character that is no token."""
-_T_TOKEN: Final = 900
-_T_WORD: Final = 60
+_T_TOKEN: Final = 962
+_T_WORD: Final = 117
 """T-states of finding a token's word, and of each word that is passed on the way to it."""
-_T_DELETE: Final = 2000
+_T_DELETE: Final = 2100
 
 
 class Listing(Activity):

@@ -7,13 +7,12 @@ milliseconds. The ROM cannot be broken off meanwhile; here BREAK switches the mo
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from trs80arm.basic.activity import Activity
 from trs80arm.basic.dialogue import wait
 from trs80arm.basic.dialogue.home import return_to_command
-from trs80arm.basic.dialogue.input_statement import Items, Target
+from trs80arm.basic.dialogue.input_statement import Items, TargetList
 from trs80arm.basic.errors import BasicError, Code
 
 if TYPE_CHECKING:
@@ -30,7 +29,7 @@ _STARS = (0x3C3E, 0x3C3F)
 """The two cells in the corner of the tube: `**` while a program is read, the second one blinks."""
 _STAR, _BLANK = 42, 32
 
-_T_BYTE: Final = 28_500
+_T_BYTE: Final = 28800
 """T-states of one byte at 500 baud, recorded or played."""
 
 
@@ -234,7 +233,7 @@ class InputTape(Reading):
         targets: the variables.
     """
 
-    def __init__(self, targets: Sequence[Target]) -> None:
+    def __init__(self, targets: TargetList) -> None:
         super().__init__()
         self._targets = targets
         self._text = bytearray()

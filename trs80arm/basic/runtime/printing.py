@@ -6,7 +6,7 @@ from trs80arm.basic import costs, system_area
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import decimal
 from trs80arm.basic.numbers.convert import Number
-from trs80arm.basic.numbers.using import UsingFormat
+from trs80arm.basic.numbers.using import NumberField, UsingFormat
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.variables import Descriptor
 
@@ -134,7 +134,11 @@ class Printing(Part):
 
     def using_number(self, layout: UsingFormat, value: Number) -> None:
         """A number in the next field."""
-        self._clock.now += costs.USING_FIELD + costs.number_text(value, layout.text)
+        field = layout.demand_field()
+        if isinstance(field, NumberField):
+            places = field.left + (field.right or 0)
+            right = None if field.exponent else field.right or 0
+            self._clock.now += costs.number_field(value, places, right)
         self._put(layout.field(value).encode("latin-1"))
 
     def using_string(self, layout: UsingFormat, value: Descriptor) -> None:
