@@ -134,7 +134,7 @@ def test_a_tighter_hold_comes_before_the_move_and_a_looser_one_after_it() -> Non
     assert re.search(r"@STEP S,0,0,0,0,0,-30\n\d+ @STEP S, 0, -132", steps)
     data = in_data(lesson.positions, Manner())
     assert "DATA 8, 0, 0.5, -90, 0, 0, -30, 50\n" in data
-    assert "110 DIM UU(8,9)" in data
+    assert "110 DIM UU(8,10)" in data
 
 
 def test_going_round_brings_every_joint_back() -> None:
