@@ -25,8 +25,12 @@ STATEMENT: Final = 961
 """One turn of the statement loop: the keyboard looked at, the separator, the jump by token."""
 NEW_LINE: Final = 118
 """A new line: its number stored."""
-CHARACTER: Final = 151
-"""One character of the text passed by the ROM's fetch routine."""
+CHARACTER: Final = 52
+"""One character of the text fetched: a letter, a token or a colon."""
+LOW_CHARACTER: Final = 85
+"""A digit or any other character below the colon, which is looked at more closely."""
+BLANK: Final = 42
+"""A blank passed on the way to a character."""
 SKIPPED: Final = 96
 """One character of the text passed without a look (REM, DATA, false IF, GOTO's rest of line)."""
 LINE_PASSED: Final = 89
@@ -62,15 +66,29 @@ ARRAY_OTHER: Final = 132
 SUBSCRIPT: Final = 1260
 NEW_ARRAY: Final = 2340
 NEW_ARRAY_BYTE: Final = 78
-CONVERT: Final = 370
-MOVE: Final = 128
-MOVE_DOUBLE: Final = 254
+CONVERT: Final = 300
+NAME_LETTER: Final = 80
+"""A letter or digit of a name behind the first, beside its fetching."""
+KIND_BY_LETTER: Final = 55
+"""The type of a name without a type sign looked up."""
+FETCH: Final = {"i": 50, "s": 120, "d": 250, "t": 300}
+"""A variable's value brought in, by its type."""
 
-# -- arithmetic, by the type of the result --------------------------------------------------------
-ADD: Final = {"i": 196, "n": 286, "s": 1190, "d": 2570, "x": 1500}
-MULTIPLY: Final = {"i": 1200, "n": 1510, "s": 3060, "d": 13800, "x": 6000}
-DIVIDE: Final = {"i": 8000, "n": 8000, "s": 7970, "d": 84700, "x": 19600}
-COMPARE: Final = {"i": 244, "n": 295, "s": 504, "d": 698, "x": 600, "t": 670}
+# -- arithmetic, by the types of the operands -----------------------------------------------------
+BINARY: Final[dict[str, dict[str, int]]] = {
+    "add": {"ii": 200, "is": 1000, "si": 1000, "ss": 850, "d": 2600, "di": 3000, "ds": 3000},
+    "sub": {"ii": 200, "is": 1000, "si": 1000, "ss": 850, "d": 2600, "di": 3000, "ds": 3000},
+    "mul": {"ii": 1200, "is": 3000, "si": 3000, "ss": 2500, "d": 16000, "di": 3000, "ds": 3000},
+    "div": {"ii": 9000, "is": 8500, "si": 8500, "ss": 8000, "d": 2600, "di": 3000, "ds": 3000},
+    "compare": {"ii": 250, "is": 600, "si": 600, "ss": 400, "d": 600, "di": 700, "ds": 700},
+}
+"""An operation by the types left and right; with a double on either side `d`, and what the
+conversion of the other operand takes."""
+STORE: Final = {"ii": 200, "is": 700, "id": 1000, "ss": 250, "si": 600, "sd": 600}
+STORE.update({"dd": 400, "di": 900, "ds": 600})
+"""A number put into a variable: the variable's type, then the value's."""
+STORE_STRING: Final = 500
+COMPARE_STRINGS: Final = 700
 NEGATE: Final = 150
 LOGICAL: Final = 382
 POWER: Final = 79900
@@ -164,7 +182,6 @@ USING_FIELD: Final = 2930
 
 # -- strings --------------------------------------------------------------------------------------
 STRING_BYTE: Final = 28
-STRING_ASSIGN: Final = 461
 CONCATENATE: Final = 1450
 COLLECT: Final = 524
 COLLECT_PASS: Final = 898
@@ -189,6 +206,26 @@ LINK_BYTE: Final = 48
 # -- errors and commands --------------------------------------------------------------------------
 ERROR_RAISED: Final = 1040
 """From the error to the first character of its message, or to the ON ERROR line."""
+
+_TAKEN_FOR = {"n": "i", "x": "d"}
+"""What a number is taken for whose type is known only when it is there: arithmetic on integers
+seldom leaves their range, VAL gives doubles."""
+
+
+def binary(name: str, left: str, right: str) -> int:
+    """T-states of `add`, `sub`, `mul`, `div` or `compare` for two types of operands."""
+    table = BINARY[name]
+    left, right = _TAKEN_FOR.get(left, left), _TAKEN_FOR.get(right, right)
+    if "d" not in (left, right):
+        return table[left + right]
+    other = left if right == "d" else right
+    return table["d"] + (0 if other == "d" else table["d" + other])
+
+
+def store(target: str, value: str) -> int:
+    """T-states to put a number of one type into a variable of another."""
+    return STORE[target + _TAKEN_FOR.get(value, value)]
+
 
 
 def constant(text: bytes, value: Number) -> int:

@@ -37,14 +37,15 @@ class Reader:
         """Pass blanks; the character behind them."""
         while self.code in _BLANKS:
             self.position += 1
-            self._out.cost += costs.CHARACTER
+            self._out.cost += costs.BLANK
         return self.code
 
     def advance(self) -> int:
         """The next character that is no blank (RST 10H)."""
         self.position += 1
-        self._out.cost += costs.CHARACTER
-        return self.skip()
+        code = self.skip()
+        self._out.cost += costs.CHARACTER if code >= 0x3A else costs.LOW_CHARACTER
+        return code
 
     def state(self) -> tuple[int, int]:
         """What `restore` needs to come back here."""
