@@ -8,58 +8,31 @@ the time is sliced.
 
 from __future__ import annotations
 
+import copy
 import heapq
 import pickle
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from trs80arm import files
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.minimover import ArmState, MiniMover, Pose
-from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic.activity import Waiting
-from trs80arm.basic.host import Host
 from trs80arm.basic.interpreter import Interpreter, Outcome
-from trs80arm.machine.card import Card, CardSettings, Latch, Observer
+from trs80arm.machine.card import Card, Latch, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.machine.console import Console
-from trs80arm.machine.display import Display
-from trs80arm.machine.driver import Driver, DriverSettings, Mode
-from trs80arm.machine.keyboard import KEYBOARD_START, KEYBOARD_STOP, KeyboardDriver, Matrix
+from trs80arm.machine.driver import Driver, Mode
 from trs80arm.machine.keys import Key
 from trs80arm.machine.memory import Memory
-from trs80arm.machine.ports import Ports, SystemPort
-from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer, PrinterDriver
+from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
-from trs80arm.machine.typist import Typist
-from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
+from trs80arm.machine.video import Video
+from trs80arm.works import Counts, KeyEvent, RigSettings, Works, assemble
 
-Counts = tuple[int, int, int, int, int, int]
-
-
-@dataclass(frozen=True)
-class RigSettings:
-    """Everything about a rig that is chosen before it is switched on."""
-
-    ram_kib: int = 16
-    """RAM of the machine: 4, 16, 32 or 48."""
-    memory_size: str = ""
-    """What is typed at MEMORY SIZE? when the machine is switched on."""
-    armbasic: bool = True
-    """Whether ARMBASIC's five statements are loaded; without it they are ?SN."""
-    blocks: bool = True
-    """Whether statements are compiled in basic blocks (faster) or one by one."""
-    card: CardSettings = field(default_factory=CardSettings)
-    driver: DriverSettings = field(default_factory=DriverSettings)
-    arm: ArmSettings = field(default_factory=ArmSettings)
-    tape_folder: Path | None = None
-    """The one folder whose cassettes the machine can reach; None keeps tapes in memory."""
-    printer_file: Path | None = None
-    """Where the printer's paper goes; None keeps it in memory."""
-    ghosting: bool = False
-    """Whether three keys at the corners of a rectangle of the matrix show a fourth."""
+__all__ = ["Input", "Rig", "RigSettings"]
 
 
 @dataclass(frozen=True)
@@ -71,38 +44,6 @@ class Input:
     action: str
     """The name of the method of `Rig`."""
     arguments: tuple[Any, ...]
-
-
-@dataclass(order=True)
-class _KeyEvent:
-    time: int
-    order: int
-    key: Key = field(compare=False)
-    down: bool = field(compare=False)
-
-
-@dataclass
-class _Works:
-    """All devices, which a snapshot takes and gives back as one."""
-
-    clock: Clock
-    memory: Memory
-    matrix: Matrix
-    video: Video
-    display: Display
-    console: Console
-    printer: Printer
-    tape: Tape
-    ports: Ports
-    card: Card
-    driver: Driver
-    arm: MiniMover
-    basic: Interpreter
-    typist: Typist
-    events: list[_KeyEvent] = field(default_factory=list)
-    order: int = 0
-    zero: Counts = (0, 0, 0, 0, 0, 0)
-    """Where the rotors stood when the registers were last zeroed."""
 
 
 class Rig:
@@ -117,61 +58,14 @@ class Rig:
 
     def __init__(self, settings: RigSettings | None = None, bench: Bench | None = None) -> None:
         self.settings = settings or RigSettings()
-        self._bench = bench
         self._recorders: list[Callable[[Input], None]] = []
-        self._works = self._build(MiniMover(self.settings.arm, pickle.loads(pickle.dumps(bench))))
+        self._works = assemble(self.settings, MiniMover(self.settings.arm, copy.deepcopy(bench)))
         self._watch()
         self._switch_on()
 
     def _switch_on(self) -> None:
         self._works.typist.add(self.settings.memory_size + "\r")
         self.run_until(lambda rig: rig.waiting is Waiting.COMMAND and not rig.typing, seconds=30)
-
-    def _build(self, arm: MiniMover, old: _Works | None = None) -> _Works:
-        settings = self.settings
-        clock = old.clock if old else Clock()
-        memory = Memory(settings.ram_kib)
-        matrix = Matrix(ghosting=settings.ghosting)
-        video = Video()
-        display = Display(clock, memory, video)
-        console = Console(display, KeyboardDriver(clock, memory, matrix))
-        printer = old.printer if old else Printer(settings.printer_file)
-        tape = old.tape if old else Tape(settings.tape_folder)
-        card = Card(clock, settings.card, arm)
-        driver = Driver(clock, card, matrix, settings.driver)
-        ports = Ports()
-        ports.attach(card)
-        ports.attach(SystemPort(video))
-        memory.attach(PRINTER_START, PRINTER_STOP, printer)
-        memory.attach(KEYBOARD_START, KEYBOARD_STOP, matrix)
-        memory.attach(VIDEO_START, VIDEO_STOP, video)
-        host = Host(
-            clock=clock,
-            memory=memory,
-            console=console,
-            printer=PrinterDriver(clock, memory, printer),
-            ports=ports,
-            tape=tape,
-            arm=driver if settings.armbasic else None,
-        )
-        basic = Interpreter(host, armbasic=settings.armbasic, blocks=settings.blocks)
-        return _Works(
-            clock=clock,
-            memory=memory,
-            matrix=matrix,
-            video=video,
-            display=display,
-            console=console,
-            printer=printer,
-            tape=tape,
-            ports=ports,
-            card=card,
-            driver=driver,
-            arm=arm,
-            basic=basic,
-            typist=Typist(),
-            zero=arm.state().rotors,
-        )
 
     # -- time ---------------------------------------------------------------------------------
 
@@ -276,7 +170,7 @@ class Rig:
     def _at(self, time: int, key: Key, down: bool) -> None:
         works = self._works
         works.order += 1
-        heapq.heappush(works.events, _KeyEvent(time, works.order, key, down))
+        heapq.heappush(works.events, KeyEvent(time, works.order, key, down))
 
     # -- the operator's hands -----------------------------------------------------------------
 
@@ -403,7 +297,7 @@ class Rig:
         old = self._works
         old.driver.reset()
         old.card.write_latch(Latch.AUXILIARY, 0)
-        self._works = self._build(old.arm, old)
+        self._works = assemble(self.settings, old.arm, old)
         self._watch(old.card.observers)
         self._switch_on()
 
@@ -413,10 +307,9 @@ class Rig:
         The arm goes to where that bench wants it, motors off and registers zero as by `@RESET`.
         """
         self._record("set_bench", bench)
-        self._bench = bench
         works = self._works
         works.driver.reset()
-        works.arm = MiniMover(self.settings.arm, pickle.loads(pickle.dumps(bench)))
+        works.arm = MiniMover(self.settings.arm, copy.deepcopy(bench))
         works.card.plug = works.arm
         works.card.write_latch(Latch.AUXILIARY, works.card.latches[Latch.AUXILIARY])
         self._zero()
@@ -579,7 +472,7 @@ class Rig:
     def restore(self, snapshot: bytes) -> None:
         """Go back to a state that `snapshot` of this program gave. Never feed it foreign bytes."""
         works = pickle.loads(snapshot)
-        if not isinstance(works, _Works):
+        if not isinstance(works, Works):
             raise ValueError("not a snapshot of a rig")
         observers = self._works.card.observers
         self._works = works

@@ -1,0 +1,140 @@
+"""The works of a rig: all its devices, and how they are wired.
+
+`Rig` builds them here, hands them to whoever looks, and takes and gives them back whole in a
+snapshot.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from trs80arm.arm.minimover import MiniMover
+from trs80arm.arm.settings import ArmSettings
+from trs80arm.basic.host import Host
+from trs80arm.basic.interpreter import Interpreter
+from trs80arm.machine.card import Card, CardSettings
+from trs80arm.machine.clock import Clock
+from trs80arm.machine.console import Console
+from trs80arm.machine.display import Display
+from trs80arm.machine.driver import Driver, DriverSettings
+from trs80arm.machine.keyboard import KEYBOARD_START, KEYBOARD_STOP, KeyboardDriver, Matrix
+from trs80arm.machine.keys import Key
+from trs80arm.machine.memory import Memory
+from trs80arm.machine.ports import Ports, SystemPort
+from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer, PrinterDriver
+from trs80arm.machine.tape import Tape
+from trs80arm.machine.typist import Typist
+from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
+
+Counts = tuple[int, int, int, int, int, int]
+
+
+@dataclass(frozen=True)
+class RigSettings:
+    """Everything about a rig that is chosen before it is switched on."""
+
+    ram_kib: int = 16
+    """RAM of the machine: 4, 16, 32 or 48."""
+    memory_size: str = ""
+    """What is typed at MEMORY SIZE? when the machine is switched on."""
+    armbasic: bool = True
+    """Whether ARMBASIC's five statements are loaded; without it they are ?SN."""
+    blocks: bool = True
+    """Whether statements are compiled in basic blocks (faster) or one by one."""
+    card: CardSettings = field(default_factory=CardSettings)
+    driver: DriverSettings = field(default_factory=DriverSettings)
+    arm: ArmSettings = field(default_factory=ArmSettings)
+    tape_folder: Path | None = None
+    """The one folder whose cassettes the machine can reach; None keeps tapes in memory."""
+    printer_file: Path | None = None
+    """Where the printer's paper goes; None keeps it in memory."""
+    ghosting: bool = False
+    """Whether three keys at the corners of a rectangle of the matrix show a fourth."""
+
+
+@dataclass(order=True)
+class KeyEvent:
+    """A key that goes down or up at a T-state; events of one T-state keep their order."""
+
+    time: int
+    order: int
+    key: Key = field(compare=False)
+    down: bool = field(compare=False)
+
+
+@dataclass
+class Works:
+    """All devices of a rig, and what is about to happen to its keys."""
+
+    clock: Clock
+    memory: Memory
+    matrix: Matrix
+    video: Video
+    display: Display
+    console: Console
+    printer: Printer
+    tape: Tape
+    ports: Ports
+    card: Card
+    driver: Driver
+    arm: MiniMover
+    basic: Interpreter
+    typist: Typist
+    events: list[KeyEvent] = field(default_factory=list)
+    order: int = 0
+    zero: Counts = (0, 0, 0, 0, 0, 0)
+    """Where the rotors stood when the registers were last zeroed."""
+
+
+def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) -> Works:
+    """Build a machine and plug an arm into its card.
+
+    Args:
+        settings: the machine's fittings.
+        arm: what hangs on the card's cable.
+        old: the works whose clock, cassettes and printer go on with the new machine.
+    """
+    clock = old.clock if old else Clock()
+    memory = Memory(settings.ram_kib)
+    matrix = Matrix(ghosting=settings.ghosting)
+    video = Video()
+    display = Display(clock, memory, video)
+    console = Console(display, KeyboardDriver(clock, memory, matrix))
+    printer = old.printer if old else Printer(settings.printer_file)
+    tape = old.tape if old else Tape(settings.tape_folder)
+    card = Card(clock, settings.card, arm)
+    driver = Driver(clock, card, matrix, settings.driver)
+    ports = Ports()
+    ports.attach(card)
+    ports.attach(SystemPort(video))
+    memory.attach(PRINTER_START, PRINTER_STOP, printer)
+    memory.attach(KEYBOARD_START, KEYBOARD_STOP, matrix)
+    memory.attach(VIDEO_START, VIDEO_STOP, video)
+    host = Host(
+        clock=clock,
+        memory=memory,
+        console=console,
+        printer=PrinterDriver(clock, memory, printer),
+        ports=ports,
+        tape=tape,
+        arm=driver if settings.armbasic else None,
+    )
+    basic = Interpreter(host, armbasic=settings.armbasic, blocks=settings.blocks)
+    return Works(
+        clock=clock,
+        memory=memory,
+        matrix=matrix,
+        video=video,
+        display=display,
+        console=console,
+        printer=printer,
+        tape=tape,
+        ports=ports,
+        card=card,
+        driver=driver,
+        arm=arm,
+        basic=basic,
+        typist=Typist(),
+        zero=arm.state().rotors,
+    )
