@@ -26,6 +26,7 @@ class Wall:
         self.now = 1000.0
 
     def __call__(self) -> float:
+        """What it shows, in seconds."""
         return self.now
 
 

@@ -257,3 +257,16 @@ def test_a_fault_leaves_the_terminal_as_it_was_and_keeps_the_program(tmp_path: P
         assert one.is_as_it_was()
         assert b"RuntimeError" in one.output
         assert b"forced" in one.output
+
+
+def test_suspended_and_back_the_terminal_is_the_shells_in_between(tmp_path: Path) -> None:
+    with terminal(tmp_path, reports=True) as one:
+        one.read(0.5)
+        one.send("\x1b[122;5u\x1b[122;5:3u", 1.5)
+        assert one.is_as_it_was()
+        os.kill(one.process.pid, signal.SIGCONT)
+        one.wait_for("READY")
+        one.read(0.5)
+        one.send("\x1b[21~")
+        assert one.leave() == 0
+        assert one.is_as_it_was()

@@ -103,6 +103,7 @@ COMMANDS: tuple[Command, ...] = (
     Command("replay", "Session: play a recording", "Play a recorded session."),
     Command("demo", "Session: demonstration", "The article's pick and place, with captions."),
     Command("settings", "Settings: show", "What is set, and where."),
+    Command("suspend_process", "Suspend", "To the shell; `fg` comes back.", "ctrl+z"),
     Command("leave", "Leave", "Ask if the program is unsaved.", "f10,ctrl+q,ctrl+c", "Quit", True),
 )
 

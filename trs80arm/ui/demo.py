@@ -47,6 +47,14 @@ def _waits(what: Waiting) -> Callable[[Session], bool]:
     return lambda session: session.rig.waiting is what and not session.rig.typing
 
 
+def _holds(session: Session) -> bool:
+    return session.rig.state.held is not None
+
+
+def _holds_nothing(session: Session) -> bool:
+    return session.rig.state.held is None
+
+
 SCENES: tuple[Scene, ...] = (
     Scene("A TRS-80 with ARMBASIC, and the MiniMover 5 of 1980. Any key ends this.", seconds=4),
     Scene(
@@ -70,11 +78,12 @@ SCENES: tuple[Scene, ...] = (
         "1 and W together: base and shoulder at once...", _hold((Key.N1, Key.W), 0.6), seconds=1.8
     ),
     Scene("...and Q and 2 take them back.", _hold((Key.Q, Key.N2), 0.6), seconds=1.8),
-    Scene("0 ends manual mode, and the task begins.", _hold((Key.N0,), 0.1), seconds=4),
-    Scene("Down to the part. @CLOSE closes the hand until its switch feels it.", seconds=8),
-    Scene("The registers count what was commanded; beside them, where the joints are.", seconds=10),
-    Scene("All joints start and end together: every @STEP is one straight sweep.", seconds=15),
-    Scene("The tray takes the part away, and the feeder brings the next one.", seconds=20),
+    Scene("0 ends manual mode, and the task begins.", _hold((Key.N0,), 0.1), seconds=3),
+    Scene("Down to the part. @CLOSE closes the hand until its switch feels it.", until=_holds),
+    Scene("All joints start and end together: every @STEP is one sweep.", until=_holds_nothing),
+    Scene("The hand opens: the tray takes the part, the feeder brings the next one.", seconds=6),
+    Scene("Registers count what was commanded; beside them, where the joints are.", seconds=10),
+    Scene("The arm has no sensors but the grip switch: a step that slips is lost.", seconds=10),
     Scene("It goes on like this. Press a key, and the machine is yours.", seconds=3600),
 )
 

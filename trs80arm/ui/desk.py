@@ -193,8 +193,18 @@ class Desk(App[int]):
         self.tube.focus()
         self.arrange()
         self.pacer.forgive()
+        self.app_suspend_signal.subscribe(self, self._suspended)
+        self.app_resume_signal.subscribe(self, self._resumed)
         if self._ticking:
             self.set_interval(TICK, self.tick)
+
+    def _suspended(self, _: App[int]) -> None:
+        """To the shell: all hands off."""
+        self.keyboard.let_go()
+
+    def _resumed(self, _: App[int]) -> None:
+        """Back from the shell: the time between was nobody's."""
+        self.pacer.forgive()
 
     def use_glyphs(self, chosen: GlyphSet) -> None:
         """Draw graphics with another set; ASCII goes for everything."""
