@@ -77,6 +77,9 @@ class Typist:
         """
         if self._line_end is not None and ready and now >= self._line_end + HOLD:
             self._line_end = None
+            if self._queue and not self._unasked:
+                # The machine has not looked since ENTER went down: let it see the key up.
+                self._free = max(self._free, now + PERIOD - HOLD)
         if not self._queue:
             return []
         start = max(now, self._free)
