@@ -79,6 +79,7 @@ class Control:
         data_line: the line of the DATA statement being read (40DAH).
         dot: the line that `.` means (40ECH).
         traced: TRON.
+        slip: bytes by which RETURN without GOSUB has moved the foot of the Z-80's stack.
     """
 
     frames: list[Frame] = field(default_factory=lambda: [BOTTOM])
@@ -93,16 +94,19 @@ class Control:
     data_line: int = 0
     dot: int = DIRECT
     traced: bool = False
+    slip: int = 0
 
     def stack_bytes(self) -> int:
         """What the frames take on the Z-80's stack."""
-        return sum(
+        sizes = (
             FOR_BYTES if isinstance(frame, ForFrame) else GOSUB_BYTES for frame in self.frames[1:]
         )
+        return sum(sizes) - self.slip
 
     def forget(self, data: int) -> None:
         """No frames, no trap, nothing to CONT; READ begins behind `data` (part of 1B5DH)."""
         self.frames[:] = [BOTTOM]
+        self.slip = 0
         self.trap = 0
         self.handling = False
         self.resume_address = 0

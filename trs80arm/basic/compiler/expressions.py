@@ -95,6 +95,7 @@ class ExpressionCompiler:
         self.scope = scope
         self.pending: list[str] = []
         self._depth = 0
+        self._operand_end = 0
         self.observes = False
         self.plain = True
         self.stack_bytes = 0
@@ -155,6 +156,7 @@ class ExpressionCompiler:
             raise self.mistake(Code.OM)
         left = self._operand()
         reader = self.reader
+        self._operand_end = reader.position
         while True:
             mask = 0
             before = reader.state()
@@ -191,19 +193,16 @@ class ExpressionCompiler:
         return right
 
     def _relation(self, left: Expression, mask: int) -> Expression:
-        if left.kind == STRING:
-            # A string is compared with a single operand: "A"="B"+"C" is ("A"="B")+"C".
-            self.pending.append(left.text)
-            right = self._operand()
-            self.pending.pop()
-        else:
-            right = self._right(left.text, RELATION)
+        right = self._right(left.text, RELATION)
         strings = (left.kind == STRING) + (right.kind == STRING)
         if strings == 1:
             self.pending += [left.text, right.text]
             raise self.mistake(Code.TM)
         relation = _RELATIONS.get(mask)
         if strings:
+            # The ROM goes on behind the last operand it has noted (40F3H), and a concatenation
+            # notes none of its own: "A"="B"+"C" compares, and then reads +"C" again.
+            self.reader.position = self._operand_end
             self.out.cost += costs.COMPARE["t"]
             test = self._string_relation(left, right, relation)
         else:
@@ -310,10 +309,11 @@ class ExpressionCompiler:
                 f"(s if (c := (s := {first} {sign} {second}) * 536870913.0) - (c - s) == s"
                 f" and 1e-74 < s * s < 1e74 else {call})"
             )
-        sign, guard = ("*", "") if name == "mul" else ("/", f"{b} and ")
-        if guard and second != b:
-            # The divisor is looked at first, but the dividend is evaluated before it.
-            guard = f"({first} or True) and {second} and " if first != a else f"{second} and "
+        sign, guard = ("*", "") if name == "mul" else ("/", f"{second} and ")
+        if guard:
+            if first != a:
+                # The divisor is looked at first, but the dividend is evaluated before it.
+                guard = f"({first} or True) and {guard}"
             first, second = a, b
         return (
             f"((c := s * 536870913.0) - (c - s) if {guard}1e-74 <"

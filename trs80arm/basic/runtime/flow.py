@@ -48,6 +48,8 @@ class Flow(Part):
             frame = frames.pop()
             if isinstance(frame, GosubFrame):
                 return frame.back
+        # The ROM takes the byte behind the last frame, which is no GOSUB's, from the stack.
+        self._control.slip += 1
         raise BasicError(Code.RG)
 
     def drop_loop(self, scalar: Scalar) -> None:
