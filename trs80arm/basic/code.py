@@ -208,9 +208,13 @@ class CompiledCode:
             self.blocks.forget_all()
 
     def types(self) -> bytes:
-        """The table of DEFINT and so on, by which compiled statements are kept."""
+        """The table of DEFINT and so on, by which compiled statements are kept.
+
+        They are kept apart for a machine with hardly any memory left.
+        """
         ram = self._basic.memory.ram
-        return bytes(ram[system_area.DEF_TABLE : system_area.DEF_TABLE + 26])
+        types = bytes(ram[system_area.DEF_TABLE : system_area.DEF_TABLE + 26])
+        return types + b"!" if self._basic.room.tight else types
 
     def refresh_cells(self, assumptions: Assumptions) -> None:
         """Arrays made anew have new lists."""
@@ -221,7 +225,8 @@ class CompiledCode:
     # -- compiling ----------------------------------------------------------------------------
 
     def _scope(self, types: bytes) -> Scope:
-        return Scope(self.variables, self._array_cells, self._environment, types)
+        tight = self._basic.room.tight
+        return Scope(self.variables, self._array_cells, self._environment, types, tight)
 
     def _compile_statement(self, address: int, types: bytes) -> Compiled:
         out = Emitter()

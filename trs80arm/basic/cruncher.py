@@ -76,7 +76,7 @@ def _match(text: bytes, position: int) -> tuple[int, int] | None:
     for code, word in _BY_FIRST.get(first, ()):
         place = position + 1
         for wanted in word[1:]:
-            if code == tokens.GOTO and wanted == 0x54:
+            if code == tokens.GOTO:
                 while place < len(text) and text[place] == _BLANK:
                     place += 1
             if place >= len(text):

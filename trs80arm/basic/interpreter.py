@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Any, Protocol
 
-from trs80arm.basic import costs, cruncher, system_area
+from trs80arm.basic import costs, cruncher, room, system_area
 from trs80arm.basic.activity import Activity, Waiting
 from trs80arm.basic.code import CompiledCode
 from trs80arm.basic.control import DIRECT, Control
@@ -23,6 +23,7 @@ from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.execution import Execution
 from trs80arm.basic.host import Host
 from trs80arm.basic.program import START, Program
+from trs80arm.basic.room import Room
 from trs80arm.basic.runtime.environment import Runtime
 from trs80arm.basic.string_space import StringSpace
 from trs80arm.basic.system_area import SystemArea, Workspace
@@ -72,6 +73,7 @@ class Interpreter:
         program: the lines in memory.
         variables: simple variables and arrays.
         strings: string space and temporaries.
+        room: the free memory.
         control: loops, subroutines, error trap, DATA pointer.
         stack: what the machine is doing, the topmost last.
         armbasic: whether the `@` statements are there.
@@ -90,6 +92,7 @@ class Interpreter:
         self.variables = Variables()
         self.strings = StringSpace(host.memory, host.clock, self.variables)
         self.control = Control()
+        self.room = Room(self.strings, self.variables, self.control)
         self.seed = 0
         self.outcome: Outcome | None = None
         self.listeners: list[Listener] = []
@@ -172,7 +175,9 @@ class Interpreter:
         """
         number, rest = cruncher.split_line(text)
         if number is None:
-            self.execute_direct(cruncher.crunch(rest))
+            crunched = cruncher.crunch(rest)
+            self.clock.now += costs.crunching(crunched)
+            self.execute_direct(crunched)
             return True
         self.store_line(number, rest)
         return False
@@ -186,12 +191,15 @@ class Interpreter:
             BasicError: OM when it does not fit.
         """
         crunched = cruncher.crunch(text)
+        program = self.program
+        behind = program.end - (program.address_from(number) or program.end)
+        self.clock.now += costs.crunching(crunched) + costs.storing(
+            behind, len(program), program.end - program.start
+        )
         self.control.dot = number
         if crunched:
             old = self.program.text(number)
-            room = self.strings.bottom - self.program.end - system_area.STACK_RESERVE
-            if len(crunched) + 5 - (0 if old is None else len(old) + 5) > room:
-                raise BasicError(Code.OM)
+            self.room.need(len(crunched) + 5 - (0 if old is None else len(old) + 5) + room.LINE)
             self.program.store(number, crunched)
         else:
             self.program.delete(number)
@@ -207,11 +215,11 @@ class Interpreter:
         Lines that do not fit into memory are left out, and ?OM is reported.
         """
         wanted = sorted(dict(lines).items())
-        room = self.strings.bottom - self.program.start - system_area.STACK_RESERVE
+        free = self.strings.bottom - self.program.start - room.LINE
         fits = []
         for number, text in wanted:
-            room -= len(text) + 5
-            if room < 0:
+            free -= len(text) + 5
+            if free < 0:
                 break
             fits.append((number, text))
         self.program.load(fits)
@@ -327,7 +335,7 @@ class Interpreter:
         self.strings.reset(string_space)
         self.control.forget(self.program.start - 1)
         system_area.reset_types(self.memory.ram)
-        self.runtime.flow.measure()
+        self.room.relax()
         self.code.cleared()
 
     def new(self) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from trs80arm.basic import room
 from trs80arm.basic.program import START
 
 if TYPE_CHECKING:
@@ -31,10 +32,6 @@ INPUT_BUFFER: Final = 0x41E7
 DEF_TABLE: Final = 0x4101
 TRACE_FLAG: Final = 0x411B
 SINGLE_TYPE: Final = 4
-STACK_AT_REST: Final = 14
-"""Bytes of the Z-80's stack in use while MEM is evaluated."""
-STACK_RESERVE: Final = 40
-"""Bytes that must stay free between the variables and the stack."""
 
 
 def power_on(basic: Interpreter) -> None:
@@ -84,7 +81,7 @@ class SystemArea:
             0x40D6: strings.next,
             0x40DA: control.data_line,
             0x40E6: control.error_address if execution is None else execution.statement,
-            0x40E8: strings.bottom - control.stack_bytes(),
+            0x40E8: strings.bottom - control.stack_bytes() - room.STACK_AT_REST,
             0x40EA: control.error_line,
             0x40EC: control.dot,
             0x40EE: control.error_address,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from trs80arm.basic import costs, tokens
+from trs80arm.basic import costs, room, tokens
 from trs80arm.basic.compiler.expressions import Expression
 from trs80arm.basic.compiler.functions import FunctionCompiler
 from trs80arm.basic.control import DIRECT
@@ -68,13 +68,11 @@ class AssignmentCompiler(FunctionCompiler):
             self.pending.append(value.text)
             raise self.mistake(Code.TM)
         if target.kind == STRING:
-            self.out.cost += costs.STRING_ASSIGN
+            self.out.cost += costs.STORE_STRING
             self.plain = False
             self.out.emit(f"assign({target.text}, {value.text})")
             return
-        self.out.cost += costs.MOVE_DOUBLE if target.kind == DOUBLE else costs.MOVE
-        if value.kind != target.kind:
-            self.out.cost += costs.CONVERT
+        self.out.cost += costs.store(target.kind, value.kind)
         self.out.emit(f"{target.text} = {self.to_kind(value, target.kind)}")
 
     def let(self) -> None:
@@ -82,7 +80,10 @@ class AssignmentCompiler(FunctionCompiler):
         self.out.cost += costs.STATEMENT_WORK["LET"]
         target = self.target()
         self.expect(tokens.EQUAL)
-        self.store(target, self.expression())
+        self.deepen(room.LET)
+        value = self.expression()
+        self.deepen(-room.LET)
+        self.store(target, value)
 
     def dim(self) -> None:
         """DIM: arrays of given size; simple variables are made too."""

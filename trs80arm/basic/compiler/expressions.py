@@ -10,14 +10,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from trs80arm.basic import costs, tokens
+from trs80arm.basic import costs, room, tokens
 from trs80arm.basic.compiler.emitter import Emitter
 from trs80arm.basic.compiler.reader import Reader
 from trs80arm.basic.compiler.scope import Scope
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import convert, literal
 from trs80arm.basic.numbers.double import Double
-from trs80arm.basic.variables import DOUBLE, INTEGER, SINGLE, STRING, Array, Key
+from trs80arm.basic.variables import DOUBLE, INTEGER, SINGLE, SIZES, STRING, Array, Key
 
 NUMBER = "n"
 """Kind of a value that is an integer or a single, known only when it is there."""
@@ -37,8 +37,6 @@ _PRECEDENCE = {
     tokens.OR: 0x46,
 }
 _RELATIONS = {1: ">", 2: "==", 3: ">=", 4: "<", 5: "!=", 6: "<="}
-PARENTHESIS_BYTES = 6
-"""What a level of parentheses takes on the Z-80's stack, which MEM shows."""
 _MAX_DEPTH = 60
 """Nesting that the Z-80's stack would still hold in a small machine; beyond it is OM."""
 
@@ -99,6 +97,12 @@ class ExpressionCompiler:
         self.observes = False
         self.plain = True
         self.stack_bytes = 0
+        self._deepest = 0
+
+    def deepen(self, size: int) -> None:
+        """The evaluation takes so many bytes more of the Z-80's stack (or gives them back)."""
+        self.stack_bytes += size
+        self._deepest = max(self._deepest, self.stack_bytes)
 
     # -- mistakes -----------------------------------------------------------------------------
 
@@ -117,7 +121,12 @@ class ExpressionCompiler:
     def expression(self) -> Expression:
         """An expression, up to the first character that does not belong to it."""
         self.reader.skip()
-        return self._evaluate(0)
+        outermost = not self._depth
+        value = self._evaluate(0)
+        if outermost and self.scope.tight:
+            self.out.emit(f"room({room.EXPRESSION + self._deepest})")
+            self._deepest = 0
+        return value
 
     def number(self) -> Expression:
         """An expression that must be a number; TM."""
@@ -185,15 +194,18 @@ class ExpressionCompiler:
         self._depth -= 1
         return left
 
-    def _right(self, left: str, precedence: int) -> Expression:
+    def _right(self, left: Expression, precedence: int) -> Expression:
         """What stands to the right of an operator, while its left side is pending."""
-        self.pending.append(left)
+        self.pending.append(left.text)
+        size = room.OPERATOR + SIZES.get(left.kind, 4)
+        self.deepen(size)
         right = self._evaluate(precedence)
+        self.deepen(-size)
         self.pending.pop()
         return right
 
     def _relation(self, left: Expression, mask: int) -> Expression:
-        right = self._right(left.text, RELATION)
+        right = self._right(left, RELATION)
         strings = (left.kind == STRING) + (right.kind == STRING)
         if strings == 1:
             self.pending += [left.text, right.text]
@@ -203,11 +215,11 @@ class ExpressionCompiler:
             # The ROM goes on behind the last operand it has noted (40F3H), and a concatenation
             # notes none of its own: "A"="B"+"C" compares, and then reads +"C" again.
             self.reader.position = self._operand_end
-            self.out.cost += costs.COMPARE["t"]
+            self.out.cost += costs.COMPARE_STRINGS
             test = self._string_relation(left, right, relation)
         else:
             kind = wider(left.kind, right.kind)
-            self.out.cost += costs.COMPARE[kind]
+            self.out.cost += costs.binary("compare", left.kind, right.kind)
             if kind == DOUBLE:
                 test = f"double_compare({self.to_double(left)}, {self.to_double(right)})"
                 test = f"{test} {relation} 0"
@@ -249,7 +261,7 @@ class ExpressionCompiler:
         precedence = _PRECEDENCE[operator]
         if operator in (tokens.AND, tokens.OR):
             return self._logical(left, operator)
-        right = self._right(left.text, precedence)
+        right = self._right(left, precedence)
         if right.kind == STRING:
             self.pending += [left.text, right.text]
             raise self.mistake(Code.TM)
@@ -261,7 +273,7 @@ class ExpressionCompiler:
     def _logical(self, left: Expression, operator: int) -> Expression:
         self.out.cost += costs.LOGICAL
         converted = self.to_integer(left)
-        right = self._right(left.condition or converted, _PRECEDENCE[operator])
+        right = self._right(Expression(converted, INTEGER), _PRECEDENCE[operator])
         if right.kind == STRING:
             self.pending += [converted, right.text]
             raise self.mistake(Code.TM)
@@ -281,10 +293,7 @@ class ExpressionCompiler:
         }[operator]
         if kind == NUMBER and operator == tokens.DIVIDE:
             kind = SINGLE
-        table = {"add": costs.ADD, "sub": costs.ADD, "mul": costs.MULTIPLY, "div": costs.DIVIDE}
-        self.out.cost += table[name][kind]
-        if left.kind != right.kind and kind != NUMBER:
-            self.out.cost += costs.CONVERT
+        self.out.cost += costs.binary(name, left.kind, right.kind)
         if kind == DOUBLE:
             text = f"double_{name}({self.to_double(left)}, {self.to_double(right)})"
         elif kind == SINGLE:
@@ -309,11 +318,10 @@ class ExpressionCompiler:
                 f"(s if (c := (s := {first} {sign} {second}) * 536870913.0) - (c - s) == s"
                 f" and 1e-74 < s * s < 1e74 else {call})"
             )
-        sign, guard = ("*", "") if name == "mul" else ("/", f"{second} and ")
-        if guard:
-            if first != a:
-                # The divisor is looked at first, but the dividend is evaluated before it.
-                guard = f"({first} or True) and {guard}"
+        sign, guard = ("*", "") if name == "mul" else ("/", f"{b} and ")
+        if guard and second != b:
+            # The divisor is looked at first, but the dividend is evaluated before it.
+            guard = f"({first} or True) and {second} and " if first != a else f"{second} and "
             first, second = a, b
         return (
             f"((c := s * 536870913.0) - (c - s) if {guard}1e-74 <"
@@ -394,14 +402,14 @@ class ExpressionCompiler:
             return self._operand()
         if code == tokens.MINUS:
             reader.advance()
-            return self._negated(self._evaluate(_UNARY_MINUS))
+            return self._negated(self._nested(_UNARY_MINUS))
         if code == 0x22:
             length, address = reader.string_literal()
             out.cost += costs.STRING_LITERAL + costs.STRING_CHARACTER * length
             return Expression(f"literal({length}, {address})", STRING)
         if code == tokens.NOT:
             reader.advance()
-            value = self._evaluate(_NOT)
+            value = self._nested(_NOT)
             if value.kind == STRING:
                 self.pending.append(value.text)
                 raise self.mistake(Code.TM)
@@ -418,13 +426,20 @@ class ExpressionCompiler:
         if code != 0x28:
             raise self.mistake(Code.SN)
         reader.advance()
-        self.stack_bytes += PARENTHESIS_BYTES
+        self.deepen(room.PARENTHESIS)
         value = self.expression()
-        self.stack_bytes -= PARENTHESIS_BYTES
+        self.deepen(-room.PARENTHESIS)
         self.close_parenthesis(value.text)
         text = value.text if value.text.isidentifier() else f"({value.text})"
         condition = f"({value.condition})" if value.condition else None
         return Expression(text, value.kind, condition, value.constant, value.simple)
+
+    def _nested(self, precedence: int) -> Expression:
+        """The operand of a sign or a NOT."""
+        self.deepen(room.PARENTHESIS)
+        value = self._evaluate(precedence)
+        self.deepen(-room.PARENTHESIS)
+        return value
 
     def close_parenthesis(self, *pending: str) -> None:
         """A `)` behind what is pending; SN."""
@@ -480,8 +495,7 @@ class ExpressionCompiler:
         if self.reader.code == 0x28:
             return self._element(key)
         scalar = self.scope.scalar(key)
-        self.out.cost += costs.VARIABLE + self.scope.search(scalar)
-        self.out.cost += costs.MOVE_DOUBLE if key[1] == DOUBLE else costs.MOVE
+        self.out.cost += costs.VARIABLE + self.scope.search(scalar) + costs.FETCH[key[1]]
         name = self.out.cell(self.scope.cell_name(key), scalar.cell)
         return Expression(name, key[1], simple=True)
 
@@ -494,6 +508,7 @@ class ExpressionCompiler:
         name = chr(first)
         code = reader.advance()
         while 0x30 <= code <= 0x39 or 0x41 <= code <= 0x5A:
+            self.out.cost += costs.NAME_LETTER
             if len(name) < 2:
                 name += chr(code)
             code = reader.advance()
@@ -501,6 +516,7 @@ class ExpressionCompiler:
         if kind is not None:
             reader.advance()
             return name, kind
+        self.out.cost += costs.KIND_BY_LETTER
         return name, self.scope.default_kind(first)
 
     def _element(self, key: Key) -> Expression:

@@ -221,13 +221,12 @@ class FlowCompiler(AssignmentCompiler):
         out = self.out
         guess = key or (self.loops[-1] if self.loops else None)
         if guess is None or guess[1] in (STRING, DOUBLE):
-            out.cost += costs.STATEMENT_WORK["NEXT"] + costs.ADD["s"] + costs.COMPARE["s"]
+            out.cost += costs.STATEMENT_WORK["NEXT"]
             self._slow_step(key)
             return
         integer = guess[1] == INTEGER
         kind = "i" if integer else "s"
         out.cost += costs.STATEMENT_WORK["NEXT_INTEGER" if integer else "NEXT"]
-        out.cost += costs.ADD[kind] + costs.COMPARE[kind]
         scalar = self.scope.object_name(guess)
         self.scope.scalar(guess)
         cell = self.scope.scalar(guess).cell

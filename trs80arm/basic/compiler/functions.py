@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trs80arm.basic import costs, tokens
+from trs80arm.basic import costs, room, tokens
 from trs80arm.basic.compiler.expressions import ANY, NUMBER, Expression, ExpressionCompiler
 from trs80arm.basic.errors import Code
 from trs80arm.basic.variables import DOUBLE, INTEGER, SINGLE, STRING
@@ -42,7 +42,9 @@ class FunctionCompiler(ExpressionCompiler):
             raise self.mistake(Code.SN)
         self.out.cost += costs.PARENTHESES
         self.reader.advance()
+        self.deepen(room.FUNCTION)
         value = self.expression()
+        self.deepen(-room.FUNCTION)
         self.close_parenthesis(value.text)
         self.out.cost += costs.FUNCTION
         if name in _DISK_FUNCTIONS:

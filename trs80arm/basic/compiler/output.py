@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from trs80arm.basic import costs, tokens
-from trs80arm.basic.compiler.expressions import PARENTHESIS_BYTES, Expression, Mistake
+from trs80arm.basic import costs, room, tokens
+from trs80arm.basic.compiler.expressions import Expression, Mistake
 from trs80arm.basic.compiler.flow import FlowCompiler
 from trs80arm.basic.errors import Code
 from trs80arm.basic.variables import STRING
@@ -92,9 +92,9 @@ class OutputCompiler(FlowCompiler):
         while True:
             out.charge()
             out.emit(f"using_literal({layout_name})")
-            self.stack_bytes = PARENTHESIS_BYTES
+            self.deepen(room.PARENTHESIS)
             value = self.expression()
-            self.stack_bytes = 0
+            self.deepen(-room.PARENTHESIS)
             out.charge()
             function = "using_string" if value.kind == STRING else "using_number"
             out.emit(f"{function}({layout_name}, {value.text})")

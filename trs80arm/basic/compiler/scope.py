@@ -51,7 +51,11 @@ def _search(variables: Variables, key: Key) -> int:
 
 
 class Scope:
-    """The variables as one compiled function sees them."""
+    """The variables as one compiled function sees them.
+
+    Attributes:
+        tight: whether expressions must look for room on the stack.
+    """
 
     def __init__(
         self,
@@ -59,7 +63,9 @@ class Scope:
         cells: dict[Key, CellType],
         environment: dict[str, Any],
         types: bytes,
+        tight: bool = False,
     ) -> None:
+        self.tight = tight
         self._variables = variables
         self._cells = cells
         self._environment = environment

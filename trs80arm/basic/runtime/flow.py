@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from typing import NoReturn
 
-from trs80arm.basic import system_area
-from trs80arm.basic.control import FOR_BYTES, ForFrame, GosubFrame
+from trs80arm.basic import room
+from trs80arm.basic.control import ForFrame, GosubFrame
 from trs80arm.basic.dialogue import auto, edit, lister
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.execution import Execution, Leave
 from trs80arm.basic.numbers import single
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.variables import INTEGER, Scalar
+
+_FEW = 50
+_MUCH = 2000
+"""So many loops and subroutines always fit into so many bytes."""
 
 
 class Flow(Part):
@@ -25,21 +29,27 @@ class Flow(Part):
 
     # -- the stack of loops and subroutines ---------------------------------------------------
 
-    def measure(self) -> None:
-        """How many bytes the Z-80's stack may still grow."""
-        room = self._strings.bottom - self._variables.end - system_area.STACK_RESERVE
-        self._room = room
+    def _check_room(self, size: int) -> None:
+        """OM when the stack comes too near to the variables.
 
-    def _check_room(self) -> None:
+        With few frames and much memory there is nothing to look at.
+        """
         frames = self._control.frames
-        if len(frames) * FOR_BYTES > self._room and self._control.stack_bytes() > self._room:
-            frames.pop()
-            raise BasicError(Code.OM)
+        if len(frames) > _FEW or self._strings.bottom - self._variables.end < _MUCH:
+            basic = self._basic
+            tight = basic.room.tight
+            basic.room.need(size)
+            if basic.room.tight and not tight:
+                basic.code.look_around()
+
+    def room(self, size: int) -> None:
+        """OM unless an expression finds its room on the stack."""
+        self._basic.room.need(size)
 
     def open_subroutine(self, back: int, line: int) -> None:
         """GOSUB."""
+        self._check_room(room.GOSUB)
         self._control.frames.append(GosubFrame(back, line))
-        self._check_room()
 
     def close_subroutine(self) -> int:
         """RETURN: the address behind the GOSUB; RG without one."""
@@ -71,8 +81,8 @@ class Flow(Part):
 
     def open_loop(self, scalar: Scalar, limit: float, step: float, body: int, line: int) -> None:
         """FOR."""
+        self._check_room(room.FOR)
         self._control.frames.append(ForFrame(scalar, limit, step, body, line))
-        self._check_room()
 
     @staticmethod
     def goes_on(value: float, frame: ForFrame) -> bool:

@@ -26,5 +26,5 @@ class Part:
         return {
             name: getattr(self, name)
             for name in dir(type(self))
-            if not name.startswith("_") and name not in ("names", "measure")
+            if not name.startswith("_") and name != "names"
         }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from trs80arm.basic import costs, system_area
+from trs80arm.basic import costs, room, system_area
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import convert
 from trs80arm.basic.runtime.part import Part
@@ -59,14 +59,9 @@ class Storage(Part):
         string = self._strings.new(text)
         self._strings.assign(target, string, self._basic.program.start)
 
-    def free_bytes(self) -> int:
-        """What lies between the variables and the stack (MEM)."""
-        stack = self._control.stack_bytes() + system_area.STACK_AT_REST
-        return self._strings.bottom - stack - self._variables.end
-
     def free_memory(self, in_use: int) -> int | float:
         """MEM, with so many bytes of the stack in use by the expression."""
-        free = self.free_bytes() - in_use
+        free = self._basic.room.free() - room.MEM_DEPTH - in_use
         return free if free < 32768 else float(free)
 
     def free_after(self, _argument: object, in_use: int) -> int | float:
@@ -74,8 +69,10 @@ class Storage(Part):
         return self.free_memory(in_use)
 
     def _check_room(self, size: int) -> None:
-        if size > self.free_bytes() - system_area.STACK_RESERVE:
-            raise BasicError(Code.OM)
+        tight = self._basic.room.tight
+        self._basic.room.need(size + room.VARIABLE)
+        if self._basic.room.tight and not tight:
+            self._basic.code.look_around()
 
     def create(self, key: Key) -> None:
         """Make a simple variable if it is not there; OM."""
@@ -84,7 +81,6 @@ class Storage(Part):
             self._check_room(scalar.size)
             self._variables.create(scalar)
             self._clock.now += costs.NEW_SCALAR
-            self._basic.runtime.flow.measure()
             self._basic.code.created()
 
     def _array(self, key: Key, dimensions: int) -> Array:
@@ -100,7 +96,6 @@ class Storage(Part):
         self._check_room(size)
         array = self._variables.add_array(key, dims)
         self._clock.now += costs.NEW_ARRAY + costs.NEW_ARRAY_BYTE * size
-        self._basic.runtime.flow.measure()
         self._basic.code.created()
         return array
 
@@ -159,7 +154,7 @@ class Storage(Part):
 
     def clear_strings(self, size: int) -> None:
         """CLEAR n; OM when it leaves no room."""
-        if self._strings.top - size < self._basic.program.end + system_area.STACK_RESERVE:
+        if self._strings.top - size < self._basic.program.end + room.CLEAR:
             raise BasicError(Code.OM)
         self._basic.clear_all(size)
 
