@@ -318,10 +318,11 @@ class ExpressionCompiler:
                 f"(s if (c := (s := {first} {sign} {second}) * 536870913.0) - (c - s) == s"
                 f" and 1e-74 < s * s < 1e74 else {call})"
             )
-        sign, guard = ("*", "") if name == "mul" else ("/", f"{b} and ")
-        if guard and second != b:
-            # The divisor is looked at first, but the dividend is evaluated before it.
-            guard = f"({first} or True) and {second} and " if first != a else f"{second} and "
+        sign, guard = ("*", "") if name == "mul" else ("/", f"{second} and ")
+        if guard:
+            if first != a:
+                # The divisor is looked at first, but the dividend is evaluated before it.
+                guard = f"({first} or True) and {guard}"
             first, second = a, b
         return (
             f"((c := s * 536870913.0) - (c - s) if {guard}1e-74 <"
