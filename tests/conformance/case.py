@@ -50,7 +50,8 @@ class Case:
     expected: dict[str, Any]
 
 
-def _entry(item: Any) -> Entry:
+def entry(item: Any) -> Entry:
+    """An entry of a script: a line, `raw` keys, or a line with timed keys."""
     if isinstance(item, str):
         return Entry(item + "\r")
     typed = item["raw"] if "raw" in item else item.get("line", "") + "\r"
@@ -71,7 +72,7 @@ def parse(item: dict[str, Any]) -> Case:
         memory_size=item.get("memsize", ""),
         max_seconds=item.get("max_seconds", 60),
         program=tuple(item.get("program", ())),
-        script=tuple(_entry(entry) for entry in item.get("script", ())),
+        script=tuple(entry(one) for one in item.get("script", ())),
         dumps=tuple(Dump(*dump) for dump in item.get("dump", ())),
         expected=item["expected"],
     )

@@ -1,0 +1,68 @@
+"""Programs of the period run as they did on the machine they were written for."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.conformance.case import Entry, entry
+from tests.conformance.player import Session
+from trs80arm.basic.activity import Waiting
+
+FOLDER = Path(__file__).parent / "programs"
+NAMES = sorted(path.stem for path in FOLDER.glob("*.bas"))
+LONGEST = 120.0
+"""Virtual seconds that one entry of a script may take."""
+
+
+def shown(text: str) -> str:
+    """Text of the tube in ASCII: codes that are no signs as `\\xNN`."""
+    return "".join(
+        sign if " " <= sign < "\x7f" or sign == "\n" else f"\\x{ord(sign):02x}"
+        for sign in text.replace("\\", "\\\\")
+    )
+
+
+def picture(session: Session) -> list[str]:
+    """The sixteen lines of video memory as the CPU reads them, trailing blanks removed."""
+    peek = session.rig.memory.peek
+    starts = range(0x3C00, 0x4000, 64)
+    return [
+        "".join(chr(peek(start + place)) for place in range(64)).rstrip(" ") for start in starts
+    ]
+
+
+def listing(name: str) -> list[str]:
+    return (FOLDER / f"{name}.bas").read_text(encoding="ascii").splitlines()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_program_prints_what_the_rom_printed(name: str) -> None:
+    session = Session()
+    for line in listing(name):
+        session.play(Entry(line + "\r"), LONGEST)
+    session.transcript()
+    for item in json.loads((FOLDER / f"{name}.script.json").read_text(encoding="ascii")):
+        session.play(entry(item), LONGEST)
+    assert session.rig.waiting is not Waiting.NOTHING
+    found = shown(session.transcript()) + "\n--- the tube ---\n"
+    found += "".join(f"|{shown(line)}\n" for line in picture(session))
+    assert found == (FOLDER / f"{name}.golden.txt").read_text(encoding="ascii")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_listing_loads_to_the_bytes_that_typing_makes(name: str) -> None:
+    typed = Session()
+    for line in listing(name):
+        typed.play(Entry(line + "\r"), LONGEST)
+    expected = list(typed.rig.basic.program.lines())
+    loaded = Session()
+    loaded.rig.load_text("\r\n".join(listing(name)))
+    assert list(loaded.rig.basic.program.lines()) == expected
+
+
+def test_there_are_twenty_of_thirty_lines_and_more() -> None:
+    assert len(NAMES) == 20
+    assert all(30 <= len(listing(name)) <= 100 for name in NAMES)
