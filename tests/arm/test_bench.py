@@ -135,7 +135,7 @@ def test_the_table_blocks_the_arm(pose: Pose) -> None:
 
 
 def test_its_own_base_blocks_the_arm() -> None:
-    generator = ready(Bench("empty"), Pose(0.3, 3.6, 0.9, -90.0, 0.0))
+    generator = ready(Bench("empty"), Pose(0.3, 3.6, 0.5, -90.0, 0.0))
     generator.turn(2, -100, EASY)
     assert "base" in texts(generator.arm, EventKind.CONTACT)[0].text
     assert generator.arm.state().pose.y > 2.9

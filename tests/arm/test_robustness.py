@@ -1,0 +1,140 @@
+"""No state of arm or bench raises an exception or puts a part where no part can be."""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import dataclass
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from trs80arm.arm import Bench, InTheWay, MiniMover, MotorsOn, OutOfReach, Pose
+from trs80arm.arm.fixtures import Feeder, Obstacle, Tray, Turntable
+from trs80arm.arm.motors import PHASES
+from trs80arm.arm.shapes import overlap, upright
+from trs80arm.arm.stepping import PulseGenerator
+
+GRAZE = 0.006
+
+
+def random_bench(chance: random.Random) -> Bench:
+    """Up to eight parts of all sizes around the place where the arm works, and fixtures."""
+    bench = Bench("random")
+    for k in range(chance.randrange(3)):
+        size = tuple(chance.uniform(0.2, 4) for _ in range(3))
+        x, y, turn = chance.uniform(3, 14), chance.uniform(-10, 10), chance.uniform(0, 3)
+        box = upright(x, y, 0.0, (size[0], size[1], size[2]), turn)
+        if bench.room_for(box):
+            bench.obstacles.append(Obstacle(f"obstacle {k}", box))
+    for k in range(chance.randrange(9)):
+        x, y, turn = chance.uniform(4, 10), chance.uniform(-4, 4), chance.uniform(0, 3)
+        bottom = chance.choice([0.0, 0.0, 1.0, 3.0])
+        size = tuple(chance.uniform(0.2, 1.8) for _ in range(3))
+        sizes = (size[0], size[1], size[2])
+        if bench.room_for(upright(x, y, bottom, sizes, turn)):
+            weight = chance.choice([0.5, 2.0, 8.0, 30.0, 200.0])
+            bench.add_part(f"part {k}", sizes, weight, x, y, bottom, turn)
+    feeder = Feeder("feeder", 8.0, 0.0, 0.0, (0.5, 0.5, 1.0), 2.0)
+    if chance.random() < 0.5 and bench.room_for(feeder.place):
+        bench.feeders.append(feeder)
+    if chance.random() < 0.5:
+        bench.trays.append(Tray("tray", 6.0, 5.0, 2.0, 2.0))
+    if chance.random() < 0.5:
+        bench.turntable = Turntable(6.0, -2.0, 3.0, 96)
+    return bench
+
+
+def assert_possible(arm: MiniMover) -> None:
+    """Every part is on or above the table, inside nothing, and within the room."""
+    parts = list(arm.bench.parts.values())
+    for i, part in enumerate(parts):
+        assert all(math.isfinite(value) for value in part.box.center)
+        assert max(abs(value) for value in part.box.center) < 200
+        assert part.box.bottom > -1e-6
+        for other in parts[:i]:
+            assert not overlap(part.box, other.box, GRAZE if part.held or other.held else 1e-5)
+        for obstacle in arm.bench.obstacles:
+            assert not overlap(part.box, obstacle.box, GRAZE if part.held else 1e-5)
+    state = arm.state()
+    assert state.pose.z > -0.2
+    assert 0 <= state.pose.opening <= 3
+    assert 0 <= state.force <= 3 + 1 / 52
+    assert sum(part.held for part in parts) == (state.held is not None)
+
+
+@dataclass
+class Operator:
+    """Someone who does anything that can be done to an arm."""
+
+    chance: random.Random
+    generator: PulseGenerator
+
+    def act(self) -> None:
+        chance, generator = self.chance, self.generator
+        arm = generator.arm
+        choice = chance.randrange(8)
+        period = chance.choice([2100, 4800, 4800, 9000])
+        if choice == 0:
+            generator.close(3600, chance.randrange(160))
+        elif choice == 1:
+            generator.off()
+            self.place(chance.uniform(3, 12), chance.uniform(-5, 5), chance.uniform(0, 4))
+        elif choice == 2 and arm.bench.parts:
+            generator.off()
+            x, y, z = chance.choice(list(arm.bench.parts.values())).box.center
+            self.place(x, y, max(z, 0.3), opening=3.0)
+            generator.align()
+            generator.close(3600, chance.randrange(120))
+        elif choice == 3:
+            generator.turn(5, chance.randrange(-900, 900), period)
+        elif choice == 4:
+            self.write([6] * 60, [PHASES[i * chance.choice([1, -1]) % 8] for i in range(60)])
+        elif choice == 5:
+            latches = [chance.randrange(7) for _ in range(60)]
+            self.write(latches, [chance.randrange(16) for _ in range(60)])
+        else:
+            counts = [chance.randrange(-250, 250) * chance.randrange(2) for _ in range(6)]
+            generator.step(counts, period, compensate=chance.randrange(2))
+
+    def write(self, latches: list[int], nibbles: list[int]) -> None:
+        wait = self.chance.choice([300, 5000])
+        times = [self.generator.time + wait * i for i in range(len(latches))]
+        self.generator.arm.apply(times, latches, nibbles)
+        self.generator.time = times[-1] + wait
+
+    def place(self, x: float, y: float, z: float, opening: float | None = None) -> None:
+        chance = self.chance
+        pitch, roll = chance.choice([-90.0, -90.0, -60.0, 0.0]), chance.uniform(-90, 90)
+        opening = chance.uniform(0, 3) if opening is None else opening
+        try:
+            self.generator.arm.move_to(Pose(x, y, z, pitch, roll, opening))
+        except (MotorsOn, InTheWay, OutOfReach, ValueError):
+            return
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.integers(0, 10**9))
+def test_whatever_is_done_every_part_stays_where_a_part_can_be(seed: int) -> None:
+    chance = random.Random(seed)
+    arm = MiniMover(bench=random_bench(chance))
+    operator = Operator(chance, PulseGenerator(arm))
+    assert_possible(arm)
+    for _ in range(10):
+        operator.act()
+        assert_possible(arm)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(0, 10**9))
+def test_whatever_stands_on_a_bench_comes_to_rest(seed: int) -> None:
+    chance = random.Random(seed)
+    arm = MiniMover(bench=random_bench(chance))
+    for _ in range(3):
+        if arm.bench.parts:
+            del arm.bench.parts[chance.choice(list(arm.bench.parts))]
+        arm.bench.settle()
+        assert_possible(arm)
+    before = {part.name: part.box for part in arm.bench.parts.values()}
+    arm.bench.settle()
+    assert {part.name: part.box for part in arm.bench.parts.values()} == before
