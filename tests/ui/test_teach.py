@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from tests.ui import samples
 from tests.ui.golden_text import check_golden
-from trs80arm.arm.geometry import OutOfReach, Pose
-from trs80arm.ui.readings import Readings
+from trs80arm.arm.geometry import JointAngles, OutOfReach, Pose
+from trs80arm.ui.readings import Posture, Readings
 from trs80arm.ui.taught_programs import Manner, in_data, in_steps, moves
 from trs80arm.ui.teach import Lesson, listing_name, steps_between
 
@@ -20,8 +20,17 @@ SIX = st.tuples(*[REGISTER] * 6)
 def standing(
     registers: tuple[int, ...], pose: Pose, *, grips: bool = False, force: float = 0.0
 ) -> Readings:
+    j1, j2, j3, j4, j5, _ = registers
+    left, right = -1.5 - j4 / 203.7, -1.5 + j5 / 203.7
+    angles = JointAngles(
+        j1 / 937.8, 0.3 - j2 / 937.8, -1.8 + j3 / 551.4, (left + right) / 2, (left - right) / 2
+    )
     return samples.readings(
-        registers=registers, pose=pose, inputs=0b1110 if grips else 0b1111, force=force
+        Posture(angles, pose.opening),
+        registers=registers,
+        pose=pose,
+        inputs=0b1110 if grips else 0b1111,
+        force=force,
     )
 
 
@@ -90,6 +99,17 @@ def test_teaching_again_keeps_name_and_place() -> None:
     assert lesson.positions[0].name == "ABOVE"
     assert lesson.positions[0].registers == (9,) * 6
     assert len(lesson) == 8
+
+
+def test_positions_from_another_zero_are_named() -> None:
+    lesson = Lesson()
+    lesson.add(samples.readings(registers=(0,) * 6))
+    moved = samples.posture(10.0, 31.0, -73.4, -90.0, 0.0, 1.3)
+    lesson.add(samples.readings(moved, registers=(164, 0, 0, 0, 0, 0)))
+    assert lesson.strays() == []
+    lesson.add(samples.readings(moved, registers=(0,) * 6))
+    lesson.add(samples.readings(moved, registers=(164 - 8, 0, 0, 0, 0, 0)))
+    assert lesson.strays() == ["C", "D"]
 
 
 @pytest.mark.parametrize("registers", [(), (1, 2, 3), (0, 0, 0, 0, 0, 32768)])

@@ -139,7 +139,7 @@ class MachineCommands(FileCommands):
 
     def action_hand_move(self) -> None:
         """Move the arm by hand."""
-        self.push_screen(HandMoveScreen(self.look))
+        self.push_screen(HandMoveScreen(self.look, braille=self.side.braille))
 
     def on_move_joint(self, message: MoveJoint) -> None:
         """Turn a joint by hand, or say why not."""

@@ -11,7 +11,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from trs80arm.arm.geometry import Pose
+from trs80arm.arm.geometry import BASE_SHOULDER_STEPS, ELBOW_STEPS, WRIST_STEPS, Pose
 from trs80arm.ui.readings import Readings
 
 FORCE_STEPS = 52
@@ -19,6 +19,8 @@ FORCE_STEPS = 52
 SWITCH_FORCE = 2 / 16
 """Pounds at which the grip switch closes (article, The Hand)."""
 REGISTER_SPAN = 1 << 16
+SAME_ZERO = 0.004
+"""Radians by which the zeros of two positions may differ: less than a motor's loss of one ring."""
 MOST_NAME = 24
 """Characters of a name; a listing's REM holds it."""
 
@@ -35,6 +37,8 @@ class Position:
         pose: of the fingertip, as it truly was.
         grips: whether the hand holds something here; it then closes by `@CLOSE` on arrival.
         squeeze: half-steps by which it closes on beyond the grip switch.
+        zero: base, upper arm, forearm and wrist gears, radians, where the registers were zero,
+            going by the registers; empty for a position that was not taught.
     """
 
     name: str
@@ -42,6 +46,7 @@ class Position:
     pose: Pose
     grips: bool = False
     squeeze: int = 0
+    zero: tuple[float, ...] = ()
 
 
 def steps_between(start: Counts, end: Counts) -> Counts:
@@ -85,6 +90,7 @@ class Lesson:
             pose=readings.pose,
             grips=grips,
             squeeze=round(beyond * FORCE_STEPS) if grips else 0,
+            zero=_zero(readings),
         )
         self.insert(position)
         return position
@@ -142,12 +148,39 @@ class Lesson:
         """Forget all positions."""
         self._positions.clear()
 
+    def strays(self) -> list[str]:
+        """The names of positions whose registers count from elsewhere than the first one's.
+
+        Their differences lead nowhere: there was a `@RESET` in between, or a motor had slipped, or
+        the arm was moved by hand.
+        """
+        taught = [position for position in self._positions if position.zero]
+        return [
+            position.name
+            for position in taught
+            if any(
+                abs(here - there) > SAME_ZERO
+                for here, there in zip(position.zero, taught[0].zero, strict=True)
+            )
+        ]
+
     def _free_name(self) -> str:
         names = {position.name for position in self._positions}
         count = 0
         while (name := _letters(count)) in names:
             count += 1
         return name
+
+
+def _zero(readings: Readings) -> tuple[float, ...]:
+    angles, counts = readings.posture.angles, readings.registers
+    return (
+        angles.base - counts[0] / BASE_SHOULDER_STEPS,
+        angles.shoulder + counts[1] / BASE_SHOULDER_STEPS,
+        angles.elbow - counts[2] / ELBOW_STEPS,
+        angles.left_gear + counts[3] / WRIST_STEPS,
+        angles.right_gear - counts[4] / WRIST_STEPS,
+    )
 
 
 def listing_name(text: str) -> str:

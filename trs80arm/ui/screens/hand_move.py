@@ -62,6 +62,7 @@ class HandMoveScreen(Dialog[None]):
 
     Args:
         look: reads the rig.
+        braille: whether the arm is drawn in braille dots.
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -94,9 +95,10 @@ forearm and hand are to the horizontal. With the motors on the arm does not give
 them off.
 """
 
-    def __init__(self, look: Callable[[], Readings]) -> None:
+    def __init__(self, look: Callable[[], Readings], *, braille: bool = False) -> None:
         super().__init__()
         self._look = look
+        self._braille = braille
         self._joint = 0
 
     def compose(self) -> ComposeResult:
@@ -120,6 +122,7 @@ them off.
 
     def on_mount(self) -> None:
         """Look at the arm, again and again."""
+        self.query_one(SideView).braille = self.query_one(TopView).braille = self._braille
         self.set_interval(1 / FRAMES_PER_SECOND, self._show)
         self.call_after_refresh(self._show)
 

@@ -73,7 +73,9 @@ pose. A position in which the grip switch is closed is one where the hand holds:
 closes the hand by `@CLOSE` on arrival, and opens it again where a position does not hold.
 
 The program is written in the style of the article's Table 3, `@STEP` with the differences of the
-registers, or of its Table 4, DATA lines of coordinates. Both run on the real machine.
+registers, or of its Table 4, DATA lines of coordinates. Both run on the real machine. The
+differences make sense only between positions whose registers count from the same zero: after a
+`@RESET` or a slip the dialog names those that do not.
 """
 
     def __init__(self, lesson: Lesson, look: Callable[[], Readings], save_folder: Path) -> None:
@@ -116,6 +118,9 @@ registers, or of its Table 4, DATA lines of coordinates. Both run on the real ma
             "#listing-box"
         ).border_title = f"in the style of {style}, D = {self._manner.speed}, {ending}"
         listing, problem = self._listing()
+        strays = self._lesson.strays()
+        if strays and not self._in_data:
+            problem = f"{', '.join(strays)}: registers count from elsewhere than the first one's."
         if not len(self._lesson):
             listing = "Nothing taught yet. Move the arm, then press T here, or Ctrl+T outside."
             problem = ""
