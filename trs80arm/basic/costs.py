@@ -8,17 +8,12 @@ the times that the original needed for the programs of the conformance cases and
 
 from __future__ import annotations
 
-import math
 from typing import Final
 
-from trs80arm.basic import tokens
+from trs80arm.basic import number_costs, tokens
 from trs80arm.basic.numbers.convert import Number
-from trs80arm.basic.numbers.decimal import DOUBLE_DIGITS, SINGLE_DIGITS
-from trs80arm.basic.numbers.double import Double
 
 _BLANK, _QUOTE, _COLON = 0x20, 0x22, 0x3A
-_FEW_DIGITS = 5
-_LOG_2 = math.log10(2)
 
 # -- the statement loop ---------------------------------------------------------------------------
 STATEMENT: Final = 961
@@ -47,14 +42,7 @@ PARENTHESES: Final = 372
 DATA_LINE: Final = 206
 """A line looked through for DATA, beside its characters."""
 CONSTANT: Final = 439
-CONSTANT_DIGIT: Final = 328
-CONSTANT_DIGIT_SINGLE: Final = 1830
-CONSTANT_DIGIT_DOUBLE: Final = 2210
-CONSTANT_SCALE_UP: Final = 1210
-CONSTANT_SCALE_DOWN: Final = 8260
-CONSTANT_SCALE_DOWN_DOUBLE: Final = 84600
-MOST_STEPS: Final = 50
-"""Steps of ten after which every constant is too large or zero."""
+"""A constant, beside what its characters and its value take."""
 STRING_LITERAL: Final = 822
 STRING_CHARACTER: Final = 75
 VARIABLE: Final = 1070
@@ -166,17 +154,6 @@ STATEMENT_WORK: Final[dict[str, int]] = {
 }
 PRINT_CHARACTER: Final = 136
 """PRINT's own loop for a character, beside the display driver's time."""
-NUMBER_TEXT: Final = 1820
-NUMBER_DIGIT_INTEGER: Final = 640
-NUMBER_SINGLE: Final = 2810
-NUMBER_UP_SINGLE: Final = 2180
-NUMBER_DOWN_SINGLE: Final = 8920
-NUMBER_DOUBLE: Final = 30500
-NUMBER_UP_DOUBLE: Final = 2940
-NUMBER_DOWN_DOUBLE: Final = 84600
-NUMBER_FAR_UP_DOUBLE: Final = 19000
-"""Steps of ten up and down, and a double's step of ten to the tenth, when a number is scaled."""
-NUMBER_CHARACTER: Final = 235
 USING_FIELD: Final = 2930
 """A field of PRINT USING, beside the number's conversion."""
 
@@ -226,6 +203,202 @@ def store(target: str, value: str) -> int:
     """T-states to put a number of one type into a variable of another."""
     return STORE[target + _TAKEN_FOR.get(value, value)]
 
+
+def constant(text: bytes, is_double: bool = False) -> int:
+    """T-states to convert a constant each time it is executed.
+
+    Args:
+        text: its characters, blanks included.
+        is_double: whether the conversion begins in double precision (VAL).
+    """
+    return CONSTANT + number_costs.literal(text, is_double)
+
+
+def number_field(value: Number, places: int, right: int | None) -> int:
+    """T-states of a field of PRINT USING.
+
+    Args:
+        value: the number.
+        places: the characters of the field.
+        right: places behind the point; None when the field has an exponent.
+    """
+    return USING_FIELD + number_costs.text(value, " ")
+
+
+_PASSED: Final = 89
+"""One line passed in the search for a line number."""
+LINE_DIGIT: Final = 160
+"""One digit of a line number."""
+KEY_LATCHED: Final = 52
+"""A key that the statement loop puts aside for INKEY$."""
+
+# -- operands -------------------------------------------------------------------------------------
+OPERAND: Final = 480
+OPERATOR: Final = 586
+PARENTHESES: Final = 372
+DATA_LINE: Final = 206
+"""A line looked through for DATA, beside its characters."""
+CONSTANT: Final = 439
+"""A constant, beside what its characters and its value take."""
+STRING_LITERAL: Final = 822
+STRING_CHARACTER: Final = 75
+VARIABLE: Final = 1070
+SCALAR_OTHER_KIND: Final = 111
+SCALAR_OTHER_NAME: Final = 186
+NEW_SCALAR: Final = 1570
+ARRAY: Final = 1460
+ARRAY_OTHER: Final = 132
+SUBSCRIPT: Final = 1260
+NEW_ARRAY: Final = 2340
+NEW_ARRAY_BYTE: Final = 78
+CONVERT: Final = 300
+NAME_LETTER: Final = 80
+"""A letter or digit of a name behind the first, beside its fetching."""
+KIND_BY_LETTER: Final = 55
+"""The type of a name without a type sign looked up."""
+FETCH: Final = {"i": 50, "s": 120, "d": 250, "t": 300}
+"""A variable's value brought in, by its type."""
+
+# -- arithmetic, by the types of the operands -----------------------------------------------------
+BINARY: Final[dict[str, dict[str, int]]] = {
+    "add": {"ii": 200, "is": 1000, "si": 1000, "ss": 850, "d": 2600, "di": 3000, "ds": 3000},
+    "sub": {"ii": 200, "is": 1000, "si": 1000, "ss": 850, "d": 2600, "di": 3000, "ds": 3000},
+    "mul": {"ii": 1200, "is": 3000, "si": 3000, "ss": 2500, "d": 16000, "di": 3000, "ds": 3000},
+    "div": {"ii": 9000, "is": 8500, "si": 8500, "ss": 8000, "d": 2600, "di": 3000, "ds": 3000},
+    "compare": {"ii": 250, "is": 600, "si": 600, "ss": 400, "d": 600, "di": 700, "ds": 700},
+}
+"""An operation by the types left and right; with a double on either side `d`, and what the
+conversion of the other operand takes."""
+STORE: Final = {"ii": 200, "is": 700, "id": 1000, "ss": 250, "si": 600, "sd": 600}
+STORE.update({"dd": 400, "di": 900, "ds": 600})
+"""A number put into a variable: the variable's type, then the value's."""
+STORE_STRING: Final = 500
+COMPARE_STRINGS: Final = 700
+NEGATE: Final = 150
+LOGICAL: Final = 382
+POWER: Final = 79900
+
+FUNCTION: Final = 463
+FUNCTION_WORK: Final[dict[str, int]] = {
+    "SGN": 149,
+    "INT": 858,
+    "ABS": 149,
+    "FRE": 415,
+    "INP": 300,
+    "POS": 150,
+    "SQR": 73100,
+    "RND": 8370,
+    "LOG": 34000,
+    "EXP": 42000,
+    "COS": 47000,
+    "SIN": 36700,
+    "TAN": 88800,
+    "ATN": 50000,
+    "PEEK": 292,
+    "CINT": 300,
+    "CSNG": 200,
+    "CDBL": 200,
+    "FIX": 850,
+    "LEN": 249,
+    "STR$": 3780,
+    "VAL": 2710,
+    "ASC": 297,
+    "CHR$": 775,
+    "LEFT$": 1130,
+    "RIGHT$": 1180,
+    "MID$": 1370,
+    "STRING$": 917,
+    "POINT": 1520,
+    "INKEY$": 895,
+    "MEM": 304,
+    "VARPTR": 410,
+    "USR": 301,
+    "ERR": 154,
+    "ERL": 204,
+}
+
+# -- statements -----------------------------------------------------------------------------------
+STATEMENT_WORK: Final[dict[str, int]] = {
+    "LET": 511,
+    "FOR": 2110,
+    "NEXT": 964,
+    "NEXT_INTEGER": 655,
+    "GOTO": 414,
+    "GOSUB": 644,
+    "RETURN": 687,
+    "IF": 304,
+    "ON": 403,
+    "READ": 1220,
+    "RESTORE": 200,
+    "SET": 1640,
+    "RESET": 1500,
+    "POKE": 531,
+    "OUT": 401,
+    "CLS": 100,
+    "DIM": 299,
+    "PRINT": 354,
+    "PRINT_ITEM": 292,
+    "PRINT@": 394,
+    "TAB": 447,
+    "CLEAR": 1520,
+    "RUN": 1310,
+    "ERROR": 619,
+    "RESUME": 615,
+    "ON ERROR": 487,
+    "DEF": 892,
+    "RANDOM": 100,
+    "END": 300,
+}
+PRINT_CHARACTER: Final = 136
+"""PRINT's own loop for a character, beside the display driver's time."""
+USING_FIELD: Final = 2930
+"""A field of PRINT USING, beside the number's conversion."""
+
+# -- strings --------------------------------------------------------------------------------------
+STRING_BYTE: Final = 28
+CONCATENATE: Final = 1450
+COLLECT: Final = 524
+COLLECT_PASS: Final = 898
+COLLECT_DESCRIPTOR: Final = 191
+COLLECT_NUMBER: Final = 60
+
+# -- typed lines ----------------------------------------------------------------------------------
+CRUNCH_FOUND: Final = 714
+"""A word found in the table of reserved words."""
+CRUNCH_PASSED: Final = 33
+"""One letter of the table passed in the search; a character that begins no word passes them all."""
+CRUNCH_PLAIN: Final = 149
+"""A character that is copied without a search: digits, blanks, quotes, REM and DATA."""
+STORE_LINE: Final = 1410
+"""A numbered line put in or taken out, beside what follows."""
+STORE_BYTE: Final = 48
+"""One byte of the program behind the line, which moves."""
+LINK_LINE: Final = 129
+LINK_BYTE: Final = 48
+"""One line, and one byte of the program, passed when the links are set anew."""
+
+# -- errors and commands --------------------------------------------------------------------------
+ERROR_RAISED: Final = 1040
+"""From the error to the first character of its message, or to the ON ERROR line."""
+
+_TAKEN_FOR = {"n": "i", "x": "d"}
+"""What a number is taken for whose type is known only when it is there: arithmetic on integers
+seldom leaves their range, VAL gives doubles."""
+
+
+def binary(name: str, left: str, right: str) -> int:
+    """T-states of `add`, `sub`, `mul`, `div` or `compare` for two types of operands."""
+    table = BINARY[name]
+    left, right = _TAKEN_FOR.get(left, left), _TAKEN_FOR.get(right, right)
+    if "d" not in (left, right):
+        return table[left + right]
+    other = left if right == "d" else right
+    return table["d"] + (0 if other == "d" else table["d" + other])
+
+
+def store(target: str, value: str) -> int:
+    """T-states to put a number of one type into a variable of another."""
+    return STORE[target + _TAKEN_FOR.get(value, value)]
 
 
 def constant(text: bytes, value: Number) -> int:

@@ -1,8 +1,9 @@
 """The system variables of BASIC in low RAM, and the program area, as PEEK and POKE see them.
 
 Most of the ROM's variables simply are bytes in RAM. Those that the interpreter keeps as Python
-values are read and written through the regions here (the period's memory maps: 4099H INKEY$, 40A0H string space, 40A2H line, 40A4H program, 40AAH seed, 40B1H
-top of memory, 40D6H string pointer, 40E6H to 40F7H error and CONT, 40F9H to 40FFH tables and DATA).
+values are read and written through the regions here: 40A0H string space, 40A2H line, 40AAH seed,
+40B1H top of memory, 40D6H string pointer, 40E6H to 40F7H errors and CONT, 40FBH to 40FFH tables and
+DATA (the period's memory maps; cases of the groups `memory` and `layout`).
 """
 
 from __future__ import annotations

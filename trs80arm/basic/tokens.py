@@ -1,7 +1,7 @@
 """The reserved words of Level II and the bytes that stand for them in a stored line.
 
-The cruncher turns typed words into tokens, LIST turns them back, and the compiler reads a program in
-tokens. The numbering is the ROM's (Level II facts, Crunching).
+The cruncher turns typed words into tokens, LIST turns them back, and the compiler reads a program
+in tokens. The numbering is the ROM's (Level II facts, Crunching).
 """
 
 from __future__ import annotations

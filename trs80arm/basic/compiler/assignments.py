@@ -9,7 +9,7 @@ from trs80arm.basic.compiler.expressions import Expression
 from trs80arm.basic.compiler.functions import FunctionCompiler
 from trs80arm.basic.control import DIRECT
 from trs80arm.basic.errors import Code
-from trs80arm.basic.variables import DOUBLE, SIZES, STRING, Key
+from trs80arm.basic.variables import SIZES, STRING, Key
 
 
 @dataclass(frozen=True)

@@ -69,6 +69,10 @@ class Emitter:
             self._charged += cost
             self.emit(f"clock.now += {cost}")
 
+    def allow(self, most: int) -> None:
+        """Reckon with T-states that a call will charge by itself, at most so many."""
+        self._charged += most
+
     def note_cost(self) -> None:
         """One way through the function ends here."""
         self.most_cost = max(self.most_cost, self._charged + self.cost)

@@ -295,6 +295,7 @@ class ExpressionCompiler:
             kind = SINGLE
         self.out.cost += costs.binary(name, left.kind, right.kind)
         if kind == DOUBLE:
+            self.out.allow(costs.MOST_OF_DOUBLE)
             text = f"double_{name}({self.to_double(left)}, {self.to_double(right)})"
         elif kind == SINGLE:
             text = self._single(name, left, right)
@@ -479,7 +480,7 @@ class ExpressionCompiler:
         except BasicError as error:
             raise self.mistake(error.code) from None
         reader.position = end
-        self.out.cost += costs.constant(reader.text[start:end], value)
+        self.out.cost += costs.constant(reader.text[start:end])
         if reader.text[end - 1 : end] not in (b"#", b"!", b"%"):
             # Blanks behind a type sign are not passed: they end the expression.
             reader.skip()

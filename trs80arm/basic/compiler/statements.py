@@ -18,7 +18,23 @@ _LAST_STATEMENT = tokens.token("NEW")
 _DISK = frozenset(
     tokens.token(word)
     for word in (
-        ["CMD", "LINE", "OPEN", "FIELD", "GET", "PUT", "CLOSE", "LOAD", "MERGE", "NAME", "KILL", "LSET", "RSET", "SAVE", "DEF"]
+        [
+            "CMD",
+            "LINE",
+            "OPEN",
+            "FIELD",
+            "GET",
+            "PUT",
+            "CLOSE",
+            "LOAD",
+            "MERGE",
+            "NAME",
+            "KILL",
+            "LSET",
+            "RSET",
+            "SAVE",
+            "DEF",
+        ]
     )
 )
 _COMMANDS = {
@@ -30,7 +46,24 @@ _COMMANDS = {
 }
 _PLAIN = frozenset(
     tokens.token(word)
-    for word in ["FOR", "NEXT", "DATA", "LET", "GOTO", "IF", "GOSUB", "RETURN", "REM", "ELSE", "ON", "POKE", "SET", "RESET", "OUT", "RESTORE"]
+    for word in [
+        "FOR",
+        "NEXT",
+        "DATA",
+        "LET",
+        "GOTO",
+        "IF",
+        "GOSUB",
+        "RETURN",
+        "REM",
+        "ELSE",
+        "ON",
+        "POKE",
+        "SET",
+        "RESET",
+        "OUT",
+        "RESTORE",
+    ]
 )
 """Statements that may stand anywhere in a block, unless something in them may not."""
 _KINDS = {

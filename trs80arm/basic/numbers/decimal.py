@@ -16,13 +16,13 @@ from trs80arm.basic.numbers.double import Double
 SINGLE_DIGITS = 6
 DOUBLE_DIGITS = 16
 
-_TEN = double.from_int(10)
-_TEN_TO_TENTH = double.from_int(10**10)
+TEN = double.from_int(10)
+TEN_TO_TENTH = double.from_int(10**10)
 _HALF = Double(128, 1 << 55)
-_FEW = double.from_int(65536)
-_ABOVE = double.unpack(bytes.fromhex("feff03bfc91b0eb6"))
+FEW = double.from_int(65536)
+ABOVE = double.unpack(bytes.fromhex("feff03bfc91b0eb6"))
 """9999999999999999.5: from here on the number is divided by ten."""
-_BELOW = double.unpack(bytes.fromhex("fdff9f31a95f63b2"))
+BELOW = double.unpack(bytes.fromhex("fdff9f31a95f63b2"))
 """999999999999999.95 to 56 bits: below it the number is multiplied by ten."""
 
 
@@ -51,13 +51,13 @@ def scaled(magnitude: float | Double) -> Scaled:
             places += 1
         return Scaled(x, places)
     y = magnitude
-    while double.compare(y, _FEW) < 0:
-        y = double.mul(y, _TEN_TO_TENTH)
+    while double.compare(y, FEW) < 0:
+        y = double.mul(y, TEN_TO_TENTH)
         places += 10
-    while double.compare(y, _ABOVE) >= 0:
-        y = double.div(y, _TEN)
+    while double.compare(y, ABOVE) >= 0:
+        y = double.div(y, TEN)
         places -= 1
-    while double.compare(y, _BELOW) < 0:
+    while double.compare(y, BELOW) < 0:
         y = double.times_ten(y)
         places += 1
     return Scaled(y, places)
@@ -65,7 +65,7 @@ def scaled(magnitude: float | Double) -> Scaled:
 
 def tenth(x: float | Double) -> float | Double:
     """A tenth of a scaled number, rounded as the machine rounds."""
-    return single.div(x, 10.0) if isinstance(x, float) else double.div(x, _TEN)
+    return single.div(x, 10.0) if isinstance(x, float) else double.div(x, TEN)
 
 
 def cut(x: float | Double) -> int:

@@ -153,7 +153,7 @@ class DataReader(Part):
             if error.code is Code.SN:
                 raise LineError(Code.SN, self._control.data_line) from None
             raise
-        self._clock.now += costs.constant(text[:end], value)
+        self._clock.now += costs.constant(text[:end], kind == DOUBLE)
         self._end(address + end)
         return self._basic.runtime.storage.as_kind(kind, value)
 

@@ -1,4 +1,4 @@
-"""Variables and arrays at run time: what compiled statements do where a cell or a list is not enough."""
+"""Variables and arrays at run time, where a cell or a list is not enough for a statement."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trs80arm.basic import costs, system_area
+from trs80arm.basic import costs, number_costs, system_area
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import decimal, double, literal
 from trs80arm.basic.numbers.convert import Number
@@ -68,7 +68,7 @@ class StringFunctions(Part):
         """VAL: the number at the start of a string, scanned as a double."""
         text = self._strings.take(string)
         found = literal.scan(text.partition(b"\0")[0], 0, double.ZERO)
-        self._clock.now += costs.constant(text[: found.end], found.value)
+        self._clock.now += costs.constant(text[: found.end], is_double=True)
         return found.value
 
     def chr_(self, code: int) -> Descriptor:
@@ -78,7 +78,7 @@ class StringFunctions(Part):
     def str_(self, value: Number) -> Descriptor:
         """STR$."""
         text = decimal.number_text(value)
-        self._clock.now += costs.number_text(value, text)
+        self._clock.now += number_costs.text(value, text)
         return self._strings.new(text.encode("ascii"))
 
     def string_of(self, count: int, code: int) -> Descriptor:

@@ -1,0 +1,63 @@
+"""Blocks of statements do what single statements do, at the same times, however time is sliced."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.basic.machine import Machine
+from trs80arm.basic.activity import Waiting
+
+PROGRAMS = {
+    "loops": ["10 FOR I=1 TO 30:FOR J%=3 TO 1 STEP -1:S=S+I*J%:NEXT J%,I", "20 PRINT S"],
+    "branches": [
+        "10 K=K+1:IF K/3=INT(K/3) THEN A=A+1 ELSE IF K/2=INT(K/2) THEN B=B+1:GOTO 30",
+        "20 C=C+1",
+        "30 IF K<100 THEN 10",
+        "40 PRINT A;B;C",
+    ],
+    "subroutines": ["10 FOR I=1 TO 50:GOSUB 30:NEXT", "20 PRINT X:END", "30 X=X+I*2:RETURN"],
+    "arrays": [
+        "10 DIM F(130):FOR I=2 TO 60:IF F(I) THEN 30",
+        "20 FOR J=I*2 TO 60 STEP I:F(J)=1:NEXT:C=C+1",
+        "30 NEXT:PRINT C",
+    ],
+    "memory": [
+        "10 FOR I=0 TO 99:POKE 30000+I,I:NEXT",
+        "20 FOR I=0 TO 99:S=S+PEEK(30000+I):NEXT:PRINT S",
+    ],
+    "errors": [
+        "10 ON ERROR GOTO 50",
+        "20 FOR I=-3 TO 3:A=1:B=1/I:C=C+B:NEXT",
+        "30 PRINT C:END",
+        "50 D=D+1:RESUME NEXT",
+    ],
+    "doubles": ["10 A#=1:FOR I=1 TO 20:A#=A#*1.5#-I/3:NEXT:PRINT A#"],
+}
+
+
+def finish(machine: Machine, lines: list[str], slices: list[int]) -> tuple[object, ...]:
+    machine.load(*lines)
+    machine.do("RUN", seconds=0)
+    for length in slices * 400:
+        if machine.basic.waiting is Waiting.COMMAND:
+            break
+        machine.clock.limit = machine.clock.now + length
+        machine.basic.advance(until_waiting=True)
+    return bytes(machine.screen.printed), machine.clock.now, machine.basic.control.error_line
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_blocks_and_statements_agree_to_the_t_state(name: str) -> None:
+    whole = [2_000_000_000]
+    blocks = finish(Machine(blocks=True), PROGRAMS[name], whole)
+    assert blocks == finish(Machine(blocks=False), PROGRAMS[name], whole)
+    assert b"Error" not in blocks[0]
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.sampled_from(sorted(PROGRAMS)), st.lists(st.integers(200_000, 3_000_000), min_size=1))
+def test_slices_make_no_difference(name: str, slices: list[int]) -> None:
+    whole = finish(Machine(), PROGRAMS[name], [2_000_000_000])
+    assert finish(Machine(), PROGRAMS[name], slices) == whole
