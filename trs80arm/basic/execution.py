@@ -23,7 +23,7 @@ _BREAK_KEY = 1
 _PAUSE_KEY = 96
 
 
-class Leave(Exception):
+class Leave(Exception):  # noqa: N818 - a way of leaving, not a failure
     """The statement is done, but the loop must look around before it goes on.
 
     Attributes:

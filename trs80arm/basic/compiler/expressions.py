@@ -41,7 +41,7 @@ _MAX_DEPTH = 60
 """Nesting that the Z-80's stack would still hold in a small machine; beyond it is OM."""
 
 
-class Mistake(Exception):
+class Mistake(Exception):  # noqa: N818 - a way of leaving, not a failure of ours
     """The text is wrong from here on: the rest of the statement is this error."""
 
     def __init__(self, code: Code) -> None:

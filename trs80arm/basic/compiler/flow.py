@@ -172,7 +172,7 @@ class FlowCompiler(AssignmentCompiler):
     # -- loops --------------------------------------------------------------------------------
 
     def for_(self) -> None:
-        """FOR: the variable, the limit and the step; an open loop of the same variable is dropped."""
+        """FOR: variable, limit and step; an open loop of the same variable is dropped."""
         out, reader = self.out, self.reader
         out.cost += costs.STATEMENT_WORK["FOR"]
         start = reader.state()
@@ -225,7 +225,6 @@ class FlowCompiler(AssignmentCompiler):
             self._slow_step(key)
             return
         integer = guess[1] == INTEGER
-        kind = "i" if integer else "s"
         out.cost += costs.STATEMENT_WORK["NEXT_INTEGER" if integer else "NEXT"]
         scalar = self.scope.object_name(guess)
         self.scope.scalar(guess)

@@ -1,4 +1,4 @@
-"""The place in a line's text, moved as the ROM moves it: blanks are passed, every step costs time."""
+"""The place in a line's text, moved as the ROM moves it: blanks are passed, every step costs."""
 
 from __future__ import annotations
 
