@@ -379,3 +379,18 @@ def test_one_motor_step_at_a_time(sit_down: Opener) -> None:
             assert rig.registers[0] == before + 2
 
     run(work())
+
+
+def test_a_recovered_program_is_unsaved_and_its_copy_goes(sit_down: Opener, tmp_path: Path) -> None:
+    async def work() -> None:
+        left = tmp_path / "state" / "recovered-20200101-000000.bas"
+        left.parent.mkdir()
+        left.write_text("10 REM LOST\n")
+        async with sit_down() as sitting:
+            sitting.app.load_file(left)
+            assert sitting.app.session.unsaved
+            assert sitting.app.session.path is None
+            assert not left.exists()
+            assert sitting.app.copy_path.is_file()
+
+    run(work())

@@ -270,3 +270,39 @@ def test_suspended_and_back_the_terminal_is_the_shells_in_between(tmp_path: Path
         one.send("\x1b[21~")
         assert one.leave() == 0
         assert one.is_as_it_was()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["nowhere.bas"], "nowhere.bas: No such file or directory"),
+        (["bad.bas"], "bad.bas"),
+        (["--bench", "nowhere.toml"], "nowhere.toml"),
+        (["--replay", "bad.bas"], "bad.bas: "),
+        (["--record", "/nowhere/x"], "/nowhere/x: No such file or directory"),
+        (["--speed", "3"], "must be one of 1, 2, 5, 20"),
+    ],
+)
+def test_what_cannot_be_used_is_one_line_and_code_2(
+    tmp_path: Path, arguments: list[str], told: str
+) -> None:
+    (tmp_path / "bad.bas").write_bytes(b"\x00\x01garbage")
+    one = Terminal(tmp_path, arguments, reports=False)
+    assert one.leave() == 2
+    assert told in one.output.decode()
+    assert one.output.decode().strip().count("\n") == 0
+    assert one.is_as_it_was()
+
+
+def test_without_a_terminal_it_says_what_to_do(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM],
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert "--plain" in done.stderr
+    assert done.stderr.count("\n") == 1

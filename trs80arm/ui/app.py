@@ -6,19 +6,24 @@ give it a session and a clock of its own.
 
 from __future__ import annotations
 
+import os
 import sys
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.batch import bench_beside
+from trs80arm.files import FileFormatError
 from trs80arm.options import TerminalOptions
+from trs80arm.ui import recording
 from trs80arm.ui.commands import Palette, bindings
 from trs80arm.ui.demo import Demo
+from trs80arm.ui.file_commands import PLAYING
 from trs80arm.ui.machine_commands import MachineCommands
 from trs80arm.ui.places import state_folder
 from trs80arm.ui.session import Session
 
 USAGE_ERROR = 2
 CRASHED = 3
+UNUSABLE = (OSError, BenchError, FileFormatError, recording.RecordingError, ValueError)
 
 
 class Trs80Arm(MachineCommands):
@@ -30,14 +35,14 @@ class Trs80Arm(MachineCommands):
     _demo: Demo | None = None
 
     def on_ready(self) -> None:
-        """Load, run, play or greet, as the options say."""
+        """Say what was loaded, run it, or play, as the options want."""
         options = self.options
-        if options.replay is not None:
-            self.play_file(options.replay)
-        elif options.demo:
+        if options.demo:
             self.action_demo()
-        elif options.program is not None:
-            self.load_file(options.program)
+        elif self.session.playing:
+            self.say(PLAYING)
+        elif self.session.path is not None:
+            self.loaded(self.session.path)
             if options.run:
                 self.action_run_program()
 
@@ -75,16 +80,19 @@ def run_terminal(options: TerminalOptions) -> int:
     """Open the terminal program and stay until its user leaves.
 
     Returns:
-        The exit code: 0, or 2 when a file of the options cannot be used, told in one line on
-        standard error.
+        The exit code: 0, 2 when a file of the options cannot be used or there is no terminal, told
+        in one line on standard error, 3 after a fault of the program.
     """
     if options.plain:
         from trs80arm.ui.plain import run_plain
 
         return run_plain(options)
+    if not _has_terminal():
+        print("trs80arm: this is no terminal; --plain works without one", file=sys.stderr)
+        return USAGE_ERROR
     try:
         session = open_session(options)
-    except (OSError, BenchError, ValueError) as error:
+    except UNUSABLE as error:
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
     app = Trs80Arm(session, options, state_folder())
@@ -92,26 +100,40 @@ def run_terminal(options: TerminalOptions) -> int:
     if result is None:
         # Textual has restored the terminal and shown what went wrong.
         app.keep_copy()
-        print(f"trs80arm: the program in memory is kept in {app.copy_path}", file=sys.stderr)
+        if app.copy_path.is_file():
+            print(f"trs80arm: the program in memory is kept in {app.copy_path}", file=sys.stderr)
         return CRASHED
     return result
 
 
+def _has_terminal() -> bool:
+    """Whether there is a terminal, or a browser that stands for one."""
+    if os.environ.get("TEXTUAL_DRIVER"):
+        return True
+    streams = (sys.__stdin__, sys.__stderr__)
+    return all(stream is not None and stream.isatty() for stream in streams)
+
+
 def open_session(options: TerminalOptions) -> Session:
-    """The desk as the options want it: the machine, its bench, the recording kept of it.
+    """The desk as the options want it: machine, bench, program; a recording kept, or played.
 
     Raises:
         OSError: a file cannot be read or written.
         BenchError: the bench file is none.
+        FileFormatError: the program file is none.
+        RecordingError: the recording is none.
         ValueError: a fitting of the machine cannot be.
     """
-    bench = options.bench
-    if bench is None and options.program is not None:
-        bench = bench_beside(options.program)
-    session = Session(options.rig, bench, options.record)
-    started_with = (options.program, options.replay, options.demo or None, options.plain or None)
-    if all(choice is None for choice in started_with):
-        session.greet()
+    program, bench = options.program, options.bench
+    if bench is None and program is not None:
+        bench = bench_beside(program)
+    started_with = (program, options.replay, options.demo or None, options.plain or None)
+    greeting = all(choice is None for choice in started_with)
+    session = Session(options.rig, bench, options.record, greeting=greeting)
+    if options.replay is not None:
+        session.play(recording.load(options.replay))
+    elif program is not None:
+        session.load(program)
     return session
 
 

@@ -17,6 +17,7 @@ from trs80arm.ui.screens.open import OpenScreen, Shelf
 from trs80arm.ui.screens.paste import Listing, PasteScreen
 from trs80arm.ui.view_commands import ViewCommands
 
+PLAYING = "Playing; any key ends it and gives you the machine."
 COPY_EVERY = 5.0
 """Seconds of the wall between two looks at whether a recovery copy is due."""
 
@@ -53,25 +54,43 @@ class FileCommands(ViewCommands):
 
     def load_file(self, path: Path) -> None:
         """Load a program, and the bench that stands beside it; or say why not."""
+        if path in recovered_copies(self.copy_path.parent, self.copy_path):
+            self._load_recovered(path)
+            return
         try:
             self.session.load(path)
         except FileFormatError as error:
-            self.say(f"{path.name}: {error}", error=True)
+            self.say(str(error), error=True)
             return
         except OSError as error:
             self.say(f"{path}: {error.strerror or error}", error=True)
             return
-        self.recent.add(path)
         self.pacer.forgive()
-        note = f"{path.name} is loaded: F5 or RUN runs it."
         if (bench := bench_beside(path)) and bench != self.session.bench_path:
             try:
                 self.session.set_bench(bench)
             except (OSError, UnicodeDecodeError, BenchError) as error:
                 self.say(f"{bench.name}: {error}", error=True)
                 return
-            note = f"{path.name} and its bench are loaded: F5 or RUN runs it."
-        self.say(note)
+        self.loaded(path)
+
+    def loaded(self, path: Path) -> None:
+        """Remember that a program was loaded, and say so."""
+        self.recent.add(path)
+        with_bench = " and its bench are" if bench_beside(path) else " is"
+        self.say(f"{path.name}{with_bench} loaded: F5 or RUN runs it.")
+
+    def _load_recovered(self, path: Path) -> None:
+        """Load a copy that a bad end has left; it goes when this session has a copy of its own."""
+        try:
+            self.session.load_bytes(path.read_bytes())
+        except (FileFormatError, OSError) as error:
+            self.say(f"{path.name}: {error}", error=True)
+            return
+        self.keep_copy()
+        if self.copy_path.is_file():
+            self.session.drop_copy(path)
+        self.say("The recovered program is loaded: F3 saves it.")
 
     def load_listing(self, text: str) -> None:
         """Load a listing that no file holds yet, or say why not."""
@@ -218,7 +237,7 @@ class FileCommands(ViewCommands):
         else:
             self.session.play(played)
             self.another_machine()
-            self.say("Playing; any key ends it and gives you the machine.")
+            self.say(PLAYING)
 
     # -- leaving ----------------------------------------------------------------------------------
 

@@ -12,13 +12,12 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TextIO
 
-from trs80arm.arm.bench import BenchError
 from trs80arm.basic.activity import Waiting
 from trs80arm.batch import Teletype
 from trs80arm.files import FileFormatError
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.options import TerminalOptions
-from trs80arm.ui.app import USAGE_ERROR, one_line, open_session
+from trs80arm.ui.app import UNUSABLE, USAGE_ERROR, one_line, open_session
 from trs80arm.ui.session import Session
 
 SLICE = 0.05
@@ -161,7 +160,7 @@ class PlainMode:
         try:
             do(path)
         except FileFormatError as error:
-            self._tell(f"{path}: {error}")
+            self._tell(error)
         except OSError as error:
             self._tell(f"{path}: {error.strerror or error}")
         else:
@@ -201,9 +200,7 @@ def run_plain(options: TerminalOptions) -> int:
     """
     try:
         session = open_session(options)
-        if options.program is not None:
-            session.load(options.program)
-    except (OSError, BenchError, FileFormatError, ValueError) as error:
+    except UNUSABLE as error:
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
     plain = PlainMode(session, sys.stdout, echo=not sys.stdin.isatty(), speed=options.speed)

@@ -17,6 +17,7 @@ from trs80arm.arm.geometry import Pose
 from trs80arm.rig import Input, Rig, RigSettings
 from trs80arm.saving import write_whole
 from trs80arm.settings import SettingsError, as_table, from_table
+from trs80arm.ui.greeting import greet
 
 FORMAT = "trs80arm session 1"
 ACTIONS = frozenset(
@@ -52,18 +53,23 @@ class Recording:
     Attributes:
         settings: the machine's fittings.
         bench: the text of the bench file, None for the standard bench.
+        greeting: whether the tube showed the greeting.
         inputs: what the operator did.
         end: the T-state at which the recording ends.
     """
 
     settings: RigSettings
     bench: str | None
+    greeting: bool
     inputs: tuple[Input, ...]
     end: int
 
     def rig(self) -> Rig:
         """The machine that it was recorded on, switched on."""
-        return Rig(self.settings, _bench(self.bench))
+        rig = Rig(self.settings, _bench(self.bench))
+        if self.greeting:
+            greet(rig.console)
+        return rig
 
 
 def _bench(text: str | None) -> Bench | None:
@@ -77,6 +83,7 @@ class Journal:
         rig: the machine, freshly switched on.
         bench: the text of the bench file that it was built with, None for the standard bench.
         path: a file that is kept up to date as things happen.
+        greeting: whether the tube shows the greeting.
 
     Attributes:
         bench_text: the text of the bench that is about to be set up, for a `Bench` has none.
@@ -85,7 +92,9 @@ class Journal:
         OSError: the file cannot be written.
     """
 
-    def __init__(self, rig: Rig, bench: str | None, path: Path | None = None) -> None:
+    def __init__(
+        self, rig: Rig, bench: str | None, path: Path | None = None, *, greeting: bool = False
+    ) -> None:
         self._rig = rig
         self.bench_text: str | None = bench
         head = {
@@ -93,6 +102,7 @@ class Journal:
             "version": __version__,
             "machine": as_table(rig.settings),
             "bench": bench,
+            "greeting": greeting,
         }
         self._lines = [json.dumps(head)]
         self._file = path.open("w", encoding="utf-8") if path else None
@@ -152,7 +162,7 @@ def load(path: Path) -> Recording:
         lines = path.read_text(encoding="utf-8").splitlines()
     except UnicodeDecodeError:
         raise RecordingError(f"{path}: not a recording: it is no text") from None
-    settings, bench = _head(path, lines[0] if lines else "")
+    settings, bench, greeting = _head(path, lines[0] if lines else "")
     inputs: list[Input] = []
     time = 0
     for number, line in enumerate(lines[1:], start=2):
@@ -165,17 +175,17 @@ def load(path: Path) -> Recording:
         time = done.time
         if done.action != END:
             inputs.append(done)
-    return Recording(settings, bench, tuple(inputs), time)
+    return Recording(settings, bench, greeting, tuple(inputs), time)
 
 
-def _head(path: Path, line: str) -> tuple[RigSettings, str | None]:
+def _head(path: Path, line: str) -> tuple[RigSettings, str | None, bool]:
     try:
         head = json.loads(line)
         if head["format"] != FORMAT:
             raise ValueError("of another format")
         settings = from_table(RigSettings, head["machine"], "machine")
         _bench(head["bench"])
-        return settings, head["bench"]
+        return settings, head["bench"], bool(head.get("greeting"))
     except (ValueError, TypeError, KeyError, SettingsError, BenchError) as error:
         raise RecordingError(f"{path}: line 1: no head of a recording ({error})") from None
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.geometry import Pose
 from trs80arm.basic.activity import Waiting
-from trs80arm.files import Kind, parse_program, save_program
+from trs80arm.files import Kind, load_program, parse_program, save_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.rig import Input, Rig, RigSettings
 from trs80arm.ui.greeting import greet
@@ -33,6 +33,7 @@ class Session:
         settings: the machine's fittings.
         bench: the bench file to set up, None for the standard bench.
         record: a file to which everything is written as it happens.
+        greeting: whether the tube says what to type next.
 
     Attributes:
         rig: the machine; another one after a recording was begun.
@@ -49,6 +50,8 @@ class Session:
         settings: RigSettings | None = None,
         bench: Path | None = None,
         record: Path | None = None,
+        *,
+        greeting: bool = False,
     ) -> None:
         self._settings = settings or RigSettings()
         text = bench.read_text(encoding="utf-8") if bench else None
@@ -56,11 +59,14 @@ class Session:
         self.path: Path | None = None
         self._played: deque[Input] = deque()
         self._play_end = 0
-        self._use(Rig(self._settings, _parse(text, bench)), text, record)
+        rig = Rig(self._settings, _parse(text, bench))
+        if greeting:
+            greet(rig.console)
+        self._use(rig, Journal(rig, text, record, greeting=greeting))
 
-    def _use(self, rig: Rig, bench: str | None, record: Path | None = None) -> None:
+    def _use(self, rig: Rig, journal: Journal) -> None:
         self.rig = rig
-        self._journal = Journal(rig, bench, record)
+        self._journal = journal
         self._safe: ProgramLines = []
         self.path = None
 
@@ -110,10 +116,6 @@ class Session:
                 return True
         return False
 
-    def greet(self) -> None:
-        """Print on the tube what to type next."""
-        greet(self.rig.console)
-
     def step_statement(self) -> int | None:
         """Do one statement of the program that runs.
 
@@ -139,10 +141,12 @@ class Session:
         """Put a program file into memory.
 
         Raises:
-            FileFormatError: it is no program.
+            FileFormatError: it is no program; the message begins with its path.
             OSError: it cannot be read.
         """
-        self.load_bytes(path.read_bytes())
+        lines = load_program(path)
+        self.ready()
+        self.rig.load_lines(lines)
         self.path = path
         self._safe = self.program
 
@@ -226,7 +230,8 @@ class Session:
     def play(self, recording: Recording) -> None:
         """Put the recorded machine on the desk and let the recording play as time passes."""
         self._journal.close()
-        self._use(recording.rig(), recording.bench)
+        rig = recording.rig()
+        self._use(rig, Journal(rig, recording.bench, greeting=recording.greeting))
         self._played = deque(recording.inputs)
         self._play_end = recording.end
 

@@ -62,7 +62,7 @@ class KeyReleaseDriver(LinuxDriver):
         """Read the terminal until told to stop: Textual's loop with the parser of ours."""
         parser = KeyParser(self._debug, releases=self.insist)
         decode = getincrementaldecoder("utf-8")(errors="replace").decode
-        with selectors.DefaultSelector() as selector:
+        with selectors.SelectSelector() as selector:
             selector.register(self.fileno, selectors.EVENT_READ)
             try:
                 while not self.exit_event.is_set():
