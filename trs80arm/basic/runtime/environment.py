@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import convert, double, functions, integer, single
+from trs80arm.basic.runtime.arithmetic import Arithmetic
 from trs80arm.basic.runtime.data import DataReader
 from trs80arm.basic.runtime.flow import Flow
 from trs80arm.basic.runtime.hardware import Hardware
@@ -76,6 +77,7 @@ class Runtime:
         self.strings = StringFunctions(basic)
         self.data = DataReader(basic)
         self.hardware = Hardware(basic)
+        self.arithmetic = Arithmetic(basic)
 
     def environment(self) -> dict[str, Any]:
         """All names for compiled statements."""
@@ -109,7 +111,6 @@ class Runtime:
         }
         for operation in ("add", "sub", "mul", "div"):
             names[operation] = getattr(single, operation)
-            names[f"double_{operation}"] = getattr(double, operation)
             names[f"any_{operation}"] = getattr(convert, operation)
             names[f"integer_{operation}"] = getattr(
                 convert if operation == "div" else integer, operation
@@ -123,6 +124,7 @@ class Runtime:
             self.strings,
             self.data,
             self.hardware,
+            self.arithmetic,
         ):
             names.update(part.names())
         return names
