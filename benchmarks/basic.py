@@ -1,0 +1,182 @@
+"""How many BASIC statements a second the compiled language executes, beside hand-written Python.
+
+    python -m benchmarks.basic [--statements] [NAME ...]
+
+Each listing of `benchmarks/basic/` is RUN until half a second of processor time has gone. The last
+column compares it, in the same run, with the same work translated by hand into a Python function
+that rounds every result to 24 bits in line and checks nothing: the most that CPython could give.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from trs80arm.basic import cruncher
+from trs80arm.basic.interpreter import Interpreter
+from trs80arm.rig import Rig, RigSettings
+
+LISTINGS = Path(__file__).parent / "basic"
+STANDARD = "bm1 bm2 bm3 bm4 bm5 bm6 bm7 bm8 ahl sieve nestfor strings ik".split()
+"""The thirteen whose geometric mean is reported."""
+ENOUGH = 0.5
+FOREVER = 10**15
+SPLIT = 2.0**29 + 1.0
+AWAY = 1.0 + 2.0**-52
+
+
+class Counter:
+    """Counts statements as the machine's statement loop does."""
+
+    def __init__(self) -> None:
+        self.statements = 0
+
+    def statement(self, line: int, address: int) -> None:
+        """One more."""
+        self.statements += 1
+
+
+def load(name: str, blocks: bool) -> Interpreter:
+    """A 48K machine with a listing in memory."""
+    rig = Rig(RigSettings(ram_kib=48, blocks=blocks))
+    rig.run_until_waiting(10.0)
+    lines = []
+    for line in (LISTINGS / f"{name}.bas").read_text(encoding="ascii").splitlines():
+        number, text = cruncher.split_line(line.encode("ascii"))
+        if number is not None:
+            lines.append((number, cruncher.crunch(text)))
+    rig.basic.load_lines(lines)
+    return rig.basic
+
+
+def run(basic: Interpreter) -> float:
+    """RUN once; processor seconds."""
+    basic.execute_direct(cruncher.crunch(b"RUN"))
+    basic.clock.limit = basic.clock.now + FOREVER
+    start = time.process_time()
+    basic.advance(until_waiting=True)
+    return time.process_time() - start
+
+
+def rate(name: str, blocks: bool) -> float:
+    """Statements a second."""
+    basic = load(name, blocks)
+    counter = Counter()
+    basic.listeners.append(counter)
+    run(basic)
+    basic.listeners.clear()
+    run(basic)
+    spent, times = 0.0, 0
+    while spent < ENOUGH:
+        spent += run(basic)
+        times += 1
+    return counter.statements * times / spent
+
+
+# -- the same work by hand ----------------------------------------------------------------------
+
+
+def _empty_loop() -> int:
+    k = 1.0
+    while k <= 1000.0:
+        t = (k + 1.0) * AWAY
+        c = t * SPLIT
+        k = c - (c - t)
+    return 1000
+
+
+def _formula() -> int:
+    k = 0.0
+    while True:
+        t = (k + 1.0) * AWAY
+        c = t * SPLIT
+        k = c - (c - t)
+        t = (k / k) * AWAY
+        c = t * SPLIT
+        a = c - (c - t)
+        t = (a * k) * AWAY
+        c = t * SPLIT
+        a = c - (c - t)
+        t = (a + k) * AWAY
+        c = t * SPLIT
+        a = c - (c - t)
+        t = (a - k) * AWAY
+        c = t * SPLIT
+        a = c - (c - t)
+        if not k < 1000.0:
+            return 3000
+
+
+def _nested() -> int:
+    n, s = 10.0, 0.0
+    i = 1.0
+    while i <= n:
+        j = 1.0
+        while j <= 50.0:
+            k = 1.0
+            while k <= 20.0:
+                t = (j * k) * AWAY
+                c = t * SPLIT
+                p = c - (c - t)
+                t = (s + p) * AWAY
+                c = t * SPLIT
+                p = c - (c - t)
+                t = (p - i) * AWAY
+                c = t * SPLIT
+                s = c - (c - t)
+                t = (k + 1.0) * AWAY
+                c = t * SPLIT
+                k = c - (c - t)
+            t = (j + 1.0) * AWAY
+            c = t * SPLIT
+            j = c - (c - t)
+        t = (i + 1.0) * AWAY
+        c = t * SPLIT
+        i = c - (c - t)
+    return 21020
+
+
+BY_HAND: dict[str, Callable[[], int]] = {
+    "bm1": _empty_loop,
+    "bm3": _formula,
+    "nestfor": _nested,
+}
+"""Listing to function; a function returns how many statements it stands for."""
+
+
+def rate_by_hand(name: str) -> float | None:
+    """Statements a second of the hand translation, if there is one."""
+    function = BY_HAND.get(name)
+    if function is None:
+        return None
+    start = time.process_time()
+    statements = 0
+    while time.process_time() - start < ENOUGH:
+        statements += function()
+    return statements / (time.process_time() - start)
+
+
+def main(arguments: list[str]) -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("names", nargs="*", help="listings (all thirteen unless given)")
+    parser.add_argument("--statements", action="store_true", help="one function a statement")
+    options = parser.parse_args(arguments)
+    names = options.names or STANDARD
+    logarithms = []
+    for name in names:
+        speed = rate(name, not options.statements)
+        logarithms.append(math.log(speed))
+        by_hand = rate_by_hand(name)
+        share = f"{speed / by_hand:6.2f} of hand-written" if by_hand else ""
+        print(f"{name:12}{speed / 1e6:8.2f} million statements/s  {share}")
+    mean = math.exp(sum(logarithms) / len(logarithms))
+    print(f"{'mean':12}{mean / 1e6:8.2f} million statements/s, geometric")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
