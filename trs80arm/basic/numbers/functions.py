@@ -51,10 +51,26 @@ _LOG = (0.5989786386489868, 0.9614706635475159, 2.885392427444458)
 
 
 def _polynomial(x: float, coefficients: tuple[float, ...]) -> float:
-    """Horner's rule, highest power first, every product and sum rounded."""
+    """Horner's rule, highest power first, every product and sum rounded.
+
+    The common cases of `single.mul` and `single.add` stand here in line; these two are called only
+    where a result is near the ends of the range, or where unlike operands are far apart.
+    """
     total = coefficients[0]
     for coefficient in coefficients[1:]:
-        total = add(mul(total, x), coefficient)
+        s = total * x * (1.0 + 2.0**-52)
+        if 1e-74 < s * s < 1e74:
+            c = s * (2.0**29 + 1.0)
+            product = c - (c - s)
+        else:
+            product = mul(total, x)
+        s = (product + coefficient) * (1.0 + 2.0**-52)
+        ratio = product / coefficient
+        if 1e-74 < s * s < 1e74 and (ratio > 0.0 or -256.0 <= ratio <= -(2.0**-8)):
+            c = s * (2.0**29 + 1.0)
+            total = c - (c - s)
+        else:
+            total = add(product, coefficient)
     return total
 
 
