@@ -14,6 +14,8 @@ from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
 
+from trs80arm.arm.geometry import Pose
+
 FOLDER = Path(__file__).parent / "screenshots"
 PROGRAMS = Path(__file__).parents[1] / "programs"
 TICK = 1 / 60
@@ -87,6 +89,28 @@ async def slipped(sitting: Sitting) -> None:
     await sitting.pass_time(0.5)
 
 
+async def by_hand(sitting: Sitting) -> None:
+    """The arm moved by hand, above the part."""
+    await sitting.app.run_action("hand_move")
+    sitting.app.session.rig.move_to(Pose(8.0, 0.0, 1.5, -90.0, 0.0, 0.8))
+    await sitting.pass_time(0.1)
+    sitting.app.screen.say("")
+    await sitting.pass_time(0.1)
+
+
+async def teach(sitting: Sitting) -> None:
+    """Positions taught, and the program of them."""
+    for line in (
+        *("@STEP 50,0,-207,290,0,0,340", "@STEP 50,0,132,-36", "@CLOSE"),
+        *("@STEP 100,0,-132,36", "@STEP 50,651,-8,-13,-461,-462"),
+        *("@STEP 50,0,135,-37", "@STEP 50,0,0,0,0,0,312"),
+    ):
+        await sitting.type(line + "\r")
+        await sitting.app.run_action("teach_here")
+    await sitting.app.run_action("teach")
+    await sitting.pass_time(0.1)
+
+
 def action(name: str) -> Scene:
     """A dialog."""
 
@@ -127,6 +151,8 @@ async def main() -> None:
     await shoot("braille", (120, 40), table4, program=program, arm_style=ArmStyle.BRAILLE)
     await shoot("manual", (120, 40), manual)
     await shoot("slipped", (120, 40), slipped, theme="amber")
+    await shoot("by-hand", (100, 30), by_hand)
+    await shoot("teach", (100, 36), teach, bench=PROGRAMS / "table4.toml", theme="paper")
     await shoot("open", (100, 30), action("open"), theme="white")
     await shoot("help", (100, 30), action("help"))
 
