@@ -96,6 +96,10 @@ class Targets:
         return address
 
 
+_LAST = 0xFFF0
+"""No program reaches so far up; the reader of a broken one stops here."""
+
+
 class DataReader(Part):
     """The DATA pointer."""
 
@@ -111,6 +115,8 @@ class DataReader(Part):
         if ram[address] == _COMMA:
             return self._skip(address + 1)
         while True:
+            if address >= _LAST:
+                raise BasicError(Code.OD)
             if not ram[address]:
                 if not (ram[address + 1] or ram[address + 2]):
                     raise BasicError(Code.OD)
@@ -125,10 +131,13 @@ class DataReader(Part):
             while ram[address] and (quoted or ram[address] != _COLON):
                 quoted ^= ram[address] == _QUOTE
                 address += 1
+                if address >= _LAST:
+                    # Only a pointer that was POKEd astray comes here.
+                    raise BasicError(Code.OD)
             self._clock.now += costs.SKIPPED * (address - start)
 
     def _skip(self, address: int) -> int:
-        while self._ram[address] in _BLANKS:
+        while self._ram[address] in _BLANKS and address < _LAST:
             address += 1
         return address
 
