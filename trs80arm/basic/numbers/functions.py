@@ -69,6 +69,8 @@ def _polynomial(x: float, coefficients: tuple[float, ...]) -> float:
         if 1e-74 < s * s < 1e74 and (ratio > 0.0 or -256.0 <= ratio <= -(2.0**-8)):
             c = s * (2.0**29 + 1.0)
             total = c - (c - s)
+        elif -(2.0**-26) < ratio < 0.0:
+            total = coefficient
         else:
             total = add(product, coefficient)
     return total
