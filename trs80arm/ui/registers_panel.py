@@ -31,11 +31,11 @@ otherwise: by hand, or by OUT. `@RESET` sets both to zero.
         wide = width >= _WIDE
         rows: list[Row] = []
         for joint in range(6):
-            rows.append(_wide_row(readings, joint) if wide else _narrow_row(readings, joint, width))
+            rows.append(
+                _wide_row(readings, joint, width) if wide else _narrow_row(readings, joint, width)
+            )
         if height > len(rows):
-            heading = "joint        register   true slip"
-            if not wide:
-                heading = f"{'reg':>{_column(width) + 2}} {'true':>{_column(width) - 1}}"
+            heading = _wide_heading(width) if wide else _narrow_heading(width)
             rows.insert(0, ((heading, Ink.LABEL),))
         if height > len(rows) + 1:
             rows.append(())
@@ -56,6 +56,20 @@ def _column(width: int) -> int:
     return 7 if width >= _ROOMY else 6
 
 
+def _slip_column(width: int) -> int:
+    """Cells for the steps lost in the wide form, with a blank before them where that fits."""
+    return min(7, width - _WIDE + 5)
+
+
+def _narrow_heading(width: int) -> str:
+    column = _column(width)
+    return f"{'reg':>{column + 2}} {'true':>{column - 1}}"
+
+
+def _wide_heading(width: int) -> str:
+    return f"joint        register   true{'slip':>{_slip_column(width)}}"
+
+
 def _narrow_row(readings: Readings, joint: int, width: int) -> Row:
     mark, ink = _mark(readings, joint)
     register, true = readings.registers[joint], readings.joints[joint]
@@ -64,11 +78,12 @@ def _narrow_row(readings: Readings, joint: int, width: int) -> Row:
     return ((f"J{joint + 1}", Ink.LABEL), (numbers, ink))
 
 
-def _wide_row(readings: Readings, joint: int) -> Row:
+def _wide_row(readings: Readings, joint: int, width: int) -> Row:
     mark, ink = _mark(readings, joint)
     register, true = readings.registers[joint], readings.joints[joint]
     slipped = readings.slipped[joint]
-    lost = f"{slipped:+5d}" if abs(slipped) >= RING else " " * 5
+    column = _slip_column(width)
+    lost = f"{slipped:+{column}d}" if abs(slipped) >= RING else " " * column
     return (
         (f"J{joint + 1} {JOINTS[joint]:11}", Ink.LABEL),
         (f"{register:7d}{true:7d}{lost}{mark}", ink),

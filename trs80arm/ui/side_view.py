@@ -49,7 +49,7 @@ with the base's turn taken out.
 
 
 def angles_text(readings: Readings, width: int) -> str:
-    """The five angles in degrees, as wordy as `width` cells allow; nothing if there is no room."""
+    """The five angles in degrees, as wordy as there is room for in less than `width` cells."""
     angles = readings.posture.angles
     values = [
         *map(degrees, (angles.base, angles.shoulder, angles.elbow, angles.pitch)),
@@ -63,6 +63,6 @@ def angles_text(readings: Readings, width: int) -> str:
         text = " ".join(
             name + signed(value, digits) for name, value in zip(names, values, strict=True)
         )
-        if len(text) <= width:
+        if len(text) < width:
             return text
     return ""
