@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from tests.ui import samples
 from tests.ui.golden_text import check_golden
+from trs80arm.arm.shapes import upright
 from trs80arm.ui.arm_view import ArmView
-from trs80arm.ui.readings import Posture, Readings
+from trs80arm.ui.readings import Kind, Posture, Readings, Thing
 from trs80arm.ui.rows import Ink, text_of
 from trs80arm.ui.scene import Extras, Joint, skeleton
 from trs80arm.ui.side_view import SideView, angles_text
@@ -123,6 +126,38 @@ def test_angles_are_named_as_far_as_there_is_room(width: int) -> None:
     text = angles_text(samples.readings(), width)
     assert len(text) <= width
     assert "-73" in text
+
+
+ANGLE = st.floats(-300, 300)
+THING = st.builds(
+    lambda kind, place, size, turn, held: Thing(kind, "it", upright(*place, size, turn), held),
+    st.sampled_from(Kind),
+    st.tuples(st.floats(-40, 40), st.floats(-40, 40), st.floats(0, 20)),
+    st.tuples(st.floats(0.1, 30), st.floats(0.1, 30), st.floats(0.1, 30)),
+    st.floats(-7, 7),
+    st.booleans(),
+)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.builds(samples.posture, ANGLE, ANGLE, ANGLE, ANGLE, ANGLE, st.floats(0, 3)),
+    st.lists(THING, max_size=4),
+    st.integers(0, 6),
+    st.booleans(),
+)
+def test_every_posture_on_every_bench_can_be_drawn(
+    stands: Posture, things: list[Thing], closer: int, braille: bool
+) -> None:
+    readings = samples.readings(stands, things=tuple(things), believed=samples.STRETCHED_OUT)
+    for view in (SideView(), TopView()):
+        view.braille = braille
+        view.envelope = view.trail = True
+        for _ in range(closer):
+            view.zoom_in()
+        view.show(readings)
+        rows = view.draw(readings, 50, 18)
+        assert [len(text_of(row)) for row in rows] == [50] * 18
 
 
 @pytest.mark.parametrize("view", [SideView, TopView])
