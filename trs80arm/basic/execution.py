@@ -50,12 +50,15 @@ class Execution(Activity):
         next: the separator in front of the next statement.
         statement: the separator in front of the last one executed.
         forced_line: the line number of 40A2H where it is not that of `statement`.
+        noted: what 40E6H holds while the first statement of an error trap is executed: that of
+            the error, since the jump to the trap notes none.
     """
 
     def __init__(self, address: int) -> None:
         self.next = address
         self.statement = address
         self.forced_line: int | None = None
+        self.noted: int | None = None
         self.targets: Any = None
 
     def line(self, basic: Interpreter) -> int:
@@ -85,12 +88,21 @@ class Execution(Activity):
             if basic.stack[-1] is not self:
                 return
             try:
-                if basic.control.traced or basic.listeners or not basic.host.console.quiet:
+                if self._must_look(basic):
                     self._slowly(basic)
                 else:
                     self._quickly(basic)
             except Leave as leave:
                 self._left(basic, leave)
+
+    def _must_look(self, basic: Interpreter) -> bool:
+        """Whether there is something to do or to know before or behind the next statement."""
+        return (
+            basic.control.traced
+            or bool(basic.listeners)
+            or not basic.host.console.quiet
+            or self.noted is not None
+        )
 
     def step(self, basic: Interpreter) -> None:
         """Execute one statement, whatever the clock's limit."""
@@ -126,12 +138,12 @@ class Execution(Activity):
         clock = basic.clock
         while clock.now < clock.limit and basic.stack[-1] is self:
             self._one(basic)
-            if not (basic.control.traced or basic.listeners) and basic.host.console.quiet:
+            if not self._must_look(basic):
                 return
 
     def _one(self, basic: Interpreter) -> None:
         """One turn of the statement loop with everything that the ROM does in it."""
-        if self._key(basic):
+        if self.noted is None and self._key(basic):
             return
         address = self.next
         ram = basic.memory.ram
@@ -150,6 +162,7 @@ class Execution(Activity):
         except (BasicError, Leave) as error:
             clock.now += table.failed(address, error).cost
             raise
+        self.noted = None
 
     def _tell(self, basic: Interpreter, listener: Any, address: int) -> None:
         before = self.statement, self.forced_line
@@ -187,6 +200,7 @@ class Execution(Activity):
 
     def _left(self, basic: Interpreter, leave: Leave) -> None:
         basic.code.stale = False
+        self.noted = None
         self.next = leave.address
 
     # -- errors -------------------------------------------------------------------------------
@@ -200,12 +214,15 @@ class Execution(Activity):
         control.error = (min(int(error.code), 255) - 1) * 2
         control.error_line = line
         control.dot = line
-        control.error_address = self.statement
+        noted = self.statement if self.noted is None else self.noted
+        self.noted = None
+        control.error_address = noted
         if line != DIRECT:
             control.resume_line = line
-            control.resume_address = self.statement
+            control.resume_address = noted
         if control.trap and not control.handling:
             control.handling = True
+            self.noted = noted
             self.next = control.trap - 1
             return
         self.raise_again(basic, error.code)

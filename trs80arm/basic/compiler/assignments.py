@@ -199,6 +199,7 @@ class AssignmentCompiler(FunctionCompiler):
             self.out.emit("clear_all()")
             return
         size = self.out.keep(f"subscript({self.number().text})")
+        self.reader.skip()
         if self.reader.at_end:
             self.out.emit(f"clear_strings({size})")
 

@@ -150,7 +150,9 @@ class ExpressionCompiler:
 
     def byte(self) -> str:
         """A number rounded down to 0..255 (2B1CH); FC, OV, TM."""
-        return self.to_byte(self.number())
+        value = self.to_byte(self.number())
+        self.reader.skip()
+        return value
 
     def flush(self) -> None:
         """Write what was read of an expression that turned out to be wrong."""

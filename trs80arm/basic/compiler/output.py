@@ -57,6 +57,7 @@ class OutputCompiler(FlowCompiler):
                 reader.advance()
             else:
                 self._item(self.expression())
+                reader.skip()
                 newline = True
         if newline:
             out.charge()
@@ -95,6 +96,7 @@ class OutputCompiler(FlowCompiler):
             self.deepen(room.PARENTHESIS)
             value = self.expression()
             self.deepen(-room.PARENTHESIS)
+            reader.skip()
             out.charge()
             function = "using_string" if value.kind == STRING else "using_number"
             out.emit(f"{function}({layout_name}, {value.text})")

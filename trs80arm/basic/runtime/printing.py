@@ -6,7 +6,7 @@ from trs80arm.basic import costs, number_costs, system_area
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import decimal
 from trs80arm.basic.numbers.convert import Number
-from trs80arm.basic.numbers.using import NumberField, UsingFormat
+from trs80arm.basic.numbers.using import NumberField, StringField, UsingFormat
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.variables import Descriptor
 
@@ -143,8 +143,12 @@ class Printing(Part):
 
     def using_string(self, layout: UsingFormat, value: Descriptor) -> None:
         """A string in the next field."""
+        field = layout.demand_field()
+        if isinstance(field, StringField):
+            # What is shown is copied into string space first, as LEFT$ does.
+            value = self._strings.part(value, 0, field.width)
         text = self._strings.take(value).decode("latin-1")
-        self._put(layout.field(text).encode("latin-1"))
+        self._put(field.text(text).encode("latin-1"))
 
     def using_end(self, layout: UsingFormat) -> None:
         """The values are out: the text up to the next field."""
