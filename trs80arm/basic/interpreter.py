@@ -183,14 +183,14 @@ class Interpreter:
         return False
 
     def store_line(self, number: int, text: bytes) -> None:
-        """Store a typed line (not crunched yet) under a number; an empty one deletes.
+        """Store a typed line (not crunched yet) under a number; one of blanks or nothing deletes.
 
         All variables, CONT and the error trap go, as in the ROM (facts, thing 12).
 
         Raises:
             BasicError: OM when it does not fit.
         """
-        crunched = cruncher.crunch(text)
+        crunched = cruncher.crunch(text) if text.strip(b" \t\n") else b""
         program = self.program
         behind = program.end - (program.address_from(number) or program.end)
         self.clock.now += costs.crunching(crunched) + costs.storing(

@@ -75,5 +75,5 @@ class CommandLevel(Home):
         if line is None or not auto.go_on(basic, number):
             auto.switch_off(basic)
         else:
-            basic.store_line(number, line if line.strip(line_range.BLANKS) else b"")
+            basic.store_line(number, line)
             self._ready = False

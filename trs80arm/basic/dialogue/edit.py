@@ -215,8 +215,7 @@ class Edit(Activity):
         basic.host.console.show_cursor(False)
         basic.host.clock.now += _T_FINISH
         return_to_command(basic)  # Where an error in storing the line leads to.
-        text = bytes(self._line)
-        basic.store_line(self._number, text if text.strip(line_range.BLANKS) else b"")
+        basic.store_line(self._number, bytes(self._line))
         return_to_command(basic, ready=False)
 
 
