@@ -10,33 +10,29 @@ from __future__ import annotations
 import os
 import re
 import tomllib
-import types
 import typing
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields, is_dataclass
-from enum import Enum, IntEnum
+from dataclasses import dataclass, fields
+from enum import Enum
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from platformdirs import user_config_path
 
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, TerminalOptions
+from trs80arm.plain_values import SettingsError as SettingsError
+from trs80arm.plain_values import fit, keys_of
 from trs80arm.saving import write_whole
 
 if TYPE_CHECKING:
     from trs80arm.rig import RigSettings
 
-T = TypeVar("T")
 PREFIX = "TRS80ARM"
 """Environment variables are `TRS80ARM_SPEED` for the tables `[terminal]` and `[machine]`, and
 `TRS80ARM_CARD_BASE` for a key of another table."""
 SHORT = ("terminal", "machine")
 """The tables whose keys need not name their table in the environment and in `--option`."""
 FILE_NAME = "settings.toml"
-
-
-class SettingsError(Exception):
-    """A setting that cannot be; one line that names the file, its line and the key."""
 
 
 class Speed(Enum):
@@ -273,7 +269,7 @@ def _from_flags(options: Iterable[str]) -> list[tuple[str, str, str, str]]:
             raise SettingsError(f"--option {option}: must be KEY=VALUE")
         table, dot, key = name.strip().rpartition(".")
         if not dot:
-            holders = [table for table in SHORT if key in _keys(tables()[table])]
+            holders = [table for table in SHORT if key in keys_of(tables()[table])]
             table = holders[0] if holders else SHORT[0]
         if table not in tables():
             raise SettingsError(
@@ -298,9 +294,9 @@ def _checked(
     for key, value in values.items():
         place = sources[name, key]
         try:
-            if key not in _keys(cls):
-                raise SettingsError(f"unknown key; there are {', '.join(sorted(_keys(cls)))}")
-            built[key] = _fit(typing.get_type_hints(cls)[key], value)
+            if key not in keys_of(cls):
+                raise SettingsError(f"unknown key; there are {', '.join(sorted(keys_of(cls)))}")
+            built[key] = fit(typing.get_type_hints(cls)[key], value)
             cls(**{key: built[key]})
         except (SettingsError, ValueError) as error:
             raise SettingsError(f"{place}: {error}") from None
@@ -322,115 +318,6 @@ def _place(where: Path, content: str, table: str | None, key: str) -> str:
         elif inside == table and re.match(rf"\s*\"?{re.escape(key)}\"?\s*[=.]", line):
             return f"{where}: line {number}: {named}"
     return f"{where}: {named}"
-
-
-# -- between tables and classes --------------------------------------------------------------------
-
-
-def _keys(cls: type) -> set[str]:
-    return {field.name for field in fields(cls)}
-
-
-def from_table(cls: type[T], table: Mapping[str, Any], where: str) -> T:
-    """Make a settings class from a table of plain values.
-
-    Args:
-        cls: a dataclass of plain values, enums, tuples and other such classes.
-        table: the values by name; those left out have their defaults.
-        where: what errors call the table.
-
-    Raises:
-        SettingsError: a key is unknown, or its value cannot be.
-    """
-    hints = typing.get_type_hints(cls)
-    values = {}
-    for key, value in table.items():
-        if key not in hints:
-            raise SettingsError(f"{where}: unknown key {key}")
-        try:
-            values[key] = _fit(hints[key], value)
-        except (SettingsError, ValueError) as error:
-            raise SettingsError(f"{where}: {key}: {error}") from None
-    try:
-        return cls(**values)
-    except (TypeError, ValueError) as error:
-        raise SettingsError(f"{where}: {error}") from None
-
-
-def as_table(settings: Any, *, with_defaults: bool = False) -> dict[str, Any]:
-    """The plain values of a settings class: those that differ from the defaults, or all."""
-    defaults = type(settings)()
-    table = {}
-    for field in fields(settings):
-        value = getattr(settings, field.name)
-        if with_defaults or value != getattr(defaults, field.name):
-            table[field.name] = _plain(value)
-    return table
-
-
-def _plain(value: Any) -> Any:
-    if is_dataclass(value):
-        return as_table(value)
-    if isinstance(value, IntEnum):
-        return value.name.lower()
-    if isinstance(value, Enum):
-        return str(value.value)
-    if isinstance(value, Path):
-        return str(value)
-    if isinstance(value, tuple):
-        return ["" if item is None else _plain(item) for item in value]
-    return value
-
-
-def _fit(hint: Any, value: Any) -> Any:
-    """A plain value as what a field wants."""
-    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
-    if origin in (typing.Union, types.UnionType):
-        if value in (None, ""):
-            return None
-        [wanted] = [argument for argument in arguments if argument is not type(None)]
-        return _fit(wanted, value)
-    if origin is tuple:
-        return _fit_tuple(arguments, value)
-    if isinstance(hint, type) and issubclass(hint, Enum):
-        return _fit_enum(hint, value)
-    if is_dataclass(hint) and isinstance(hint, type):
-        if not isinstance(value, Mapping):
-            raise SettingsError("must be a table")
-        return from_table(hint, value, hint.__name__)
-    return _fit_plain(hint, value)
-
-
-def _fit_tuple(arguments: tuple[Any, ...], value: Any) -> tuple[Any, ...]:
-    if not isinstance(value, list | tuple):
-        raise SettingsError(f"must be a list, not {value!r}")
-    if arguments[-1] is Ellipsis:
-        return tuple(_fit(arguments[0], item) for item in value)
-    if len(arguments) != len(value):
-        raise SettingsError(f"must be a list of {len(arguments)}, not of {len(value)}")
-    return tuple(_fit(hint, item) for hint, item in zip(arguments, value, strict=True))
-
-
-def _fit_enum(hint: type[Enum], value: Any) -> Enum:
-    by_name = issubclass(hint, IntEnum)
-    for member in hint:
-        if str(member.name if by_name else member.value).lower() == str(value).lower():
-            return member
-    names = ", ".join(str(m.name.lower() if by_name else m.value) for m in hint)
-    raise SettingsError(f"must be one of {names}, not {value!r}")
-
-
-def _fit_plain(hint: Any, value: Any) -> Any:
-    if hint is Path and isinstance(value, str):
-        return Path(value).expanduser()
-    if hint is float and isinstance(value, int) and not isinstance(value, bool):
-        return float(value)
-    if hint is str and isinstance(value, int | float) and not isinstance(value, bool):
-        return str(value)
-    if type(value) is not hint:
-        words = {bool: "true or false", int: "a whole number", float: "a number", str: "a text"}
-        raise SettingsError(f"must be {words.get(hint, hint.__name__)}, not {value!r}")
-    return value
 
 
 # -- remembering -----------------------------------------------------------------------------------

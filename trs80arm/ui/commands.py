@@ -33,11 +33,6 @@ class Command:
     footer: str = ""
     priority: bool = False
 
-    @property
-    def group(self) -> str:
-        """The word before the colon."""
-        return self.title.partition(":")[0]
-
 
 COMMANDS: tuple[Command, ...] = (
     Command("help", "Help: one page", "Keys, BREAK, and programs to try.", "f1", "Help"),
@@ -129,7 +124,7 @@ class Palette(Provider):
     def _entries(self) -> Iterator[tuple[str, Command]]:
         for command in COMMANDS:
             key = command.keys.partition(",")[0]
-            yield (f"{command.title}  ({_spoken(key)})" if key else command.title), command
+            yield (f"{command.title}  ({spoken(key)})" if key else command.title), command
 
     async def discover(self) -> Hits:
         """All of them, before anything is typed."""
@@ -151,5 +146,6 @@ class Palette(Provider):
                 )
 
 
-def _spoken(key: str) -> str:
+def spoken(key: str) -> str:
+    """A key as people write it: `ctrl+up` is Ctrl+Up."""
     return "+".join(part.capitalize() for part in key.split("+"))

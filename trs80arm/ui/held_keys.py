@@ -127,11 +127,6 @@ class HeldKeys:
         """The keys that the latch holds."""
         return frozenset(self._latched)
 
-    @property
-    def waiting(self) -> bool:
-        """Whether strokes wait for their turn."""
-        return bool(self._queue)
-
     # -- what the machine sees --------------------------------------------------------------------
 
     def changes(

@@ -10,9 +10,12 @@ from trs80arm.machine.keys import Key, keys_for
 
 NAMED: dict[str, tuple[Key, ...]] = {
     "enter": (Key.ENTER,),
+    "shift+enter": (Key.ENTER,),
+    "ctrl+j": (Key.ENTER,),
     "space": (Key.SPACE,),
     "shift+space": (Key.SPACE,),
     "backspace": (Key.LEFT,),
+    "ctrl+h": (Key.LEFT,),
     "delete": (Key.LEFT,),
     "left": (Key.LEFT,),
     "right": (Key.RIGHT,),
@@ -58,6 +61,9 @@ def trs80_keys(name: str, text: str | None) -> tuple[Key, ...] | None:
     """
     if name in NAMED:
         return NAMED[name]
+    if text is None and len(name) == 1:
+        # A figure of the keypad, which some terminals name but do not spell.
+        text = name
     modifiers = name.split("+")[:-1]
     if text is None or not text.isprintable() or {"ctrl", "alt", "super", "meta"} & set(modifiers):
         return None

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet
-from trs80arm.settings import as_table, remember
+from trs80arm.plain_values import as_table
+from trs80arm.settings import remember
 from trs80arm.ui import layout
 from trs80arm.ui.desk import Desk
 from trs80arm.ui.layout import Bottom

@@ -9,7 +9,7 @@ from textual.containers import VerticalScroll
 from textual.widgets import Markdown
 
 from trs80arm.options import KeyMode
-from trs80arm.ui.commands import COMMANDS
+from trs80arm.ui.commands import COMMANDS, spoken
 from trs80arm.ui.host_keys import TABLE
 from trs80arm.ui.screens.dialog import Dialog
 
@@ -29,7 +29,7 @@ def page(in_use: KeyMode) -> str:
     """The page, with why keys work as they do here, and the tables of keys."""
     text = files("trs80arm.ui").joinpath("help/help.md").read_text(encoding="utf-8")
     commands = "\n".join(
-        f"| {_spoken(command.keys)} | {command.title}: {command.help} |"
+        f"| {', '.join(map(spoken, command.keys.split(',')))} | {command.title}: {command.help} |"
         for command in COMMANDS
         if command.keys
     )
@@ -38,12 +38,6 @@ def page(in_use: KeyMode) -> str:
         text.replace("<!-- keys in use -->", KEYS_IN_USE[in_use])
         .replace("<!-- commands -->", f"| Key | What it does |\n|---|---|\n{commands}")
         .replace("<!-- keys -->", f"| Key | On the TRS-80 |\n|---|---|\n{keys}")
-    )
-
-
-def _spoken(keys: str) -> str:
-    return ", ".join(
-        "+".join(part.capitalize() for part in key.split("+")) for key in keys.split(",")
     )
 
 
