@@ -74,6 +74,10 @@ def test_the_example_of_the_manual_is_a_bench() -> None:
             "b.toml: arm.at: expected a pose within reach; the wrist is "
             "farther from the shoulder than the two links are long",
         ),
+        (
+            "[[part]]\nat=[5,0]\nsize=[1,1,1]",
+            "b.toml: arm.at: expected a free place for the hand; part 1 is in the way",
+        ),
         ("part = [3]", "b.toml: part[1]: expected a table"),
     ],
 )

@@ -45,6 +45,7 @@ class Bench:
 
     Attributes:
         name: of the bench, for titles.
+        settings: of the arm that works here.
         start: pose in which the arm is switched on, or None for the arm's own.
         parts: by name, in the order in which they came.
         feeders, trays, obstacles, sensors: as the file lists them.
@@ -126,6 +127,15 @@ class Bench:
         part = Part(name, size, weight, upright(x, y, bottom, size, turn))
         self.parts[name] = part
         return part
+
+    def suit(self, settings: ArmSettings) -> None:
+        """Take over the settings of the arm that works here: its base, and friction."""
+        if settings == self.settings:
+            return
+        self.settings = settings
+        self.obstacles[:2] = _own_base(settings)
+        for part in self.parts.values():
+            part.box = self._free(part.box, part)
 
     def remember(self) -> None:
         """Take the parts as they are for those to begin with, unless feeders have given any."""

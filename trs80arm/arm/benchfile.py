@@ -21,8 +21,16 @@ from trs80arm.arm.fixtures import (
     Tray,
     Turntable,
 )
-from trs80arm.arm.geometry import HAND_RANGE, OutOfReach, Pose, inverse
+from trs80arm.arm.geometry import (
+    HAND_RANGE,
+    START_POSE,
+    CableDrive,
+    OutOfReach,
+    Pose,
+    inverse,
+)
 from trs80arm.arm.shapes import Box, Vector, overlap, upright
+from trs80arm.arm.world import World
 
 FAR = 60.0
 """Farthest that anything may be from the base axis, inches."""
@@ -157,6 +165,10 @@ def parse(text: str, name: str = "bench") -> Bench:
         radius = table.number("radius", 0.1, FAR)
         bench.turntable = Turntable(x, y, radius, table.integer("steps", 8, 1_000_000, 96))
         table.done("at, radius, steps")
+    world = World(bench, bench.settings, CableDrive.from_pose(bench.start or START_POSE))
+    there = world.occupied()
+    if there is not None:
+        raise top.fail("arm.at", f"a free place for the hand; {there} is in the way")
     top.done("name, arm, part, feeder, tray, obstacle, proximity, tactile, beam, turntable")
     return bench
 

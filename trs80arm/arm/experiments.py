@@ -115,8 +115,8 @@ def _general() -> list[Row]:
     """The upper part of Table 1."""
     return [
         Row("resolution, coarsest axis", "in", 0.013, _resolution()),
-        Row("load at full extension", "oz", 8.0, _capacity(0.0), 0.15),
-        Row("load at half extension", "oz", 16.0, _capacity(60.0), 0.15),
+        Row("load at full extension", "oz", 8.0, _capacity(0.0), 0.2),
+        Row("load at half extension", "oz", 16.0, _capacity(60.0), 0.2),
         Row("gripping force", "lb", 3.0, _gripping_force()),
         Row("reach", "in", 17.5, _reach()),
         Row("static load force", "lb", 4.0, _pushing_force(), 0.01),
@@ -157,9 +157,9 @@ def _capacity(bend: float) -> float:
         for motor, rate in rates.items():
             generator = _gripping(weight)
             if motor == Motor.SHOULDER:
-                _set(generator, 0, bend - 3, -bend - 6, -bend, 0)
+                _set(generator, 0, bend, -bend - 1, -bend, 0)
             else:
-                _set(generator, 0, bend + 8, -bend - 5, -bend, 0)
+                _set(generator, 0, bend + 5, -bend - 10, -bend, 0)
             count = -100 if motor == Motor.SHOULDER else 100
             generator.turn(motor, count, round(T_STATES_PER_SECOND / rate))
             if _lost(generator):

@@ -249,6 +249,16 @@ class CableDrive:
     home: JointAngles
     home_cable: int = 0
 
+    @classmethod
+    def from_pose(cls, pose: Pose) -> CableDrive:
+        """The cables of an arm that is switched on in a pose.
+
+        Raises:
+            OutOfReach: if it cannot take it.
+        """
+        angles = inverse(pose.x, pose.y, pose.z, pose.pitch, pose.roll)
+        return cls(angles, round(pose.opening * HAND_STEPS))
+
     def angles(self, rotors: Sequence[int]) -> JointAngles:
         """Joint angles (radians) for rotor positions (half-steps)."""
         home = self.home

@@ -114,12 +114,9 @@ class MiniMover:
 
     def _set_up(self, bench: Bench) -> None:
         """Stand at a bench, in the pose in which it has the arm switched on."""
-        start = bench.start or START_POSE
+        bench.suit(self.settings)
         self.bench = bench
-        self.drive = CableDrive(
-            inverse(start.x, start.y, start.z, start.pitch, start.roll),
-            round(start.opening * HAND_STEPS),
-        )
+        self.drive = CableDrive.from_pose(bench.start or START_POSE)
         self._rotors = [0] * 6
         self._world = World(bench, self.settings, self.drive)
         self._world.start()

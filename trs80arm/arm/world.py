@@ -55,7 +55,8 @@ class World:
         self.bench.remember()
         self.bench.settle()
         for feeder in self.bench.waiting_feeders():
-            self.bench.feed(feeder)
+            if not self._touches(feeder.place):
+                self.bench.feed(feeder)
         self.bench.news.clear()
         self._changed()
 
@@ -306,6 +307,11 @@ class World:
         grip.hold = Hold.of(held.moved((0.0, 0.0, depth)), body.points)
         return True
 
+    def occupied(self) -> str | None:
+        """Name of what is where the arm stands."""
+        self._changed()
+        return self._occupied(self.body)
+
     def _occupied(self, body: Body) -> str | None:
         """Name of what is where the arm would be."""
         touch = self.settings.touch
@@ -335,6 +341,10 @@ class World:
         held = self._carried(self.body)
         if held is not None and grip.part is not None:
             self.bench.parts[grip.part].box = held
+
+    def _touches(self, box: Box) -> bool:
+        """Whether a link or finger is in a box."""
+        return any(interval(box, a, b) is not None for a, b in self.body.segments)
 
     # The hand
 
@@ -442,9 +452,7 @@ class World:
             far = FEED_CLEARANCE + place.radius
             if (x - feeder.x) ** 2 + (y - feeder.y) ** 2 < far * far:
                 continue
-            if not self.bench.room_for(place) or any(
-                interval(place, a, b) is not None for a, b in self.body.segments
-            ):
+            if not self.bench.room_for(place) or self._touches(place):
                 continue
             self.bench.feed(feeder)
             self._changed()
