@@ -31,6 +31,8 @@ from trs80arm.basic.variables import Variables
 
 STRING_SPACE = 50
 """Bytes for strings unless CLEAR says otherwise (facts, thing 11)."""
+_LONGEST_DIRECT = START - system_area.INPUT_BUFFER - 5
+"""What fits between the buffer's start and the program."""
 DIRECT_LINE = system_area.INPUT_BUFFER
 """Where a direct line stands while it is executed."""
 
@@ -197,13 +199,18 @@ class Interpreter:
             behind, len(program), program.end - program.start
         )
         self.control.dot = number
-        if crunched:
-            old = self.program.text(number)
-            self.room.need(len(crunched) + 5 - (0 if old is None else len(old) + 5) + room.LINE)
-            self.program.store(number, crunched)
-        else:
-            self.program.delete(number)
+        program.delete(number)
+        frames = list(self.control.frames)
         self.program_changed()
+        if crunched:
+            # The room is looked at before the stack is emptied, and the old line is gone by then.
+            self.control.frames[:] = frames
+            try:
+                self.room.need(len(crunched) + 5 + room.LINE)
+            finally:
+                self.control.frames[1:] = []
+            program.store(number, crunched)
+            self.program_changed()
 
     def program_changed(self) -> None:
         """The program's text is another one: variables, stack and trap go."""
@@ -230,6 +237,7 @@ class Interpreter:
     def execute_direct(self, crunched: bytes) -> None:
         """Run a direct line."""
         ram = self.memory.ram
+        crunched = crunched[:_LONGEST_DIRECT]
         end = DIRECT_LINE + 1 + len(crunched)
         ram[DIRECT_LINE : end + 3] = b":" + crunched + b"\0\0\0"
         self.code.forget_direct()

@@ -19,6 +19,14 @@ if TYPE_CHECKING:
 BREAK_VECTOR: Final = 0x400C
 """Holds C9H; any other code there disables BREAK (POKE 16396,23)."""
 BREAK_ON: Final = 0xC9
+_JUMP = 0xC3
+_RESTARTS = {0x4000: 0x1C96, 0x4003: 0x1D78, 0x4006: 0x1C90, 0x4009: 0x25D9}
+"""Where the vectors of RST 8, 10H, 18H and 20H point (seen by PEEK)."""
+_DISK_VECTOR = 0x400F
+_INTERRUPT = 0x4012
+_ENABLE = 0xFB
+_WIDTH = 0x409D
+_LAST_ZONE = 0x409E
 USR_VECTOR: Final = 0x408E
 USR_UNSET: Final = 0x1E4A
 """Where the vector points until a program sets it: the ROM's FC error."""
@@ -28,7 +36,7 @@ PRINTER_COLUMN: Final = 0x409B
 OUTPUT_DEVICE: Final = 0x409C
 PROGRAM_START: Final = 0x40A4
 INPUT_POINTER: Final = 0x40A7
-INPUT_BUFFER: Final = 0x41E7
+INPUT_BUFFER: Final = 0x41E5
 """The byte in front of the line buffer; a direct line is executed here."""
 DEF_TABLE: Final = 0x4101
 TRACE_FLAG: Final = 0x411B
@@ -38,9 +46,12 @@ SINGLE_TYPE: Final = 4
 def power_on(basic: Interpreter) -> None:
     """Set the variables that the ROM sets when the machine is switched on."""
     ram = basic.memory.ram
-    for start in (0x4000, 0x4003, 0x4006, 0x4009, 0x400F, 0x4012):
-        ram[start] = 0xC3
-    ram[BREAK_VECTOR] = BREAK_ON
+    for address, target in _RESTARTS.items():
+        ram[address] = _JUMP
+        _set_word(ram, address + 1, target)
+    ram[BREAK_VECTOR] = ram[_DISK_VECTOR] = ram[_INTERRUPT + 1] = BREAK_ON
+    ram[_INTERRUPT] = _ENABLE
+    ram[_WIDTH], ram[_LAST_ZONE] = 64, 48
     _set_word(ram, USR_VECTOR, USR_UNSET)
     ram[OUTPUT_DEVICE] = 0
     ram[PRINTER_COLUMN] = 0
