@@ -149,7 +149,7 @@ def play(case: Case) -> Played:
     for line in case.program:
         session.play(Entry(line + "\r"), _MOST_TYPING)
     session.transcript()
-    paper = len(rig.printer.text)
+    paper = len(rig.printer.sent)
     played = Played()
     left = case.max_seconds
     for entry in case.script:
@@ -167,7 +167,7 @@ def play(case: Case) -> Played:
         played.screen.append("".join(map(chr, codes)).rstrip(" "))
     played.cursor = (peek(0x4020) | peek(0x4021) << 8) - 0x3C00
     played.wide = rig.video.wide
-    played.printer = rig.printer.text[paper:].replace("\n", "\r")
+    played.printer = rig.printer.sent[paper:].decode("latin-1")
     for dump in case.dumps:
         data = (peek(dump.address + place & 0xFFFF) for place in range(dump.length))
         played.dump[dump.name] = bytes(data).hex()
