@@ -62,7 +62,7 @@ class Room:
     def need(self, size: int) -> None:
         """OM unless so many bytes are free."""
         free = self.free()
-        if free < _TIGHT:
+        if free - size < _TIGHT:
             self.tight = True
         if free < size:
             raise BasicError(Code.OM)
