@@ -6,11 +6,11 @@ knowing the screen; `ui/panel.py` turns an ink into a colour of the theme.
 
 from __future__ import annotations
 
-from enum import Enum
+from enum import StrEnum
 from typing import TypeAlias
 
 
-class Ink(Enum):
+class Ink(StrEnum):
     """What a run of characters stands for. Its glyphs say the same without any colour."""
 
     PLAIN = "plain"
@@ -56,17 +56,18 @@ def inked(characters: list[str], inks: list[Ink]) -> Row:
 
     A blank takes the ink of its left neighbour, so that it never begins a new span.
     """
+    text = "".join(characters)
+    end = len(text.rstrip())
     spans: list[Span] = []
-    run: list[str] = []
-    current = Ink.PLAIN
-    for character, ink in zip(characters, inks, strict=True):
-        if ink is not current and character != " ":
-            if run:
-                spans.append(("".join(run), current))
-            run, current = [], ink
-        run.append(character)
-    if run:
-        spans.append(("".join(run), current))
+    start, current = 0, Ink.PLAIN
+    for place in range(end):
+        ink = inks[place]
+        if ink is not current and characters[place] != " ":
+            if place > start:
+                spans.append((text[start:place], current))
+            start, current = place, ink
+    if start < len(text):
+        spans.append((text[start:], current))
     return tuple(spans)
 
 
