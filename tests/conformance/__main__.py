@@ -39,7 +39,10 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     for one in cases:
         total[one.group] += 1
-        played = player.play(one)
+        try:
+            played = player.play(one)
+        except Exception as error:  # A machine that fails is a case that fails.
+            played = player.Played(end=f"{type(error).__name__}: {error}")
         differences = verdict.compare(one, played)
         passed[one.group] += not differences
         if options.show and differences:
