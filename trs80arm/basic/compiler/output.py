@@ -15,13 +15,15 @@ class OutputCompiler(FlowCompiler):
     """PRINT."""
 
     def print(self) -> None:
-        """PRINT [@ place,] [USING format;] items, or `#-1,` items to the tape."""
-        self.out.charge()
-        self.out.emit("to_screen()")
+        """PRINT [@ place,] [USING format;] items, or `#-1,` items to the tape.
+
+        It prints where 409CH says and sets that back to the screen behind it, as LPRINT does.
+        """
         if self.reader.code == 0x23:
             self._print_tape()
             return
         self._printed(place=True)
+        self.out.emit("to_screen()")
 
     def lprint(self) -> None:
         """The same to the printer."""

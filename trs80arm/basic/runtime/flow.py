@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NoReturn
 
-from trs80arm.basic import room
+from trs80arm.basic import room, system_area
 from trs80arm.basic.control import ForFrame, GosubFrame
 from trs80arm.basic.dialogue import auto, edit, lister
 from trs80arm.basic.errors import BasicError, Code
@@ -221,7 +221,10 @@ class Flow(Part):
     # -- commands -----------------------------------------------------------------------------
 
     def list_lines(self, text: bytes) -> NoReturn:
-        """LIST."""
+        """LIST, to the device that 409CH names."""
+        if self._ram[system_area.OUTPUT_DEVICE]:
+            self._basic.runtime.printing.to_screen()
+            self.list_printer(text)
         lister.list_lines(self._basic, text)
         raise Leave(0)
 
