@@ -51,8 +51,12 @@ class Trs80Arm(MachineCommands):
         self.if_program_may_go("Demonstration", self._start_demo)
 
     def _start_demo(self) -> None:
-        self._demo = Demo(self.session)
-        self.another_machine()
+        try:
+            self._demo = Demo(self.session)
+        except (OSError, BenchError, FileFormatError) as error:
+            self.say(f"No demonstration: {one_line(error)}", error=True)
+        else:
+            self.pacer.forgive()
 
     def tick(self) -> None:
         """Let the demonstration do its next thing, then let time pass."""

@@ -91,7 +91,7 @@ class MachineCommands(FileCommands):
     def _reset(self) -> None:
         self.session.reset()
         self.keyboard.held.start_afresh()
-        self.pacer.forgive()
+        self.pacer.pause(False)
         self.say("Switched off and on.")
 
     # -- bench and arm ----------------------------------------------------------------------------

@@ -22,6 +22,12 @@ from trs80arm.ui.recording import Journal, Recording
 ProgramLines = list[tuple[int, bytes]]
 SMALLEST_STEP = 0.0004
 """Virtual seconds, a third of the shortest half-step, by which a motion is watched for one step."""
+TRIES = 4
+"""How often the operator tries to get the prompt before the machine is switched off."""
+LEAVING = {Waiting.EDIT: "\x1bQ", Waiting.MEMORY_SIZE: "\r"}
+"""What is typed where BREAK does not help: an insertion is ended, the editor quit."""
+LONGEST_MOTION = 60.0
+"""Virtual seconds for which a motion may go on after BREAK."""
 LONGEST_STEP = 1.0
 """Virtual seconds after which waiting for a motor's next step is given up."""
 
@@ -161,16 +167,21 @@ class Session:
         self.rig.load_lines(lines)
 
     def ready(self) -> None:
-        """Bring the machine back to its prompt, as an operator would with BREAK."""
+        """Bring the machine back to its prompt as an operator would, or else by switching it off.
+
+        A motion under way comes to its end first.
+        """
         rig = self.rig
         rig.stop_typing()
-        for _ in range(3):
+        for _ in range(TRIES):
             if rig.waiting is Waiting.COMMAND:
                 return
-            rig.hold(["BREAK"], 0.1)
-            rig.run_for(0.3)
-        if rig.waiting is not Waiting.COMMAND:
-            rig.reset()
+            if rig.waiting in LEAVING:
+                rig.type(LEAVING[rig.waiting])
+            else:
+                rig.hold(["BREAK"], 0.1)
+            rig.run_until(lambda rig: rig.waiting is Waiting.COMMAND, LONGEST_MOTION)
+        rig.reset()
 
     def save(self, path: Path, kind: Kind | None = None) -> None:
         """Save the program in memory, whole or not at all.
