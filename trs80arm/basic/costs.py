@@ -16,76 +16,92 @@ from trs80arm.basic.numbers.convert import Number
 _BLANK, _QUOTE, _COLON = 0x20, 0x22, 0x3A
 
 # -- the statement loop ---------------------------------------------------------------------------
-STATEMENT: Final = 961
+STATEMENT: Final = 1020
 """One turn of the statement loop: the keyboard looked at, the separator, the jump by token."""
-NEW_LINE: Final = 118
+NEW_LINE: Final = 117
 """A new line: its number stored."""
-CHARACTER: Final = 52
+CHARACTER: Final = 107
 """One character of the text fetched: a letter, a token or a colon."""
-LOW_CHARACTER: Final = 85
+LOW_CHARACTER: Final = 122
 """A digit or any other character below the colon, which is looked at more closely."""
 BLANK: Final = 42
 """A blank passed on the way to a character."""
-SKIPPED: Final = 96
+SKIPPED: Final = 87
 """One character of the text passed without a look (REM, DATA, false IF, GOTO's rest of line)."""
-LINE_PASSED: Final = 89
+LINE_PASSED: Final = 129
 """One line passed in the search for a line number."""
-LINE_DIGIT: Final = 160
+LINE_DIGIT: Final = 234
 """One digit of a line number."""
 KEY_LATCHED: Final = 52
 """A key that the statement loop puts aside for INKEY$."""
 
 # -- operands -------------------------------------------------------------------------------------
-OPERAND: Final = 480
-OPERATOR: Final = 586
-PARENTHESES: Final = 372
-DATA_LINE: Final = 206
+OPERAND: Final = 734
+OPERATOR: Final = 571
+PARENTHESES: Final = 244
+DATA_LINE: Final = 245
 """A line looked through for DATA, beside its characters."""
-CONSTANT: Final = 439
-"""A constant, beside what its characters and its value take."""
-STRING_LITERAL: Final = 822
-STRING_CHARACTER: Final = 75
-VARIABLE: Final = 1070
-SCALAR_OTHER_KIND: Final = 111
-SCALAR_OTHER_NAME: Final = 186
-NEW_SCALAR: Final = 1570
-ARRAY: Final = 1460
-ARRAY_OTHER: Final = 132
-SUBSCRIPT: Final = 1260
-NEW_ARRAY: Final = 2340
-NEW_ARRAY_BYTE: Final = 78
-CONVERT: Final = 300
-NAME_LETTER: Final = 80
+CONSTANT: Final = {"i": 471, "s": 1540, "d": 1360}
+"""A constant of a type, beside what its characters and its value take."""
+STRING_LITERAL: Final = 800
+STRING_CHARACTER: Final = 55
+VARIABLE: Final = 847
+SCALAR_OTHER_KIND: Final = 163
+SCALAR_OTHER_NAME: Final = 227
+NEW_SCALAR: Final = 1540
+NEW_SCALAR_BYTE: Final = 93
+"""A new simple variable, and each byte of the arrays that it moves up."""
+ARRAY: Final = 167
+ARRAY_OTHER: Final = 127
+SUBSCRIPT: Final = 1560
+NEW_ARRAY: Final = 834
+NEW_ARRAY_BYTE: Final = 81
+CONVERT: Final = {"n": 0, "s": 890, "d": 1380, "x": 655}
+"""A number of a type made an integer (CINT, PEEK, AND, subscripts)."""
+FLOOR: Final = {"i": 0, "n": 0, "s": 881, "d": 1620, "x": 2000}
+"""INT and FIX of a number, beside those of an integer."""
+NUMBER_TEXT: Final = {"i": -6990, "s": -6490, "d": -4220}
+"""A number's text, beside what its digits take."""
+NAME_LETTER: Final = 59
 """A letter or digit of a name behind the first, beside its fetching."""
-KIND_BY_LETTER: Final = 55
+KIND_BY_LETTER: Final = 78
 """The type of a name without a type sign looked up."""
-FETCH: Final = {"i": 50, "s": 120, "d": 250, "t": 300}
+FETCH: Final = {"i": 76, "s": 117, "d": 414, "t": 0}
 """A variable's value brought in, by its type."""
 
 # -- arithmetic, by the types of the operands -----------------------------------------------------
 BINARY: Final[dict[str, dict[str, int]]] = {
-    "add": {"ii": 200, "is": 1000, "si": 1000, "ss": 850, "d": 2600, "di": 3000, "ds": 3000},
-    "sub": {"ii": 200, "is": 1000, "si": 1000, "ss": 850, "d": 2600, "di": 3000, "ds": 3000},
-    "mul": {"ii": 1200, "is": 3000, "si": 3000, "ss": 2500, "d": 16000, "di": 3000, "ds": 3000},
-    "div": {"ii": 9000, "is": 8500, "si": 8500, "ss": 8000, "d": 2600, "di": 3000, "ds": 3000},
-    "compare": {"ii": 250, "is": 600, "si": 600, "ss": 400, "d": 600, "di": 700, "ds": 700},
+    "add": {"ii": 79, "is": 1560, "si": 1560, "ss": 932, "d": 1480, "di": 1030, "ds": 170},
+    "sub": {"ii": 132, "is": 1600, "si": 1450, "ss": 838, "d": 1650, "di": 920, "ds": 0},
+    "mul": {"ii": 1260, "is": 2460, "si": 2560, "ss": 1800, "d": 1230, "di": 1220, "ds": 291},
+    "div": {"ii": 9210, "is": 8660, "si": 8400, "ss": 7800, "d": 863, "di": 2060, "ds": 925},
+    "compare": {"ii": 178, "is": 1060, "si": 1250, "ss": 516, "d": 1190, "di": 1060, "ds": 392},
 }
 """An operation by the types left and right; with a double on either side `d`, and what the
 conversion of the other operand takes."""
-STORE: Final = {"ii": 200, "is": 700, "id": 1000, "ss": 250, "si": 600, "sd": 600}
-STORE.update({"dd": 400, "di": 900, "ds": 600})
+STORE: Final = {
+    "ii": 234,
+    "is": 346,
+    "id": 374,
+    "ss": 231,
+    "si": 843,
+    "sd": 699,
+    "dd": 413,
+    "di": 1240,
+    "ds": 544,
+}
 """A number put into a variable: the variable's type, then the value's."""
-STORE_STRING: Final = 500
-COMPARE_STRINGS: Final = 700
-NEGATE: Final = 150
-LOGICAL: Final = 382
+STORE_STRING: Final = 253
+COMPARE_STRINGS: Final = 221
+NEGATE: Final = 103
+LOGICAL: Final = 277
 POWER: Final = 79900
 
-FUNCTION: Final = 463
+FUNCTION: Final = 139
 FUNCTION_WORK: Final[dict[str, int]] = {
-    "SGN": 149,
-    "INT": 858,
-    "ABS": 149,
+    "SGN": 186,
+    "INT": 196,
+    "ABS": 125,
     "FRE": 415,
     "INP": 300,
     "POS": 150,
@@ -93,26 +109,26 @@ FUNCTION_WORK: Final[dict[str, int]] = {
     "RND": 8370,
     "LOG": 34000,
     "EXP": 42000,
-    "COS": 47000,
-    "SIN": 36700,
-    "TAN": 88800,
+    "COS": 43700,
+    "SIN": 42200,
+    "TAN": 94000,
     "ATN": 50000,
     "PEEK": 292,
-    "CINT": 300,
-    "CSNG": 200,
-    "CDBL": 200,
-    "FIX": 850,
-    "LEN": 249,
-    "STR$": 3780,
-    "VAL": 2710,
-    "ASC": 297,
-    "CHR$": 775,
-    "LEFT$": 1130,
-    "RIGHT$": 1180,
-    "MID$": 1370,
-    "STRING$": 917,
+    "CINT": 230,
+    "CSNG": 193,
+    "CDBL": 194,
+    "FIX": 411,
+    "LEN": 247,
+    "STR$": 1060,
+    "VAL": 0,
+    "ASC": 334,
+    "CHR$": 1190,
+    "LEFT$": 1790,
+    "RIGHT$": 1620,
+    "MID$": 2130,
+    "STRING$": 1400,
     "POINT": 1520,
-    "INKEY$": 895,
+    "INKEY$": 1080,
     "MEM": 304,
     "VARPTR": 410,
     "USR": 301,
@@ -122,44 +138,44 @@ FUNCTION_WORK: Final[dict[str, int]] = {
 
 # -- statements -----------------------------------------------------------------------------------
 STATEMENT_WORK: Final[dict[str, int]] = {
-    "LET": 511,
-    "FOR": 2110,
-    "NEXT": 964,
-    "NEXT_INTEGER": 655,
-    "GOTO": 414,
+    "LET": 410,
+    "FOR": 1620,
+    "NEXT": 2320,
+    "NEXT_INTEGER": 919,
+    "GOTO": 449,
     "GOSUB": 644,
     "RETURN": 687,
-    "IF": 304,
-    "ON": 403,
-    "READ": 1220,
-    "RESTORE": 200,
-    "SET": 1640,
+    "IF": 238,
+    "ON": 449,
+    "READ": 1750,
+    "RESTORE": 175,
+    "SET": 1300,
     "RESET": 1500,
     "POKE": 531,
-    "OUT": 401,
-    "CLS": 100,
-    "DIM": 299,
-    "PRINT": 354,
-    "PRINT_ITEM": 292,
-    "PRINT@": 394,
-    "TAB": 447,
+    "OUT": 661,
+    "CLS": 99,
+    "DIM": 273,
+    "PRINT": 284,
+    "PRINT_ITEM": 272,
+    "PRINT@": 311,
+    "TAB": 313,
     "CLEAR": 1520,
     "RUN": 1310,
     "ERROR": 619,
     "RESUME": 615,
     "ON ERROR": 487,
-    "DEF": 892,
+    "DEF": 319,
     "RANDOM": 100,
     "END": 300,
 }
-PRINT_CHARACTER: Final = 136
+PRINT_CHARACTER: Final = 68
 """PRINT's own loop for a character, beside the display driver's time."""
 USING_FIELD: Final = 2930
 """A field of PRINT USING, beside the number's conversion."""
 
 # -- strings --------------------------------------------------------------------------------------
-STRING_BYTE: Final = 28
-CONCATENATE: Final = 1450
+STRING_BYTE: Final = 59
+CONCATENATE: Final = 914
 COLLECT: Final = 524
 COLLECT_PASS: Final = 898
 COLLECT_DESCRIPTOR: Final = 191
@@ -207,14 +223,24 @@ def store(target: str, value: str) -> int:
     return STORE[target + _TAKEN_FOR.get(value, value)]
 
 
-def constant(text: bytes, is_double: bool = False) -> int:
+def constant(text: bytes, value: Number, is_double: bool = False) -> int:
     """T-states to convert a constant each time it is executed.
 
     Args:
         text: its characters, blanks included.
+        value: what it comes to.
         is_double: whether the conversion begins in double precision (VAL).
     """
-    return CONSTANT + number_costs.literal(text, is_double)
+    return CONSTANT[_kind(value)] + number_costs.literal(text, is_double)
+
+
+def _kind(value: Number) -> str:
+    return "i" if isinstance(value, int) else "s" if isinstance(value, float) else "d"
+
+
+def number_text(value: Number, shown: str) -> int:
+    """T-states to turn a number into the characters that PRINT and STR$ show."""
+    return NUMBER_TEXT[_kind(value)] + number_costs.text(value, shown)
 
 
 def number_field(value: Number, places: int, right: int | None) -> int:
@@ -225,7 +251,7 @@ def number_field(value: Number, places: int, right: int | None) -> int:
         places: the characters of the field.
         right: places behind the point; None when the field has an exponent.
     """
-    return USING_FIELD + number_costs.text(value, " ")
+    return USING_FIELD + number_text(value, " ")
 
 
 _PASSED: Final = tuple(

@@ -28,7 +28,8 @@ class Steps(NamedTuple):
         bits: of the mantissa.
         ten: the register that holds ten.
         digit: one more digit: ten times the number, the digit made a number, both added.
-        zero: what a digit 0 takes less, or one that is added to 0.
+        zero: what a digit 0 takes less.
+        first: a digit that is added to 0.
         digit_bit: for each bit of the digit, which need not be shifted up then.
         shift: for each bit that the digit is shifted for the sum.
         shift_byte: for each 8 bits of it.
@@ -44,6 +45,7 @@ class Steps(NamedTuple):
     ten: Register
     digit: int
     zero: int
+    first: int
     digit_bit: int
     shift: int
     shift_byte: int
@@ -55,9 +57,11 @@ class Steps(NamedTuple):
     tenth_less: int
 
 
-SINGLE: Final = Steps(24, (132, 10 << 20), 3841, -1901, -186, 49, 0, 388, 1258, 266, 8424, 0, 291)
+SINGLE: Final = Steps(
+    24, (132, 10 << 20), 3841, -1901, 1940, -186, 49, 0, 388, 1258, 266, 8424, 0, 291
+)
 DOUBLE: Final = Steps(
-    56, (132, 10 << 52), 5929, -1502, 0, 339, 258, 425, 2537, 279, 90050, -355, 1408
+    56, (132, 10 << 52), 5929, -1502, 2470, 0, 339, 258, 425, 2537, 279, 90050, -355, 1408
 )
 CHARACTER: Final = 71
 """A character of a constant."""
@@ -102,6 +106,10 @@ SUM_BIT: Final = 365
 SUM_UNLIKE: Final = 86
 SUM_NEGATIVE: Final = 377
 SUM_CARRY: Final = 480
+PRODUCT_BY: Final = 325
+PRODUCT_BY_BIT: Final = 64
+PRODUCT_BY_ZERO_BYTE: Final = -709
+"""A single product, whose usual right side has a zero byte and six ones (or twelve and none)."""
 PRODUCT: Final = 27340
 PRODUCT_BIT: Final = 386
 PRODUCT_ZERO_BYTE: Final = -3386
@@ -121,13 +129,15 @@ def _digit(register: Register, digit: int, steps: Steps) -> tuple[Register, int]
     """One more digit behind a number in floating point: the new number, and T-states."""
     bits = steps.bits
     size = digit.bit_length()
+    new = (128 + size, digit << (bits - size)) if digit else registers.ZERO
+    if not register[0]:
+        return new, steps.first + steps.digit_bit * size
     total = steps.digit + steps.digit_bit * size
     if _carries(register[1], bits):
         total += steps.digit_carry
     ten = registers.times_ten(register, bits)
-    new = (128 + size, digit << (bits - size)) if digit else registers.ZERO
-    if not digit or not ten[0]:
-        return (ten if ten[0] else new), total + steps.zero
+    if not digit:
+        return ten, total + steps.zero
     distance = abs(ten[0] - new[0])
     total += steps.shift_byte * (distance // 8) + steps.shift * (distance % 8)
     return registers.add(ten, new, bits), total
@@ -255,6 +265,13 @@ def double_scaling(value: Double) -> int:
     figures = decimal.digits(decimal.cut(x), decimal.DOUBLE_DIGITS).encode("ascii")
     total += DOUBLE_COUNT_HIGH * sum(code - 0x30 for code in figures[:10])
     return total + DOUBLE_COUNT_LOW * sum(code - 0x30 for code in figures[10:])
+
+
+def product_by(value: float) -> int:
+    """T-states of a product with a known single on the right, beside those of a usual one."""
+    mantissa = abs(single.to_register(value)[1])
+    zeros = mantissa.to_bytes(3, "little").count(0)
+    return PRODUCT_BY + PRODUCT_BY_BIT * mantissa.bit_count() + PRODUCT_BY_ZERO_BYTE * zeros
 
 
 def double_sum(a: Double, b: Double) -> int:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from trs80arm.basic import costs, room, tokens
+from trs80arm.basic import costs, number_costs, room, tokens
 from trs80arm.basic.compiler.emitter import Emitter
 from trs80arm.basic.compiler.reader import Reader
 from trs80arm.basic.compiler.scope import Scope
@@ -296,6 +296,8 @@ class ExpressionCompiler:
         if kind == NUMBER and operator == tokens.DIVIDE:
             kind = SINGLE
         self.out.cost += costs.binary(name, left.kind, right.kind)
+        if name == "mul" and kind == SINGLE and right.constant:
+            self.out.cost += number_costs.product_by(float(right.constant))
         if kind == DOUBLE:
             self.out.allow(costs.MOST_OF_DOUBLE)
             text = f"double_{name}({self.to_double(left)}, {self.to_double(right)})"
@@ -348,7 +350,7 @@ class ExpressionCompiler:
             return value.text
         if value.constant is not None and -32768 <= value.constant < 32768:
             return str(int(value.constant // 1))
-        self.out.cost += costs.CONVERT
+        self.out.cost += costs.CONVERT[value.kind]
         return f"floor({value.text})"
 
     def to_byte(self, value: Expression) -> str:
@@ -357,7 +359,7 @@ class ExpressionCompiler:
             return str(int(value.constant))
         if value.kind == INTEGER:
             return f"byte({value.text})"
-        self.out.cost += costs.CONVERT
+        self.out.cost += costs.CONVERT[value.kind]
         return f"byte(floor({value.text}))"
 
     def as_float(self, value: Expression) -> str:
@@ -482,7 +484,7 @@ class ExpressionCompiler:
         except BasicError as error:
             raise self.mistake(error.code) from None
         reader.position = end
-        self.out.cost += costs.constant(reader.text[start:end])
+        self.out.cost += costs.constant(reader.text[start:end], value)
         if reader.text[end - 1 : end] not in (b"#", b"!", b"%"):
             # Blanks behind a type sign are not passed: they end the expression.
             reader.skip()
@@ -538,7 +540,7 @@ class ExpressionCompiler:
         while True:
             self.reader.advance()
             value = self.number()
-            self.out.cost += costs.SUBSCRIPT
+            self.out.cost += costs.SUBSCRIPT + costs.CONVERT.get(value.kind, 0)
             values.append(value)
             self.pending.append(f"subscript({value.text})")
             if self.reader.code != 0x2C:

@@ -177,6 +177,8 @@ class FunctionCompiler(ExpressionCompiler):
             return Expression(self.to_single(value), SINGLE)
         if name == "CDBL":
             return Expression(self.to_double(value), DOUBLE)
+        if name in ("INT", "FIX"):
+            self.out.cost += costs.FLOOR[value.kind]
         if value.kind == INTEGER and name in ("INT", "FIX"):
             return value
         if value.kind == SINGLE and name == "INT":

@@ -151,7 +151,7 @@ class InputStatement(Activity):
             basic.host.clock.now += _T_ITEM
             value = items.string() if kind == "t" else items.number(kind)
             if not isinstance(value, bytes):
-                basic.host.clock.now += costs.constant(items.taken, kind == "d")
+                basic.host.clock.now += costs.constant(items.taken, value, kind == "d")
             target.assign(value)
             if not items.separator():
                 basic.print_text(b"?REDO\r")

@@ -162,7 +162,7 @@ class DataReader(Part):
             if error.code is Code.SN:
                 raise LineError(Code.SN, self._control.data_line) from None
             raise
-        self._clock.now += costs.constant(text[:end], kind == DOUBLE)
+        self._clock.now += costs.constant(text[:end], value, kind == DOUBLE)
         self._end(address + end)
         return self._basic.runtime.storage.as_kind(kind, value)
 

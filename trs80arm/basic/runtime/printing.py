@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trs80arm.basic import costs, number_costs, system_area
+from trs80arm.basic import costs, system_area
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import decimal
 from trs80arm.basic.numbers.convert import Number
@@ -94,7 +94,7 @@ class Printing(Part):
     def print_number(self, value: Number) -> None:
         """A number and a blank; on a new line if it would not fit (facts, thing 20)."""
         shown = decimal.number_text(value)
-        self._clock.now += number_costs.text(value, shown)
+        self._clock.now += costs.number_text(value, shown)
         text = shown.encode("ascii")
         if not self._ram[system_area.OUTPUT_DEVICE]:
             column = self._console.column

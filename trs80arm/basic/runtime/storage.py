@@ -81,6 +81,7 @@ class Storage(Part):
             self._check_room(scalar.size)
             self._variables.create(scalar)
             self._clock.now += costs.NEW_SCALAR
+            self._clock.now += costs.NEW_SCALAR_BYTE * self._variables.arrays_size
             self._basic.code.created()
 
     def _array(self, key: Key, dimensions: int) -> Array:

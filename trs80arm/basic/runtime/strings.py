@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from trs80arm.basic import costs, number_costs, system_area
+from trs80arm.basic import costs, system_area
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import decimal, double, literal
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.variables import Descriptor
+
+_BLANKS = (b" ", b"\t", b"\n")
+_SIGNS = (b"+", b"-")
 
 
 class StringFunctions(Part):
@@ -65,10 +68,15 @@ class StringFunctions(Part):
         return text[0]
 
     def val_(self, string: Descriptor) -> Number:
-        """VAL: the number at the start of a string, scanned as a double."""
+        """VAL: the number at the start of a string, scanned as a double.
+
+        A sign counts only as the very first character: VAL(" -5") is 0.
+        """
         text = self._strings.take(string)
+        if text[:1] in _BLANKS and text.lstrip(b" \t\n")[:1] in _SIGNS:
+            return 0
         found = literal.scan(text.partition(b"\0")[0], 0, double.ZERO)
-        self._clock.now += costs.constant(text[: found.end], is_double=True)
+        self._clock.now += costs.constant(text[: found.end], found.value, is_double=True)
         return found.value
 
     def chr_(self, code: int) -> Descriptor:
@@ -78,7 +86,7 @@ class StringFunctions(Part):
     def str_(self, value: Number) -> Descriptor:
         """STR$."""
         text = decimal.number_text(value)
-        self._clock.now += number_costs.text(value, text)
+        self._clock.now += costs.number_text(value, text)
         return self._strings.new(text.encode("ascii"))
 
     def string_of(self, count: int, code: int) -> Descriptor:
