@@ -106,21 +106,25 @@ def _take_settings(given: dict[str, Any], *defaults: str) -> Settings:
     """Read settings file, environment and flags; takes the flags out of `given`."""
     from trs80arm import settings
 
-    flags = []
+    flags = {}
     for name, (table, _) in (_SETTING_FLAGS | _SCREEN_FLAGS).items():
         value = given.pop(name.replace("-", "_"), None)
         if value is not None:
-            flags.append(f"{table}.{name.replace('-', '_')}={value}")
+            flags[f"{table}.{name.replace('-', '_')}={value}"] = f"--{name} {value}"
     if given.pop("no_armbasic", False):
-        flags.append("machine.armbasic=false")
+        flags["machine.armbasic=false"] = "--no-armbasic"
     break_now = given.pop("break_now")
     if break_now is not None:
-        flags.append(f"driver.break_now={str(break_now).lower()}")
-    flags += given.pop("option")
+        flags[f"driver.break_now={str(break_now).lower()}"] = "--break-now"
+    every = [*flags, *given.pop("option")]
     try:
-        return settings.load(given.pop("config"), flags, defaults=defaults)
+        return settings.load(given.pop("config"), every, defaults=defaults)
     except settings.SettingsError as error:
-        fail(error)
+        message = str(error)
+        for option, flag in flags.items():
+            # The user knows it by the flag that was typed.
+            message = message.replace(f"--option {option}", flag)
+        fail(message)
 
 
 # -- the terminal ----------------------------------------------------------------------------------
@@ -255,5 +259,11 @@ def figure(name: str, output: Path | None, width: int | None) -> None:
 
 
 def main() -> None:
-    """Run the command line."""
-    cli(prog_name="trs80arm")
+    """Run the command line; bad usage is told in one line."""
+    try:
+        sys.exit(cli.main(prog_name="trs80arm", standalone_mode=False) or 0)
+    except click.UsageError as error:
+        command = error.ctx.command_path if error.ctx else "trs80arm"
+        fail(f"{error.format_message().rstrip('.')} ({command} --help tells more)")
+    except click.Abort:
+        sys.exit(USAGE_ERROR)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-from trs80arm.cli import cli
+from trs80arm.cli import cli, main
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 
@@ -150,3 +150,29 @@ def test_figure_10_shows_the_article_s_21_steps_against_3() -> None:
     text = CliRunner().invoke(cli, ["figure", "10"]).stdout
     assert "base, 21 steps" in text
     assert "shoulder, 3 steps" in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["run"], "Missing argument 'PROGRAM'"),
+        (["run", "a.bas", "--seconds", "soon"], "--seconds"),
+        (["terminal", "--speed", "3"], "--speed 3"),
+        (["--frobnicate"], "--frobnicate"),
+        (["convert", "only-one.bas"], "TARGET"),
+    ],
+)
+def test_bad_usage_is_told_in_one_line(
+    arguments: list[str],
+    words: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr("sys.argv", ["trs80arm", *arguments])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    said = capsys.readouterr().err
+    assert ended.value.code == 2
+    assert said.startswith("trs80arm: ")
+    assert words in said
+    assert said.count("\n") == 1
