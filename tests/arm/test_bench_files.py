@@ -78,6 +78,10 @@ def test_the_example_of_the_manual_is_a_bench() -> None:
             "[[part]]\nat=[5,0]\nsize=[1,1,1]",
             "b.toml: arm.at: expected a free place for the hand; part 1 is in the way",
         ),
+        (
+            "[arm]\nat=[10,0,6]\npitch=90",
+            "b.toml: arm.at: expected a pose within the stops; it is beyond pitch +-90",
+        ),
         ("part = [3]", "b.toml: part[1]: expected a table"),
     ],
 )

@@ -131,7 +131,7 @@ def test_a_part_let_go_in_the_air_falls() -> None:
 
 
 def test_a_part_gripped_too_lightly_is_not_lifted() -> None:
-    # 2 oz of force on each of two pads, friction 0.5: it carries 2 oz.
+    # 2.15 oz of force on each of two pads, friction 0.75: it carries 3.2 oz.
     generator = hand_on(weight=8.0)
     arm = generator.arm
     generator.close(D50)

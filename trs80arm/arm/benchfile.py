@@ -27,8 +27,8 @@ from trs80arm.arm.geometry import (
     CableDrive,
     OutOfReach,
     Pose,
-    inverse,
 )
+from trs80arm.arm.limits import beyond_any_stop
 from trs80arm.arm.shapes import Box, Vector, overlap, upright
 from trs80arm.arm.world import World
 
@@ -137,6 +137,7 @@ def parse(text: str, name: str = "bench") -> Bench:
     top = _Table(name, "", data)
     bench = Bench(top.text("name", Path(name).stem or "bench"))
     _arm(bench, top.table("arm"))
+    drive = CableDrive.from_pose(bench.start or START_POSE)
     for item in top.tables("obstacle"):
         _obstacle(bench, item)
     for item in top.tables("part"):
@@ -165,11 +166,10 @@ def parse(text: str, name: str = "bench") -> Bench:
         radius = table.number("radius", 0.1, FAR)
         bench.turntable = Turntable(x, y, radius, table.integer("steps", 8, 1_000_000, 96))
         table.done("at, radius, steps")
-    world = World(bench, bench.settings, CableDrive.from_pose(bench.start or START_POSE))
-    there = world.occupied()
+    top.done("name, arm, part, feeder, tray, obstacle, proximity, tactile, beam, turntable")
+    there = World(bench, bench.settings, drive).occupied()
     if there is not None:
         raise top.fail("arm.at", f"a free place for the hand; {there} is in the way")
-    top.done("name, arm, part, feeder, tray, obstacle, proximity, tactile, beam, turntable")
     return bench
 
 
@@ -196,9 +196,12 @@ def _arm(bench: Bench, item: _Table | None) -> None:
     )
     item.done("at, pitch, roll, opening")
     try:
-        inverse(pose.x, pose.y, pose.z, pose.pitch, pose.roll)
+        drive = CableDrive.from_pose(pose)
     except OutOfReach as error:
         raise item.fail("at", f"a pose within reach; {error}") from None
+    stop = beyond_any_stop(drive, (0,) * 6)
+    if stop is not None:
+        raise item.fail("at", f"a pose within the stops; it is beyond {stop}")
     bench.start = pose
 
 

@@ -92,6 +92,16 @@ def beyond_stop(
     return None
 
 
+def beyond_any_stop(drive: CableDrive, rotors: Sequence[int]) -> str | None:
+    """Description of a stop that the arm is more than a half-step beyond, or None."""
+    for motor in range(5):
+        for step in (-1, 1):
+            stop = beyond_stop(motor, step, drive, rotors, slack=1)
+            if stop is not None:
+                return stop
+    return None
+
+
 def load_fraction(motor: int, turn: int, angles: JointAngles, weight: float, squeeze: int) -> float:
     """Torque on a motor as a fraction of its full load; 0 where the load helps.
 

@@ -31,7 +31,7 @@ from trs80arm.arm.geometry import (
     pose_of,
 )
 from trs80arm.arm.grip import Grip
-from trs80arm.arm.limits import beyond_stop, load_fraction
+from trs80arm.arm.limits import beyond_any_stop, beyond_stop, load_fraction
 from trs80arm.arm.motors import RING, ROWS, StepperMotor, shortest_period
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.world import World
@@ -473,11 +473,9 @@ class MiniMover:
         if any(motor.energised for motor in self.motors[:6]):
             raise MotorsOn("the motors are on: @RESET turns them off")
         rotors = list(self.drive.rotors(angles, cable))
-        for motor in range(5):
-            for step in (-1, 1):
-                stop = beyond_stop(motor, step, self.drive, rotors, slack=1)
-                if stop:
-                    raise ValueError(f"the {MOTOR_NAMES[motor]} is beyond its stop: {stop}")
+        stop = beyond_any_stop(self.drive, rotors)
+        if stop is not None:
+            raise ValueError(f"that is beyond a stop: {stop}")
         name = self._world.place(self._rotors, rotors)
         if name is not None:
             raise InTheWay(f"{name} is in the way")

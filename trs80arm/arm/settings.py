@@ -21,7 +21,8 @@ class ArmSettings:
         pull_out_lag: half-steps that a rotor may be behind its field before it drops out of
             step; beyond half a ring the field pulls it backwards (facts 1).
         pad_friction: coefficient between finger pads and a part; two pads hold
-            2 x friction x force.
+            2 x friction x force. With it the squeeze of 30 steps in Table 4 carries the 16 oz
+            of Table 1.
         table_friction: coefficient between a part and what it stands on. A part pushed higher
             up than its depth over this number (halved) falls over.
         push_limit: the arm is blocked by a part whose friction on the table exceeds this force;
@@ -44,7 +45,7 @@ class ArmSettings:
 
     speed_margin: float = 1.15
     pull_out_lag: int = 4
-    pad_friction: float = 0.5
+    pad_friction: float = 0.75
     table_friction: float = 0.5
     push_limit: float = 4.0
     grip_slide: float = 0.15

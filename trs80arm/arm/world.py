@@ -381,6 +381,8 @@ class World:
     def _close_on(self, rotors: Sequence[int]) -> None:
         """Closing fingers meet a part: one pushes it to the middle, both press on it."""
         grip = self.grip
+        if grip.cable < 0:
+            return  # they have met each other
         for _, _, part in self._near(self.body, None):
             if part is None:
                 continue
