@@ -1,7 +1,8 @@
 """Whatever is typed, loaded, POKEd or pressed, the machine goes on: no exception, no standstill.
 
 Every example works a whole rig: it puts nonsense into it, runs for some virtual time, breaks off
-and goes through commands that look at everything. Time must have passed and the machine must listen.
+and goes through commands that look at everything. Time must have passed and the machine must
+listen.
 """
 
 from __future__ import annotations

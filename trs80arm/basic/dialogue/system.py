@@ -12,7 +12,7 @@ from trs80arm.basic import cruncher
 from trs80arm.basic.activity import Activity, Waiting
 from trs80arm.basic.dialogue import line_range, wait
 from trs80arm.basic.dialogue.home import return_to_command
-from trs80arm.basic.dialogue.line_input import LineInput
+from trs80arm.basic.dialogue.line_input import Line, LineInput
 from trs80arm.basic.errors import BasicError, Code
 
 if TYPE_CHECKING:
@@ -39,6 +39,8 @@ class SystemCommand(Activity):
 
     def resumed(self, basic: Interpreter, result: Any) -> None:
         """A name to load, or `/` and an address to go to; BREAK leads to READY."""
+        if not isinstance(result, Line):
+            return  # A tape has been loaded.
         if result.text is None:
             return_to_command(basic)
             return

@@ -253,7 +253,8 @@ class InputTape(Reading):
         basic.end()
 
     def _assign(self, basic: Interpreter, items: Items) -> None:
-        for target in self._targets:
+        for number in range(len(self._targets)):
+            target = self._targets[number]
             kind = target.kind
             if not items.is_next:
                 raise BasicError(Code.OD)
