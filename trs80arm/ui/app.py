@@ -106,6 +106,11 @@ def run_terminal(options: TerminalOptions) -> int:
         app.keep_copy()
         if app.copy_path.is_file():
             print(f"trs80arm: the program in memory is kept in {app.copy_path}", file=sys.stderr)
+        if app.lesson_copy_path.is_file():
+            kept = app.lesson_copy_path
+            print(
+                f"trs80arm: the positions taught are kept as a program in {kept}", file=sys.stderr
+            )
         return CRASHED
     return result
 

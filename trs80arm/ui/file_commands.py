@@ -15,6 +15,7 @@ from trs80arm.ui.places import program_files, recovered_copies
 from trs80arm.ui.screens.dialog import Ask, AskPath, Choice
 from trs80arm.ui.screens.open import OpenScreen, Shelf
 from trs80arm.ui.screens.paste import Listing, PasteScreen
+from trs80arm.ui.taught_programs import Manner, in_steps
 from trs80arm.ui.view_commands import ViewCommands
 
 PLAYING = "Playing; any key ends it and gives you the machine."
@@ -245,31 +246,48 @@ class FileCommands(ViewCommands):
         """Keep a copy of an unsaved program for the case of a crash."""
         try:
             self.session.keep_copy(self.copy_path)
+            self._keep_lesson()
         except (OSError, FileFormatError):
             return
 
+    @property
+    def lesson_copy_path(self) -> Path:
+        """Where a program of the positions taught is kept while none is written."""
+        return self.copy_path.with_name(f"{self.copy_path.stem}-taught.bas")
+
+    def _keep_lesson(self) -> None:
+        path = self.lesson_copy_path
+        if self.lesson.unwritten:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_whole(path, in_steps(self.lesson.positions, Manner()).encode("ascii"))
+        else:
+            path.unlink(missing_ok=True)
+
     def action_leave(self) -> None:
-        """Leave; ask if the program is unsaved, but when asked while asking, leave at once."""
+        """Leave; ask if something is unsaved, but when asked while asking, leave at once."""
         if isinstance(self.screen, AskToLeave):
             self.keep_copy()
             self.exit(0)
             return
-        if not self.session.unsaved:
+        if self.session.unsaved:
+            loss, rescue = "The program in memory is not saved.", Choice("save", "Save")
+        elif self.lesson.unwritten:
+            loss = "Positions were taught, and no program of them is written."
+            rescue = Choice("teach", "Look at them")
+        else:
             self._leave()
             return
         question = AskToLeave(
             "Leave",
-            "The program in memory is not saved. Ctrl+C again leaves and keeps a recovery copy.",
-            [
-                Choice("save", "Save"),
-                Choice("go", "Leave without saving"),
-                Choice("stay", "Back"),
-            ],
+            f"{loss} Ctrl+C again leaves and keeps a recovery copy.",
+            [rescue, Choice("go", "Leave without saving"), Choice("stay", "Back")],
         )
 
         def answered(answer: str | None) -> None:
             if answer == "save":
-                self._ask_where_to_save(self._leave)
+                self._ask_where_to_save(self.action_leave)
+            elif answer == "teach":
+                self.call_next(self.run_action, "teach")
             elif answer == "go":
                 self._leave()
 
@@ -277,5 +295,6 @@ class FileCommands(ViewCommands):
 
     def _leave(self) -> None:
         self.session.drop_copy(self.copy_path)
+        self.session.drop_copy(self.lesson_copy_path)
         self.session.close()
         self.exit(0)

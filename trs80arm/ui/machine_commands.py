@@ -167,7 +167,12 @@ class MachineCommands(FileCommands):
     def _taught(self, result: TeachResult | None) -> None:
         if result is not None and result.listing is not None:
             listing = result.listing
-            self.if_program_may_go("Load the lesson", lambda: self.load_listing(listing))
+
+            def load() -> None:
+                self.load_listing(listing)
+                self.lesson.written()
+
+            self.if_program_may_go("Load the lesson", load)
 
     def action_teach_here(self) -> None:
         """Add where the arm is to the lesson."""

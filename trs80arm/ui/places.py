@@ -61,7 +61,7 @@ def _is_text(value: object) -> bool:
 
 def recovered_copies(folder: Path, own: Path) -> list[Path]:
     """Copies of programs that sessions that ended badly have left, newest first."""
-    copies = [path for path in folder.glob("recovered-*.bas") if path != own]
+    copies = [path for path in folder.glob("recovered-*.bas") if not path.stem.startswith(own.stem)]
     return sorted(copies, key=lambda path: path.name, reverse=True)
 
 

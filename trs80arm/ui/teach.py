@@ -66,6 +66,7 @@ class Lesson:
 
     def __init__(self) -> None:
         self._positions: list[Position] = []
+        self._written: list[Position] = []
 
     def __len__(self) -> int:
         return len(self._positions)
@@ -74,6 +75,15 @@ class Lesson:
     def positions(self) -> Sequence[Position]:
         """What was taught, in order."""
         return tuple(self._positions)
+
+    @property
+    def unwritten(self) -> bool:
+        """Whether there are positions of which no program was written."""
+        return bool(self._positions) and self._positions != self._written
+
+    def written(self) -> None:
+        """Say that a program of the positions was written, or put into the machine."""
+        self._written = list(self._positions)
 
     def add(self, readings: Readings, name: str = "") -> Position:
         """Teach the position in which the arm is now.

@@ -231,6 +231,7 @@ differences make sense only between positions whose registers count from the sam
             except OSError as error:
                 self.query_one(".wrong", Static).update(f"{path}: {error.strerror or error}")
             else:
+                self._lesson.written()
                 self.notify(f"Written to {path}")
 
         self.app.push_screen(

@@ -1,0 +1,74 @@
+"""Positions that were taught are not lost: leaving asks, and a bad end leaves a program of them."""
+
+from __future__ import annotations
+
+from tests.ui.conftest import Opener
+from tests.ui.golden_text import screen_text
+from tests.ui.piloted import piloted
+from trs80arm.ui.file_commands import AskToLeave
+from trs80arm.ui.places import recovered_copies
+from trs80arm.ui.screens.teach import TeachScreen
+
+
+@piloted
+async def test_leaving_asks_when_no_program_of_the_positions_is_written(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await sitting.press("ctrl+t", "f10")
+        await sitting.settle()
+        assert isinstance(sitting.app.screen, AskToLeave)
+        assert "Positions were taught" in screen_text(sitting.app)
+        await sitting.press("enter")
+        await sitting.settle()
+        assert isinstance(sitting.app.screen, TeachScreen)
+
+
+@piloted
+async def test_positions_given_up_leave_no_copy(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await sitting.press("ctrl+t")
+        sitting.app.keep_copy()
+        assert sitting.app.lesson_copy_path.is_file()
+        await sitting.press("f10", "right", "enter")
+        await sitting.pilot.pause()
+    assert sitting.app.return_value == 0
+    assert not sitting.app.lesson_copy_path.exists()
+
+
+@piloted
+async def test_a_bad_end_leaves_a_program_of_the_positions(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await sitting.press("ctrl+t", "ctrl+c", "ctrl+c")
+        await sitting.pilot.pause()
+    kept = sitting.app.lesson_copy_path
+    assert "@READ K1" in kept.read_text()
+    folder = kept.parent
+    assert recovered_copies(folder, sitting.app.copy_path) == []
+    assert recovered_copies(folder, folder / "recovered-20990101-000000.bas") == [kept]
+
+
+@piloted
+async def test_positions_loaded_into_the_machine_are_safe_with_its_program(
+    sit_down: Opener,
+) -> None:
+    async with sit_down() as sitting:
+        await sitting.press("ctrl+t", "f12")
+        await sitting.settle()
+        await sitting.press("l")
+        await sitting.settle()
+        assert not sitting.app.lesson.unwritten
+        assert sitting.app.session.unsaved
+
+
+@piloted
+async def test_the_arm_is_moved_by_hand_and_says_why_not(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await sitting.press("ctrl+g")
+        await sitting.press("right")
+        await sitting.settle()
+        assert round(sitting.app.session.rig.state.angles.base, 3) == 0.017
+        await sitting.press("escape")
+        await sitting.type_line("@STEP 50,10")
+        await sitting.press("ctrl+g", "right")
+        await sitting.settle()
+        assert "@RESET turns them off" in screen_text(sitting.app)
+        assert round(sitting.app.session.rig.state.angles.base * 937.8) == 26
