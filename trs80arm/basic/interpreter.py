@@ -100,7 +100,7 @@ class Interpreter:
         self.listeners: list[Listener] = []
         self.stack: list[Activity] = []
         self.runtime = Runtime(self)
-        self.code = CompiledCode(self)
+        self._code: CompiledCode | None = None
         self.memory.attach(*SystemArea.RANGE, SystemArea(self))
         self.memory.attach(START, self.memory.top, Workspace(self))
         system_area.power_on(self)
@@ -109,11 +109,14 @@ class Interpreter:
         self.stack = [CommandLevel(), MemorySize()]
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "listeners": [], "code": None}
+        return {**self.__dict__, "listeners": [], "_code": None}
 
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-        self.code = CompiledCode(self)
+    @property
+    def code(self) -> CompiledCode:
+        """The compiled statements; not part of a snapshot."""
+        if self._code is None:
+            self._code = CompiledCode(self)
+        return self._code
 
     # -- the stack ----------------------------------------------------------------------------
 

@@ -129,7 +129,14 @@ class Emitter:
 
     def build(self, environment: dict[str, Any]) -> tuple[FunctionType, int]:
         """The function, and the number of its text lines in front of the first emitted one."""
-        module = compile(self.source(), "<statement>", "exec")
+        try:
+            module = compile(self.source(), "<statement>", "exec")
+        except (SyntaxError, RecursionError, MemoryError):
+            # Nested more deeply than Python can read: out of memory here as well.
+            del self.lines[:], self.marks[:]
+            self.indent = 1
+            self.fail(Code.OM)
+            module = compile(self.source(), "<statement>", "exec")
         code = _inner(_inner(module, "cells"), "statement")
         closure = tuple(self.cells[name] for name in code.co_freevars)
         return FunctionType(code, environment, "statement", None, closure), self._first_line

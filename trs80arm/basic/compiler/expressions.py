@@ -37,8 +37,25 @@ _PRECEDENCE = {
     tokens.OR: 0x46,
 }
 _RELATIONS = {1: ">", 2: "==", 3: ">=", 4: "<", 5: "!=", 6: "<="}
-_MAX_DEPTH = 60
-"""Nesting that the Z-80's stack would still hold in a small machine; beyond it is OM."""
+_MAX_DEPTH = 100
+"""Nesting beyond which an expression is ?OM, as it is on the ROM when its stack is full."""
+_DEEP = 6
+"""Nesting from which on arithmetic is called, not written in line: Python's parser has limits too."""
+
+
+def _is_closed(text: str) -> bool:
+    """Whether Python text needs no parentheses around it: a name, a number, a call, or `(...)`."""
+    if text.isidentifier() or text.replace(".", "").isdigit():
+        return True
+    head = text.partition("(")[0]
+    if not text.endswith(")") or not (head == "" or head.isidentifier()):
+        return False
+    depth = 0
+    for place, char in enumerate(text):
+        depth += (char == "(") - (char == ")")
+        if char == ")" and not depth:
+            return place == len(text) - 1
+    return False
 
 
 class Mistake(Exception):  # noqa: N818 - a way of leaving, not a failure of ours
@@ -314,6 +331,8 @@ class ExpressionCompiler:
 
         The range test is on the square, so both signs take the short way.
         """
+        if self._depth > _DEEP:
+            return f"{name}({self.as_float(left)}, {self.as_float(right)})"
         first, a = self._twice(left)
         second, b = self._twice(right)
         call = f"{name}({a}, {b})"
@@ -436,8 +455,10 @@ class ExpressionCompiler:
         value = self.expression()
         self.deepen(-room.PARENTHESIS)
         self.close_parenthesis(value.text)
-        text = value.text if value.text.isidentifier() else f"({value.text})"
-        condition = f"({value.condition})" if value.condition else None
+        text = value.text if _is_closed(value.text) else f"({value.text})"
+        condition = value.condition
+        if condition is not None and not _is_closed(condition):
+            condition = f"({condition})"
         return Expression(text, value.kind, condition, value.constant, value.simple)
 
     def _nested(self, precedence: int) -> Expression:

@@ -100,9 +100,9 @@ class StatementCompiler(ArmCompiler):
         try:
             self.out.cost += costs.STATEMENT
             goes_on = self.reader.at_end or self.statement()
-        except Mistake as mistake:
+        except (Mistake, RecursionError) as mistake:
             self.flush()
-            self.out.fail(mistake.code)
+            self.out.fail(mistake.code if isinstance(mistake, Mistake) else Code.OM)
             goes_on = False
             self.plain = False
         self.out.note_cost()
