@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import pytest
+from textual.events import MouseScrollDown, MouseScrollUp
 
 from tests.ui import samples
 from tests.ui.golden_text import check_golden
@@ -74,6 +75,25 @@ def test_repeated_events_are_one_line_with_a_count() -> None:
     assert [(entry.event.number, entry.count) for entry in entries] == [(0, 1), (2, 2), (3, 1)]
     assert entries[1].steps == 40
     assert [entry.event.number for entry in collapsed(samples.EVENTS, 1)] == [3]
+
+
+def test_the_wheel_looks_back_and_no_further_than_the_beginning() -> None:
+    log, readings = EventsLog(), samples.slipped()
+    turn = {"widget": log, "x": 0, "y": 0, "delta_x": 0, "delta_y": 0, "button": 0}
+    turn |= {"shift": False, "meta": False, "ctrl": False}
+
+    def newest() -> str:
+        return text_of(log.draw(readings, 60, 1)[0])
+
+    assert "in the hand" in newest()
+    log.on_mouse_scroll_up(MouseScrollUp(**turn))
+    assert "slipped" in newest()
+    for _ in range(5):
+        log.on_mouse_scroll_up(MouseScrollUp(**turn))
+    assert "blocked" in newest()
+    for _ in range(2):
+        log.on_mouse_scroll_down(MouseScrollDown(**turn))
+    assert "in the hand" in newest()
 
 
 def test_the_log_is_drawn_anew_only_when_something_happened() -> None:
