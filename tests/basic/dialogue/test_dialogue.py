@@ -11,6 +11,8 @@ import pytest
 from tests.conformance.case import Entry, TimedKey
 from tests.conformance.player import Session
 from trs80arm.basic.activity import Waiting
+from trs80arm.basic.dialogue.boot import MemorySize
+from trs80arm.basic.dialogue.command import CommandLevel
 from trs80arm.rig import Rig, RigSettings
 
 
@@ -43,6 +45,18 @@ def test_memory_size_reserves_from_the_answer_on() -> None:
         ">_",
     ]
     assert rig.memory.peek(0x40B1) | rig.memory.peek(0x40B2) << 8 == 29998
+
+
+def test_memory_size_is_asked_until_the_answer_makes_sense(session: Session) -> None:
+    session.rig.basic.stack[:] = [CommandLevel(), MemorySize()]
+    session.wait(1.0)
+    assert session.transcript() == "\x1c\x1fMEMORY SIZE? "
+    assert strike(session, "\x01") == "\nMEMORY SIZE? "
+    assert say(session, "ABC") == "ABC\n?SN Error\x1c\x1fMEMORY SIZE? "
+    assert say(session, "17429") == "17429\n?OM Error\x1c\x1fMEMORY SIZE? "
+    assert say(session, "40000") == "40000\nMEMORY SIZE? "
+    assert say(session, "17430") == "17430\nRADIO SHACK LEVEL II BASIC\nREADY\n>"
+    assert " 233 \n" in say(session, "PRINT MEM")
 
 
 @pytest.mark.parametrize(("ram", "free"), [(4, 3284), (16, 15572), (32, 31956), (48, 48340)])
