@@ -60,17 +60,32 @@ def figure(name: str, *, writes: Writes | None = None, path: Path | None = None)
 
 
 def _timing(writes: Writes) -> tuple[Chart, ...]:
-    """Steps of each motor against time, milliseconds."""
-    series = []
-    marks = "*o+x#%@"
+    """The pulses of each motor, and its steps, against time in milliseconds."""
+    pulses, steps = [], []
     start = writes[0][0]
-    for latch in sorted({latch for _, latch, _ in writes}):
-        times = [(t - start) * 1000 / T_STATES_PER_SECOND for t, m, _ in writes if m == latch]
-        name = MOTOR_NAMES[latch]
-        label = f"{name}, {len(times)} steps"
-        steps = tuple(float(i + 1) for i in range(len(times)))
-        series.append(Series(label, tuple(times), steps, Style.STEPS, marks[latch]))
-    return (Chart("", "milliseconds", "steps done", tuple(series)),)
+    motors = sorted({latch for _, latch, _ in writes})
+    for i, latch in enumerate(motors):
+        times = tuple((t - start) * 1000 / T_STATES_PER_SECOND for t, m, _ in writes if m == latch)
+        label = f"{MOTOR_NAMES[latch]}, {len(times)} steps"
+        line = float(len(motors) - i)
+        pulses.append(Series(label, times, (line,) * len(times), Style.DOTS, "|"))
+        done = tuple(float(k + 1) for k in range(len(times)))
+        steps.append(Series(label, times, done, Style.STEPS, _MARKS[latch]))
+    return (
+        Chart(
+            "pulses",
+            "milliseconds",
+            "one line for each motor, from the top: "
+            + ", ".join(MOTOR_NAMES[latch] for latch in motors),
+            tuple(pulses),
+            rows=2 * len(motors) + 1,
+        ),
+        Chart("steps", "milliseconds", "steps done", tuple(steps)),
+    )
+
+
+_MARKS = "*o+x#%@"
+"""One for each motor, in text."""
 
 
 def _task(path: Path) -> tuple[Chart, ...]:

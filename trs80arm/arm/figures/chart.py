@@ -57,6 +57,7 @@ class Chart:
         series: curves, later ones over earlier ones.
         notes: words at places, as (x, y, text).
         to_scale: whether both axes are lengths and one inch is to be as long on both.
+        rows: lines of characters for a chart in text that is not to scale.
     """
 
     title: str
@@ -65,6 +66,7 @@ class Chart:
     series: tuple[Series, ...]
     notes: tuple[tuple[float, float, str], ...] = ()
     to_scale: bool = False
+    rows: int = 20
 
 
 @dataclass(frozen=True)
@@ -191,7 +193,7 @@ def _chart_text(chart: Chart, width: int) -> str:
     low, high = _ends(min(ys), max(ys))
     gutter = max(len(f"{low:g}"), len(f"{high:g}"))
     columns = max(20, width - gutter - 2)
-    rows = 20
+    rows = chart.rows
     if chart.to_scale:
         # A character is about twice as high as it is wide.
         rows = round(columns * (high - low) / (right - left) / 2)
