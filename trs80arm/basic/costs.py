@@ -18,164 +18,172 @@ _BLANK, _QUOTE, _COLON = 0x20, 0x22, 0x3A
 # -- the statement loop ---------------------------------------------------------------------------
 STATEMENT: Final = 1020
 """One turn of the statement loop: the keyboard looked at, the separator, the jump by token."""
-NEW_LINE: Final = 117
+NEW_LINE: Final = 124
 """A new line: its number stored."""
-CHARACTER: Final = 107
+CHARACTER: Final = 111
 """One character of the text fetched: a letter, a token or a colon."""
-LOW_CHARACTER: Final = 122
+LOW_CHARACTER: Final = 111
 """A digit or any other character below the colon, which is looked at more closely."""
 BLANK: Final = 42
 """A blank passed on the way to a character."""
-SKIPPED: Final = 87
+SKIPPED: Final = 81
 """One character of the text passed without a look (REM, DATA, false IF, GOTO's rest of line)."""
-LINE_PASSED: Final = 129
+LINE_PASSED: Final = 161
 """One line passed in the search for a line number."""
-LINE_DIGIT: Final = 234
+LINE_DIGIT: Final = 261
 """One digit of a line number."""
 KEY_LATCHED: Final = 52
 """A key that the statement loop puts aside for INKEY$."""
 
 # -- operands -------------------------------------------------------------------------------------
-OPERAND: Final = 734
-OPERATOR: Final = 571
-PARENTHESES: Final = 244
-DATA_LINE: Final = 245
+OPERAND: Final = 709
+OPERATOR: Final = 528
+PARENTHESES: Final = 268
+DATA_LINE: Final = 350
 """A line looked through for DATA, beside its characters."""
-CONSTANT: Final = {"i": 471, "s": 1540, "d": 1360}
+CONSTANT: Final = {"i": 436, "s": 1480, "d": 1390}
 """A constant of a type, beside what its characters and its value take."""
-STRING_LITERAL: Final = 800
-STRING_CHARACTER: Final = 55
-VARIABLE: Final = 847
-SCALAR_OTHER_KIND: Final = 163
-SCALAR_OTHER_NAME: Final = 227
-NEW_SCALAR: Final = 1540
+STRING_LITERAL: Final = 877
+STRING_CHARACTER: Final = 58
+VARIABLE: Final = 782
+SCALAR_OTHER_KIND: Final = 166
+SCALAR_OTHER_NAME: Final = 225
+NEW_SCALAR: Final = 1500
 NEW_SCALAR_BYTE: Final = 93
 """A new simple variable, and each byte of the arrays that it moves up."""
-ARRAY: Final = 167
-ARRAY_OTHER: Final = 127
-SUBSCRIPT: Final = 1560
-NEW_ARRAY: Final = 834
-NEW_ARRAY_BYTE: Final = 81
-CONVERT: Final = {"n": 0, "s": 890, "d": 1380, "x": 655}
+ARRAY: Final = 120
+ARRAY_OTHER: Final = 152
+SUBSCRIPT: Final = 1590
+NEW_ARRAY: Final = 718
+NEW_ARRAY_BYTE: Final = 82
+CONVERT: Final = {"n": 0, "s": 1050, "d": 1510, "x": 469}
 """A number of a type made an integer (CINT, PEEK, AND, subscripts)."""
-FLOOR: Final = {"i": 0, "n": 0, "s": 881, "d": 1620, "x": 2000}
+FLOOR: Final = {"i": 0, "n": 0, "s": 1030, "d": 1620, "x": 2000}
 """INT and FIX of a number, beside those of an integer."""
-NUMBER_TEXT: Final = {"i": -6990, "s": -6490, "d": -4220}
+NUMBER_TEXT: Final = {"i": -7030, "s": -6560, "d": -6960}
 """A number's text, beside what its digits take."""
-NAME_LETTER: Final = 59
+NAME_LETTER: Final = 24
 """A letter or digit of a name behind the first, beside its fetching."""
-KIND_BY_LETTER: Final = 78
+KIND_BY_LETTER: Final = 92
 """The type of a name without a type sign looked up."""
-FETCH: Final = {"i": 76, "s": 117, "d": 414, "t": 0}
+FETCH: Final = {"i": 117, "s": 97, "d": 439, "t": 0}
 """A variable's value brought in, by its type."""
 
 # -- arithmetic, by the types of the operands -----------------------------------------------------
 BINARY: Final[dict[str, dict[str, int]]] = {
-    "add": {"ii": 79, "is": 1560, "si": 1560, "ss": 932, "d": 1480, "di": 1030, "ds": 170},
-    "sub": {"ii": 132, "is": 1600, "si": 1450, "ss": 838, "d": 1650, "di": 920, "ds": 0},
-    "mul": {"ii": 1260, "is": 2460, "si": 2560, "ss": 1800, "d": 1230, "di": 1220, "ds": 291},
-    "div": {"ii": 9210, "is": 8660, "si": 8400, "ss": 7800, "d": 863, "di": 2060, "ds": 925},
-    "compare": {"ii": 178, "is": 1060, "si": 1250, "ss": 516, "d": 1190, "di": 1060, "ds": 392},
+    "add": {"ii": 20, "is": 1700, "si": 1710, "ss": 1090, "d": 1570, "di": 932, "ds": 163},
+    "sub": {"ii": 92, "is": 1750, "si": 1600, "ss": 991, "d": 1640, "di": 900, "ds": 0},
+    "mul": {"ii": 1300, "is": 2560, "si": 2650, "ss": 1950, "d": 1350, "di": 1060, "ds": 260},
+    "div": {"ii": 9220, "is": 8780, "si": 8510, "ss": 7960, "d": 797, "di": 1740, "ds": 771},
+    "compare": {"ii": 235, "is": 1510, "si": 1510, "ss": 767, "d": 1520, "di": 950, "ds": 223},
 }
 """An operation by the types left and right; with a double on either side `d`, and what the
 conversion of the other operand takes."""
 STORE: Final = {
-    "ii": 234,
-    "is": 346,
-    "id": 374,
-    "ss": 231,
-    "si": 843,
-    "sd": 699,
-    "dd": 413,
-    "di": 1240,
-    "ds": 544,
+    "ii": 243,
+    "is": 276,
+    "id": 291,
+    "ss": 319,
+    "si": 898,
+    "sd": 809,
+    "dd": 486,
+    "di": 1320,
+    "ds": 620,
 }
 """A number put into a variable: the variable's type, then the value's."""
-STORE_STRING: Final = 253
-COMPARE_STRINGS: Final = 221
-NEGATE: Final = 103
-LOGICAL: Final = 277
-POWER: Final = 79900
+STORE_STRING: Final = 192
+COMPARE_STRINGS: Final = 216
+NEGATE: Final = 53
+LOGICAL: Final = 229
+POWER: Final = 86500
 
-FUNCTION: Final = 139
+FUNCTION: Final = 100
 FUNCTION_WORK: Final[dict[str, int]] = {
-    "SGN": 186,
-    "INT": 196,
-    "ABS": 125,
-    "FRE": 415,
-    "INP": 300,
-    "POS": 150,
-    "SQR": 73100,
-    "RND": 8370,
-    "LOG": 34000,
-    "EXP": 42000,
+    "SGN": 303,
+    "INT": 162,
+    "ABS": 119,
+    "FRE": 221,
+    "INP": 332,
+    "POS": 142,
+    "SQR": 87700,
+    "RND": 4980,
+    "LOG": 34800,
+    "EXP": 47600,
     "COS": 43700,
-    "SIN": 42200,
-    "TAN": 94000,
-    "ATN": 50000,
-    "PEEK": 292,
-    "CINT": 230,
-    "CSNG": 193,
-    "CDBL": 194,
-    "FIX": 411,
-    "LEN": 247,
-    "STR$": 1060,
+    "SIN": 42300,
+    "TAN": 94400,
+    "ATN": 58300,
+    "PEEK": 231,
+    "CINT": 180,
+    "CSNG": 207,
+    "CDBL": 210,
+    "FIX": 337,
+    "LEN": 242,
+    "STR$": 1220,
     "VAL": 0,
-    "ASC": 334,
-    "CHR$": 1190,
-    "LEFT$": 1790,
-    "RIGHT$": 1620,
-    "MID$": 2130,
-    "STRING$": 1400,
-    "POINT": 1520,
-    "INKEY$": 1080,
-    "MEM": 304,
-    "VARPTR": 410,
+    "ASC": 357,
+    "CHR$": 1460,
+    "LEFT$": 2120,
+    "RIGHT$": 2080,
+    "MID$": 2500,
+    "STRING$": 1820,
+    "POINT": 1370,
+    "INKEY$": 1180,
+    "MEM": 174,
+    "VARPTR": 215,
     "USR": 301,
-    "ERR": 154,
-    "ERL": 204,
+    "ERR": 133,
+    "ERL": 279,
 }
+
+RND_OF_NUMBER: Final = 6070
+"""RND of anything but a plain 0: the product with its argument, and INT."""
 
 # -- statements -----------------------------------------------------------------------------------
 STATEMENT_WORK: Final[dict[str, int]] = {
-    "LET": 410,
-    "FOR": 1620,
-    "NEXT": 2320,
-    "NEXT_INTEGER": 919,
-    "GOTO": 449,
+    "LET": 435,
+    "FOR": 1650,
+    "STEP": 534,
+    "NEXT": 2360,
+    "NEXT_INTEGER": 929,
+    "GOTO": 370,
     "GOSUB": 644,
     "RETURN": 687,
-    "IF": 238,
-    "ON": 449,
-    "READ": 1750,
-    "RESTORE": 175,
-    "SET": 1300,
+    "IF": 298,
+    "ON": 478,
+    "READ": 2650,
+    "RESTORE": 143,
+    "SET": 1400,
     "RESET": 1500,
-    "POKE": 531,
-    "OUT": 661,
-    "CLS": 99,
-    "DIM": 273,
-    "PRINT": 284,
-    "PRINT_ITEM": 272,
-    "PRINT@": 311,
-    "TAB": 313,
+    "POKE": 490,
+    "OUT": 819,
+    "CLS": 97,
+    "DIM": 259,
+    "PRINT": 300,
+    "PRINT_ITEM": 311,
+    "PRINT@": 313,
+    "TAB": 256,
     "CLEAR": 1520,
     "RUN": 1310,
     "ERROR": 619,
     "RESUME": 615,
     "ON ERROR": 487,
-    "DEF": 319,
+    "DEF": 251,
     "RANDOM": 100,
     "END": 300,
 }
 PRINT_CHARACTER: Final = 68
 """PRINT's own loop for a character, beside the display driver's time."""
-USING_FIELD: Final = 2930
-"""A field of PRINT USING, beside the number's conversion."""
+USING_LITERAL: Final = 69
+"""The search of a format for its next field, beside what it shows on the way."""
+USING_FIELD: Final = {"i": 1040, "s": 1850, "d": 0, "t": 1930}
+"""A field of PRINT USING by the value's type, beside the number's conversion."""
+USING_PLACE: Final = 163
+"""Each place of the field."""
 
 # -- strings --------------------------------------------------------------------------------------
-STRING_BYTE: Final = 59
-CONCATENATE: Final = 914
+STRING_BYTE: Final = 48
+CONCATENATE: Final = 1090
 COLLECT: Final = 524
 COLLECT_PASS: Final = 898
 COLLECT_DESCRIPTOR: Final = 191
@@ -243,15 +251,21 @@ def number_text(value: Number, shown: str) -> int:
     return NUMBER_TEXT[_kind(value)] + number_costs.text(value, shown)
 
 
-def number_field(value: Number, places: int, right: int | None) -> int:
-    """T-states of a field of PRINT USING.
+def number_field(value: Number, left: int, right: int, exponent: bool) -> int:
+    """T-states of a number in a field of PRINT USING, beside its display.
 
     Args:
         value: the number.
-        places: the characters of the field.
-        right: places behind the point; None when the field has an exponent.
+        left: places in front of the point.
+        right: places behind it.
+        exponent: whether the field shows an exponent.
     """
-    return USING_FIELD + number_text(value, " ")
+    total = USING_FIELD[_kind(value)] + USING_PLACE * (left + right)
+    if exponent:
+        value = float(value) if isinstance(value, int) else value
+    # A zero is written like any other number here, other than by PRINT.
+    total += number_text(value if value or not isinstance(value, int) else 1, " ")
+    return total + number_costs.field(value, left, right, exponent)
 
 
 _PASSED: Final = tuple(

@@ -97,6 +97,8 @@ DOUBLE_DOWN: Final = 87567
 DOUBLE_DOWN_BIT: Final = -228
 DOUBLE_COUNT_HIGH: Final = 417
 DOUBLE_COUNT_LOW: Final = 63
+FIELD_SINGLE: Final = 8300
+"""A digit too many for a field of PRINT USING."""
 """A power of ten taken away: the first ten digits are found in double precision."""
 
 SUM: Final = 0
@@ -234,6 +236,32 @@ def text(value: Number, shown: str) -> int:
     if isinstance(value, Double):
         return total + DOUBLE_TEXT + (double_scaling(value) if value.exponent else DOUBLE_ZERO)
     return total + SINGLE_TEXT + (single_scaling(float(value)) if value else SINGLE_ZERO)
+
+
+def field(value: Number, left: int, right: int, exponent: bool) -> int:
+    """T-states to cut a number down to the digits that a field of PRINT USING shows.
+
+    For every digit too many it is divided by ten.
+
+    Args:
+        value: the number.
+        left: places in front of the point.
+        right: places behind it.
+        exponent: whether the field shows an exponent.
+    """
+    if isinstance(value, int) or not value or value == double.ZERO:
+        return 0
+    if isinstance(value, float):
+        x, places = decimal.scaled(abs(value))
+        count = decimal.SINGLE_DIGITS
+    else:
+        x, places = decimal.scaled(Double(value.exponent, abs(value.mantissa)))
+        count = decimal.DOUBLE_DIGITS
+    wanted = left - 1 + right if exponent else count - places + right
+    unwanted = max(0, count - wanted)
+    if isinstance(x, float):
+        return FIELD_SINGLE * unwanted
+    return _scaled((x.exponent, x.mantissa), -unwanted, DOUBLE)
 
 
 def single_scaling(value: float) -> int:

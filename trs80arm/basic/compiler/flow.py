@@ -193,6 +193,7 @@ class FlowCompiler(AssignmentCompiler):
         limit = out.keep(self.to_kind(self.number(), key[1]))
         step = "1" if key[1] == INTEGER else "1.0"
         if reader.code == tokens.STEP:
+            out.cost += costs.STATEMENT_WORK["STEP"]
             reader.advance()
             step = self.to_kind(self.number(), key[1])
         out.emit(f"open_loop({scalar}, {limit}, {step}, {body}, {self.line})")

@@ -69,7 +69,8 @@ class FunctionCompiler(ExpressionCompiler):
             _, subscripts = self.subscripts(key)
             text = f"element_address({key!r}, {', '.join(subscripts)})"
         else:
-            self.scope.scalar(key)
+            scalar = self.scope.scalar(key)
+            self.out.cost += costs.VARIABLE + self.scope.search(scalar)
             text = f"scalar_address({key!r})"
         self.close_parenthesis()
         return Expression(text, INTEGER)
@@ -164,6 +165,8 @@ class FunctionCompiler(ExpressionCompiler):
             self.observes = True
             return Expression(f"read_port({self.to_byte(value)})", INTEGER)
         if name == "RND":
+            if value.constant != 0:
+                self.out.cost += costs.RND_OF_NUMBER
             return Expression(f"rnd({self.to_integer(value)})", SINGLE)
         if name == "CHR$":
             return Expression(f"chr_({self.to_byte(value)})", STRING)

@@ -124,6 +124,7 @@ class Printing(Part):
 
     def using_literal(self, layout: UsingFormat) -> None:
         """The text up to the next field; FC if there is none."""
+        self._clock.now += costs.USING_LITERAL
         self._put(layout.literal().encode("latin-1"))
         layout.demand_field()
 
@@ -136,9 +137,8 @@ class Printing(Part):
         """A number in the next field."""
         field = layout.demand_field()
         if isinstance(field, NumberField):
-            places = field.left + (field.right or 0)
-            right = None if field.exponent else field.right or 0
-            self._clock.now += costs.number_field(value, places, right)
+            right = field.right or 0
+            self._clock.now += costs.number_field(value, field.left, right, field.exponent)
         self._put(layout.field(value).encode("latin-1"))
 
     def using_string(self, layout: UsingFormat, value: Descriptor) -> None:
@@ -148,6 +148,7 @@ class Printing(Part):
             # What is shown is copied into string space first, as LEFT$ does.
             value = self._strings.part(value, 0, field.width)
         text = self._strings.take(value).decode("latin-1")
+        self._clock.now += costs.USING_FIELD["t"] + costs.USING_PLACE * len(text)
         self._put(field.text(text).encode("latin-1"))
 
     def using_end(self, layout: UsingFormat) -> None:
