@@ -15,6 +15,7 @@ from trs80arm.basic.variables import INTEGER, Scalar
 
 _FEW = 50
 _MUCH = 2000
+_LAST = 0xFFF0
 """So many loops and subroutines always fit into so many bytes."""
 
 
@@ -153,13 +154,14 @@ class Flow(Part):
 
     def resume_next(self) -> int:
         """RESUME NEXT: the separator behind the failing statement."""
-        address = self._control.error_address
+        # POKEd astray, the address may leave too little memory behind it.
+        address = min(self._control.error_address, _LAST)
         ram = self._ram
         address += 1
         if not ram[address - 1]:
             address += 4
         quoted = False
-        while ram[address] and (quoted or ram[address] != 0x3A):
+        while ram[address] and (quoted or ram[address] != 0x3A) and address < 0xFFFF:
             if ram[address] == 0x22:
                 quoted = not quoted
             address += 1
