@@ -132,6 +132,11 @@ class Desk(App[int]):
         known = options.theme in self.available_themes
         self.theme = options.theme if known else THEMES[0].name
 
+    def get_theme_variable_defaults(self) -> dict[str, str]:
+        """The tube's colours in themes that know no tube: those of any text."""
+        colours = self.current_theme.to_color_system().generate()
+        return {"tube": colours["foreground"], "tube-background": colours["background"]}
+
     def _new_keyboard(self) -> Keyboard:
         options = self.options
         return Keyboard(

@@ -35,14 +35,14 @@ class Panel(Widget, can_focus=False):
         & > .panel--faint { color: $text-muted; }
         & > .panel--label { color: $text-muted; }
         & > .panel--strong { color: $text; text-style: bold; }
-        & > .panel--arm { color: $primary; text-style: bold; }
-        & > .panel--hand { color: $accent; text-style: bold; }
-        & > .panel--part { color: $warning; }
-        & > .panel--furniture { color: $secondary; }
-        & > .panel--ghost { color: $error; }
-        & > .panel--trail { color: $success; }
-        & > .panel--alarm { color: $error; text-style: bold; }
-        & > .panel--lamp-on { color: $warning; text-style: bold; }
+        & > .panel--arm { color: $text-primary; text-style: bold; }
+        & > .panel--hand { color: $text-accent; text-style: bold; }
+        & > .panel--part { color: $text-warning; }
+        & > .panel--furniture { color: $text-secondary; }
+        & > .panel--ghost { color: $text-error; }
+        & > .panel--trail { color: $text-success; }
+        & > .panel--alarm { color: $text-error; text-style: bold; }
+        & > .panel--lamp-on { color: $text-warning; text-style: bold; }
         & > .panel--lamp-off { color: $text-muted; }
     }
     """
