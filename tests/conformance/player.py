@@ -20,6 +20,7 @@ KEY_TAKEN = 90_930
 """T-states from a key going down to its code being handed over: the debounce pause."""
 _MOST_TYPING = 60.0
 """Seconds that the machine may take between two keys of one entry."""
+# SYSTEM and MEMORY SIZE? ask with the ROM's routine for INPUT's line.
 _ENDS = {
     Waiting.NOTHING: "timeout",
     Waiting.COMMAND: "ready",
@@ -27,8 +28,8 @@ _ENDS = {
     Waiting.EDIT: "edit",
     Waiting.PAUSE: "pause",
     Waiting.AUTO: "auto",
-    Waiting.SYSTEM: "system",
-    Waiting.MEMORY_SIZE: "memory size",
+    Waiting.SYSTEM: "input",
+    Waiting.MEMORY_SIZE: "input",
 }
 
 

@@ -36,5 +36,11 @@ def compare(case: Case, played: Played) -> list[Difference]:
     if "dump" in expected:
         dumped = expected["dump"]
         wanted = dumped if isinstance(dumped, dict) else dict(dumped)
-        pairs.append(("dump", {k: v.lower() for k, v in wanted.items()}, played.dump))
+        pairs.append(
+            (
+                "dump",
+                {name: bytes.fromhex(data).hex() for name, data in wanted.items()},
+                played.dump,
+            )
+        )
     return [Difference(what, rom, here) for what, rom, here in pairs if rom != here]

@@ -15,8 +15,9 @@ from trs80arm.basic.variables import INTEGER, Scalar
 
 _FEW = 50
 _MUCH = 2000
-_LAST = 0xFFF0
 """So many loops and subroutines always fit into so many bytes."""
+_LAST = 0xFFF0
+"""No statement begins behind this address."""
 
 
 class Flow(Part):
