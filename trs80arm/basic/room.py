@@ -30,9 +30,17 @@ OPERATOR: Final = 8
 """What an operator takes while its right side is evaluated, besides its left operand."""
 LET: Final = 4
 GOSUB: Final = 70
-FOR: Final = 87
-VARIABLE: Final = 68
-"""Free bytes that must remain when a variable or an array was made."""
+FOR: Final = 78
+LIMIT: Final = 4
+STEP: Final = 6
+"""What FOR takes while its limit and its step are evaluated."""
+SUBSCRIPT: Final = 18
+CONDITION: Final = 2
+"""What IF and ON take."""
+VARIABLE: Final = 76
+"""Free bytes that must remain when a simple variable was made."""
+ARRAY: Final = 68
+"""Free bytes that must remain when an array was made."""
 CLEAR: Final = 40
 """Bytes that CLEAR n must leave above the program."""
 LINE: Final = 62

@@ -40,7 +40,7 @@ _RELATIONS = {1: ">", 2: "==", 3: ">=", 4: "<", 5: "!=", 6: "<="}
 _MAX_DEPTH = 100
 """Nesting beyond which an expression is ?OM, as it is on the ROM when its stack is full."""
 _DEEP = 6
-"""Nesting from which on arithmetic is called, not written in line: Python's parser has limits too."""
+"""Nesting from which on arithmetic is called, not written in line: Python's parser has limits."""
 
 
 def _is_closed(text: str) -> bool:
@@ -560,7 +560,9 @@ class ExpressionCompiler:
         kept = len(self.pending)
         while True:
             self.reader.advance()
+            self.deepen(room.SUBSCRIPT)
             value = self.number()
+            self.deepen(-room.SUBSCRIPT)
             self.out.cost += costs.SUBSCRIPT + costs.CONVERT.get(value.kind, 0)
             values.append(value)
             self.pending.append(f"subscript({value.text})")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trs80arm.basic import costs, tokens
+from trs80arm.basic import costs, room, tokens
 from trs80arm.basic.compiler.assignments import AssignmentCompiler
 from trs80arm.basic.compiler.emitter import LOOP_BODY
 from trs80arm.basic.compiler.expressions import Mistake
@@ -105,7 +105,9 @@ class FlowCompiler(AssignmentCompiler):
         """IF: a true condition goes on in the line, a false one looks for its ELSE."""
         out, reader = self.out, self.reader
         out.cost += costs.STATEMENT_WORK["IF"]
+        self.deepen(room.CONDITION)
         value = self.expression()
+        self.deepen(-room.CONDITION)
         if reader.code == 0x2C:
             reader.advance()
         then = reader.state()
@@ -190,12 +192,15 @@ class FlowCompiler(AssignmentCompiler):
         self.expect(tokens.TO)
         if key[1] in (STRING, DOUBLE):
             raise self.mistake(Code.TM)
+        self.deepen(room.LIMIT)
         limit = out.keep(self.to_kind(self.number(), key[1]))
+        self.deepen(room.STEP - room.LIMIT)
         step = "1" if key[1] == INTEGER else "1.0"
         if reader.code == tokens.STEP:
             out.cost += costs.STATEMENT_WORK["STEP"]
             reader.advance()
             step = self.to_kind(self.number(), key[1])
+        self.deepen(-room.STEP)
         out.emit(f"open_loop({scalar}, {limit}, {step}, {body}, {self.line})")
         self.loops.append(key)
 
@@ -272,7 +277,9 @@ class FlowCompiler(AssignmentCompiler):
             self._on_error()
             return True
         out.cost += costs.STATEMENT_WORK["ON"]
+        self.deepen(room.CONDITION)
         number = out.keep(self.byte())
+        self.deepen(-room.CONDITION)
         word = reader.code
         if word != tokens.GOSUB and word != tokens.GOTO:
             raise self.mistake(Code.SN)

@@ -70,7 +70,7 @@ class Storage(Part):
 
     def _check_room(self, size: int) -> None:
         tight = self._basic.room.tight
-        self._basic.room.need(size + room.VARIABLE)
+        self._basic.room.need(size)
         if self._basic.room.tight and not tight:
             self._basic.code.look_around()
 
@@ -78,7 +78,7 @@ class Storage(Part):
         """Make a simple variable if it is not there; OM."""
         scalar = self._variables.scalar(key)
         if scalar.offset is None:
-            self._check_room(scalar.size)
+            self._check_room(scalar.size + room.VARIABLE)
             self._variables.create(scalar)
             self._clock.now += costs.NEW_SCALAR
             self._clock.now += costs.NEW_SCALAR_BYTE * self._variables.arrays_size
@@ -94,7 +94,7 @@ class Storage(Part):
 
     def _make(self, key: Key, dims: tuple[int, ...]) -> Array:
         size = array_size(key[1], dims)
-        self._check_room(size)
+        self._check_room(size + room.ARRAY)
         array = self._variables.add_array(key, dims)
         self._clock.now += costs.NEW_ARRAY + costs.NEW_ARRAY_BYTE * size
         self._basic.code.created()
