@@ -202,6 +202,10 @@ class Interpreter:
             behind, len(program), program.end - program.start
         )
         self.control.dot = number
+        if crunched and program.find(number) is None:
+            # The variables are about to go, but the stack is still there.
+            freed = self.variables.end - program.end
+            self.room.need(len(crunched) + 5 + room.LINE - freed)
         program.delete(number)
         frames = list(self.control.frames)
         self.program_changed()
@@ -268,11 +272,9 @@ class Interpreter:
         """An error of the activity on top: the running statement's, or the command level's."""
         execution = self.execution()
         if execution is None:
-            self.control.dot = DIRECT
-            self.control.error = (min(int(error.code), 255) - 1) * 2
-            self.control.error_line = DIRECT
-            self.report(error.code, None)
-            return
+            execution = Execution(DIRECT_LINE)
+            del self.stack[1:]
+            self.begin(execution)
         while self.stack[-1] is not execution:
             self.stack.pop()
         execution.fail(self, error)

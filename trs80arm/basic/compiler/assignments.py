@@ -115,7 +115,8 @@ class AssignmentCompiler(FunctionCompiler):
         self.out.emit(f"dimension({key!r}, {', '.join(sizes)})")
 
     def read(self) -> None:
-        """READ: the next DATA items into variables."""
+        """READ: the next DATA items into variables; only then are they used up."""
+        self.out.emit("begin_read()")
         while True:
             self.out.cost += costs.STATEMENT_WORK["READ"]
             target = self.target()
@@ -124,8 +125,9 @@ class AssignmentCompiler(FunctionCompiler):
             else:
                 self.out.emit(f"{target.text} = read_number({target.kind!r})")
             if self.reader.code != 0x2C:
-                return
+                break
             self.reader.advance()
+        self.out.emit("end_read()")
 
     def input(self) -> None:
         """INPUT: leave the asking to the dialogue, the variables are looked up when it answers."""

@@ -571,6 +571,7 @@ class ExpressionCompiler:
         if self.reader.code not in (0x29, 0x5D):
             raise self.mistake(Code.SN)
         self.reader.advance()
+        self._operand_end = self.reader.position
         del self.pending[kept:]
         array = self.scope.array(key, len(values))
         self.out.cost += costs.ARRAY + self.scope.array_search(key)

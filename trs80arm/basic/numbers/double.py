@@ -62,11 +62,13 @@ def div(a: Double, b: Double) -> Double:
     """The quotient as the ROM rounds it; division by zero, OV.
 
     A divisor of the largest exponent gives zero: the ROM complements the exponent first and takes
-    the 0 it gets for a zero operand.
+    the 0 it gets for a zero operand. For that reason it does not see that the dividend is zero,
+    and takes it for 2 to the power of -129: 0#/1D-3 is 1.469367938527859D-36.
     """
     if b.exponent == 255:
         return ZERO
-    return Double(*registers.divide((a.exponent, a.mantissa), (b.exponent, b.mantissa), BITS))
+    dividend = a.mantissa or 1 << BITS - 1
+    return Double(*registers.divide((a.exponent, dividend), (b.exponent, b.mantissa), BITS))
 
 
 def times_ten(a: Double) -> Double:

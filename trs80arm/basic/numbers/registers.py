@@ -114,7 +114,7 @@ def divide(a: Register, b: Register, bits: int) -> Register:
     """
     if not b[0]:
         raise BasicError(Code.DIVISION)
-    if not a[0]:
+    if not a[1]:
         return ZERO
     exponent = _exponent(a[0] + 255 - b[0])
     if not exponent:

@@ -103,15 +103,25 @@ _LAST = 0xFFF0
 class DataReader(Part):
     """The DATA pointer."""
 
+    _place = 0
+
     def restore(self) -> None:
         """RESTORE."""
         self._control.data = self._basic.program.start - 1
+
+    def begin_read(self) -> None:
+        """READ begins."""
+        self._place = self._control.data
+
+    def end_read(self) -> None:
+        """READ has all it wants; after an error it would begin with the same items again."""
+        self._control.data = self._place
 
     def _item(self) -> int:
         """The address of the next item; OD when there is none."""
         ram = self._ram
         control = self._control
-        address = control.data
+        address = self._place
         if ram[address] == _COMMA:
             return self._skip(address + 1)
         while True:
@@ -146,7 +156,7 @@ class DataReader(Part):
         address = self._skip(address)
         if self._ram[address] not in (0, _COLON, _COMMA):
             raise LineError(Code.SN, self._control.data_line)
-        self._control.data = address
+        self._place = address
 
     def read_number(self, kind: str) -> Any:
         """READ of a number; OV, SN in the DATA line."""

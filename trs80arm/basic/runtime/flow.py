@@ -8,7 +8,7 @@ from trs80arm.basic import room, system_area
 from trs80arm.basic.control import ForFrame, GosubFrame
 from trs80arm.basic.dialogue import auto, edit, lister
 from trs80arm.basic.errors import BasicError, Code
-from trs80arm.basic.execution import Execution, Leave
+from trs80arm.basic.execution import Execution, Leave, LineError
 from trs80arm.basic.numbers import single
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.variables import INTEGER, Scalar
@@ -122,9 +122,7 @@ class Flow(Part):
         control = self._control
         control.trap = address
         if not address and control.handling:
-            execution = self._execution()
-            execution.raise_again(self._basic, Code(min(control.error // 2 + 1, 23)))
-            raise Leave(execution.next)
+            raise LineError(Code(min(control.error // 2 + 1, 23)), control.error_line)
 
     def raise_error(self, code: int) -> NoReturn:
         """ERROR n; FC for 0."""

@@ -70,9 +70,12 @@ class StringFunctions(Part):
     def val_(self, string: Descriptor) -> Number:
         """VAL: the number at the start of a string, scanned as a double.
 
-        A sign counts only as the very first character: VAL(" -5") is 0.
+        A sign counts only as the very first character: VAL(" -5") is 0. For an empty string it is
+        an integer 0.
         """
         text = self._strings.take(string)
+        if not text:
+            return 0
         if text[:1] in _BLANKS and text.lstrip(b" \t\n")[:1] in _SIGNS:
             return 0
         found = literal.scan(text.partition(b"\0")[0], 0, double.ZERO)
