@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from trs80arm.basic import costs, room, tokens
-from trs80arm.basic.compiler.expressions import Expression
 from trs80arm.basic.compiler.functions import FunctionCompiler
+from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.control import DIRECT
 from trs80arm.basic.errors import Code
 from trs80arm.basic.variables import SIZES, STRING, Key

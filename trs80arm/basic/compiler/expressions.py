@@ -8,21 +8,19 @@ the error. Precedence and the odd corners (string `+` binds at once, `=<`, `NOT`
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from trs80arm.basic import costs, number_costs, room, tokens
-from trs80arm.basic.compiler.emitter import Emitter
-from trs80arm.basic.compiler.reader import Reader
-from trs80arm.basic.compiler.scope import Scope
+from trs80arm.basic.compiler.values import (
+    ANY,
+    NUMBER,
+    Expression,
+    ValueCompiler,
+    is_closed,
+    wider,
+)
 from trs80arm.basic.errors import BasicError, Code
-from trs80arm.basic.numbers import convert, literal
+from trs80arm.basic.numbers import literal
 from trs80arm.basic.numbers.double import Double
 from trs80arm.basic.variables import DOUBLE, INTEGER, SINGLE, SIZES, STRING, Array, Key
-
-NUMBER = "n"
-"""Kind of a value that is an integer or a single, known only when it is there."""
-ANY = "x"
-"""Kind of a number of any type, known only when it is there (VAL)."""
 
 RELATION = 0x64
 _UNARY_MINUS = 0x7D
@@ -39,110 +37,24 @@ _PRECEDENCE = {
 _RELATIONS = {1: ">", 2: "==", 3: ">=", 4: "<", 5: "!=", 6: "<="}
 _MAX_DEPTH = 100
 """Nesting beyond which an expression is ?OM, as it is on the ROM when its stack is full."""
-_DEEP = 6
-"""Nesting from which on arithmetic is called, not written in line: Python's parser has limits."""
 
 
-def _is_closed(text: str) -> bool:
-    """Whether Python text needs no parentheses around it: a name, a number, a call, or `(...)`."""
-    if text.isidentifier() or text.replace(".", "").isdigit():
-        return True
-    head = text.partition("(")[0]
-    if not text.endswith(")") or not (head == "" or head.isidentifier()):
-        return False
-    depth = 0
-    for place, char in enumerate(text):
-        depth += (char == "(") - (char == ")")
-        if char == ")" and not depth:
-            return place == len(text) - 1
-    return False
+class ExpressionCompiler(ValueCompiler):
+    """Reads expressions from a line and writes them as Python text."""
 
-
-class Mistake(Exception):  # noqa: N818 - a way of leaving, not a failure of ours
-    """The text is wrong from here on: the rest of the statement is this error."""
-
-    def __init__(self, code: Code) -> None:
-        super().__init__(code.name)
-        self.code = code
-
-
-@dataclass(frozen=True)
-class Expression:
-    """A piece of Python text that computes a value.
-
-    Attributes:
-        text: the Python expression.
-        kind: INTEGER, SINGLE, DOUBLE, STRING, NUMBER or ANY.
-        condition: the same as a Python truth value, where it is a comparison.
-        constant: the value where it is known.
-        simple: whether the text may be written twice without being computed twice.
-    """
-
-    text: str
-    kind: str
-    condition: str | None = None
-    constant: int | float | None = None
-    simple: bool = False
-
-
-def wider(left: str, right: str) -> str:
-    """The kind of the result of arithmetic on two kinds."""
-    kinds = {left, right}
-    if DOUBLE in kinds:
-        return DOUBLE
-    if ANY in kinds:
-        return ANY
-    return SINGLE if SINGLE in kinds else NUMBER
-
-
-class ExpressionCompiler:
-    """Reads expressions from a line and writes them as Python text.
-
-    Attributes:
-        reader: the place in the text.
-        out: the function under construction.
-        scope: the variables that exist, and what was assumed about them.
-    """
-
-    def __init__(self, reader: Reader, out: Emitter, scope: Scope) -> None:
-        self.reader = reader
-        self.out = out
-        self.scope = scope
-        self.pending: list[str] = []
-        self._depth = 0
-        self._operand_end = 0
-        self.observes = False
-        self.plain = True
-        self.stack_bytes = 0
-        self._deepest = 0
-
-    def deepen(self, size: int) -> None:
-        """The evaluation takes so many bytes more of the Z-80's stack (or gives them back)."""
-        self.stack_bytes += size
-        self._deepest = max(self._deepest, self.stack_bytes)
-
-    # -- mistakes -----------------------------------------------------------------------------
-
-    def mistake(self, code: Code) -> Mistake:
-        """The exception to raise for an error that the text makes certain."""
-        return Mistake(code)
-
-    def expect(self, code: int) -> None:
-        """A character that must stand here (RST 8); SN if another one does."""
-        if self.reader.code != code:
-            raise self.mistake(Code.SN)
-        self.reader.advance()
+    _operand_end = 0
+    """Where the operand read last ends, which string comparison goes back to."""
 
     # -- whole expressions --------------------------------------------------------------------
 
     def expression(self) -> Expression:
         """An expression, up to the first character that does not belong to it."""
         self.reader.skip()
-        outermost = not self._depth
+        outermost = not self.depth
         value = self._evaluate(0)
         if outermost and self.scope.tight:
-            self.out.emit(f"room({room.EXPRESSION + self._deepest})")
-            self._deepest = 0
+            self.out.emit(f"room({room.EXPRESSION + self.deepest})")
+            self.deepest = 0
         return value
 
     def number(self) -> Expression:
@@ -179,8 +91,8 @@ class ExpressionCompiler:
         self.pending.clear()
 
     def _evaluate(self, precedence: int) -> Expression:
-        self._depth += 1
-        if self._depth > _MAX_DEPTH:
+        self.depth += 1
+        if self.depth > _MAX_DEPTH:
             raise self.mistake(Code.OM)
         left = self._operand()
         reader = self.reader
@@ -210,7 +122,7 @@ class ExpressionCompiler:
             if _PRECEDENCE[operator] <= precedence:
                 break
             left = self._operation(left, operator)
-        self._depth -= 1
+        self.depth -= 1
         return left
 
     def _right(self, left: Expression, precedence: int) -> Expression:
@@ -319,95 +231,12 @@ class ExpressionCompiler:
             self.out.allow(costs.MOST_OF_DOUBLE)
             text = f"double_{name}({self.to_double(left)}, {self.to_double(right)})"
         elif kind == SINGLE:
-            text = self._single(name, left, right)
+            text = self.single_arithmetic(name, left, right)
         elif kind == NUMBER and left.kind == right.kind == INTEGER:
             text = f"integer_{name}({left.text}, {right.text})"
         else:
             text = f"any_{name}({left.text}, {right.text})"
         return Expression(text, kind)
-
-    def _single(self, name: str, left: Expression, right: Expression) -> str:
-        """Single arithmetic: the common case in line, the rest by a call (`numbers.single`).
-
-        The range test is on the square, so both signs take the short way.
-        """
-        if self._depth > _DEEP:
-            return f"{name}({self.as_float(left)}, {self.as_float(right)})"
-        first, a = self._twice(left)
-        second, b = self._twice(right)
-        call = f"{name}({a}, {b})"
-        if name in ("add", "sub"):
-            sign = "+" if name == "add" else "-"
-            return (
-                f"(s if (c := (s := {first} {sign} {second}) * 536870913.0) - (c - s) == s"
-                f" and 1e-74 < s * s < 1e74 else {call})"
-            )
-        sign, guard = ("*", "") if name == "mul" else ("/", f"{second} and ")
-        if guard:
-            if first != a:
-                # The divisor is looked at first, but the dividend is evaluated before it.
-                guard = f"({first} or True) and {guard}"
-            first, second = a, b
-        return (
-            f"((c := s * 536870913.0) - (c - s) if {guard}1e-74 <"
-            f" (s := {first} {sign} {second} * 1.0000000000000002) * s < 1e74 else {call})"
-        )
-
-    def _twice(self, value: Expression, name: str | None = None) -> tuple[str, str]:
-        """Text that computes an operand, and text that gives it again."""
-        text = self.as_float(value)
-        if value.simple or value.constant is not None:
-            return text, text
-        name = name or self.out.temporary()
-        return f"({name} := {text})", name
-
-    # -- conversions --------------------------------------------------------------------------
-
-    def to_integer(self, value: Expression) -> str:
-        """CINT of a number."""
-        if value.kind == INTEGER:
-            return value.text
-        if value.constant is not None and -32768 <= value.constant < 32768:
-            return str(int(value.constant // 1))
-        self.out.cost += costs.CONVERT[value.kind]
-        return f"floor({value.text})"
-
-    def to_byte(self, value: Expression) -> str:
-        """CINT of a number that must be 0..255."""
-        if value.constant is not None and 0 <= value.constant < 256:
-            return str(int(value.constant))
-        if value.kind == INTEGER:
-            return f"byte({value.text})"
-        self.out.cost += costs.CONVERT[value.kind]
-        return f"byte(floor({value.text}))"
-
-    def as_float(self, value: Expression) -> str:
-        """A number as an operand of single arithmetic, where an `int` will do as well."""
-        return repr(float(value.constant)) if value.constant is not None else value.text
-
-    def to_single(self, value: Expression) -> str:
-        """CSNG of a number."""
-        if value.constant is not None:
-            return repr(float(value.constant))
-        if value.kind == SINGLE:
-            return value.text
-        if value.kind in (INTEGER, NUMBER):
-            return f"float({value.text})"
-        return f"to_single({value.text})"
-
-    def to_double(self, value: Expression) -> str:
-        """CDBL of a number."""
-        if value.kind == DOUBLE:
-            return value.text
-        if value.constant is not None:
-            return self._double_constant(convert.to_double(value.constant))
-        return f"to_double({value.text})"
-
-    def to_kind(self, value: Expression, kind: str) -> str:
-        """A number as a variable of a kind takes it."""
-        if kind == INTEGER:
-            return self.to_integer(value)
-        return self.to_single(value) if kind == SINGLE else self.to_double(value)
 
     # -- operands -----------------------------------------------------------------------------
 
@@ -455,9 +284,9 @@ class ExpressionCompiler:
         value = self.expression()
         self.deepen(-room.PARENTHESIS)
         self.close_parenthesis(value.text)
-        text = value.text if _is_closed(value.text) else f"({value.text})"
+        text = value.text if is_closed(value.text) else f"({value.text})"
         condition = value.condition
-        if condition is not None and not _is_closed(condition):
+        if condition is not None and not is_closed(condition):
             condition = f"({condition})"
         return Expression(text, value.kind, condition, value.constant, value.simple)
 
@@ -510,12 +339,9 @@ class ExpressionCompiler:
             # Blanks behind a type sign are not passed: they end the expression.
             reader.skip()
         if isinstance(value, Double):
-            return Expression(self._double_constant(value), DOUBLE, simple=True)
+            return Expression(self.double_constant(value), DOUBLE, simple=True)
         kind = INTEGER if isinstance(value, int) else SINGLE
         return Expression(repr(value), kind, constant=value, simple=True)
-
-    def _double_constant(self, value: Double) -> str:
-        return self.scope.constant(value)
 
     def _variable(self) -> Expression:
         key = self.name()

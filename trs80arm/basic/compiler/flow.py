@@ -5,7 +5,7 @@ from __future__ import annotations
 from trs80arm.basic import costs, room, tokens
 from trs80arm.basic.compiler.assignments import AssignmentCompiler
 from trs80arm.basic.compiler.emitter import LOOP_BODY
-from trs80arm.basic.compiler.expressions import Mistake
+from trs80arm.basic.compiler.values import Mistake
 from trs80arm.basic.control import DIRECT
 from trs80arm.basic.errors import Code
 from trs80arm.basic.program import Program

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from trs80arm.basic import costs, room, tokens
-from trs80arm.basic.compiler.expressions import ANY, NUMBER, Expression, ExpressionCompiler
+from trs80arm.basic.compiler.expressions import ExpressionCompiler
+from trs80arm.basic.compiler.values import ANY, NUMBER, Expression
 from trs80arm.basic.errors import Code
 from trs80arm.basic.variables import DOUBLE, INTEGER, SINGLE, STRING
 

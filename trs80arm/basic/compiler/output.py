@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from trs80arm.basic import costs, room, tokens
-from trs80arm.basic.compiler.expressions import Expression, Mistake
 from trs80arm.basic.compiler.flow import FlowCompiler
+from trs80arm.basic.compiler.values import Expression, Mistake
 from trs80arm.basic.errors import Code
 from trs80arm.basic.variables import STRING
 

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from trs80arm.basic import costs, tokens
 from trs80arm.basic.compiler.arm import ArmCompiler
 from trs80arm.basic.compiler.emitter import Emitter
-from trs80arm.basic.compiler.expressions import Mistake
 from trs80arm.basic.compiler.reader import Reader
 from trs80arm.basic.compiler.scope import Scope
+from trs80arm.basic.compiler.values import Mistake
 from trs80arm.basic.errors import Code
 from trs80arm.basic.program import Program
 from trs80arm.basic.variables import DOUBLE, INTEGER, SINGLE, STRING, Key
