@@ -278,6 +278,26 @@ def test_an_obstacle_blocks_the_turntable() -> None:
     assert losses[0].motor == 6
 
 
+def test_the_arm_blocks_the_turntable() -> None:
+    bench = Bench.from_toml(
+        """
+        [turntable]
+        at = [7, 0]
+        radius = 2
+        steps = 96
+        [[part]]
+        at = [8.5, 0]
+        size = [0.5, 0.5, 2]
+        """
+    )
+    arm = MiniMover(bench=bench)
+    arm.move_to(Pose(7, 1.5, 0.5, -90, 0))
+    arm.apply([EASY * i for i in range(40)], [6] * 40, [PHASES[i % 8] for i in range(40)])
+    assert bench.turntable is not None
+    assert bench.turntable.rotor < 24
+    assert texts(arm, EventKind.SLIP)[0].motor == 6
+
+
 def test_refilling_puts_everything_back() -> None:
     bench = Bench.standard()
     generator = ready(bench, Pose(8.0, 0.0, 0.5, -90.0, 0.0, 0.8))

@@ -175,6 +175,21 @@ def test_a_part_off_centre_is_pushed_to_the_middle() -> None:
     assert generator.arm.bench.parts["block"].box.center[1] == pytest.approx(0, abs=0.01)
 
 
+def test_the_switch_closes_on_something_fixed_too() -> None:
+    bench = Bench.from_toml("[[obstacle]]\nat = [8, 0]\nsize = [1, 0.75, 1]")
+    arm = MiniMover(bench=bench)
+    arm.move_to(OVER_PART)
+    generator = PulseGenerator(arm)
+    generator.align()
+    generator.close(D50, 20)
+    assert arm.state().switch_closed
+    assert arm.state().held is None
+    assert arm.state().pose.opening == pytest.approx(0.75, abs=0.004)
+    generator.turn(5, 100, D50)
+    generator.step((0, -60, 0), EASY)
+    assert arm.state().slipped == (0,) * 6
+
+
 def test_the_hand_closes_past_a_part_that_is_not_between_its_fingers() -> None:
     generator = hand_on(at=(8.0, 2.5))
     generator.close(D50)

@@ -8,7 +8,7 @@ in the same order every time; a fall takes no time.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -263,14 +263,15 @@ class Bench:
         self.settle()
         return True
 
-    def turn_table(self, rotor: int) -> bool:
+    def turn_table(self, rotor: int, free: Callable[[Box], bool]) -> bool:
         """Turn the turntable with all that stands on it.
 
         Args:
             rotor: half-steps to turn it to.
+            free: whether the arm leaves room for a box.
 
         Returns:
-            Whether it could; something fixed in the way of a part on it blocks it.
+            Whether it could; something in the way of a part on it, the arm included, blocks it.
         """
         table = self.turntable
         if table is None:
@@ -282,6 +283,8 @@ class Bench:
             part.box for part in self.parts.values() if part not in carried
         ]
         if any(overlap(box, other) for box in turned for other in others):
+            return False
+        if any(free(part.box) and not free(box) for part, box in zip(carried, turned, strict=True)):
             return False
         for part, box in zip(carried, turned, strict=True):
             part.box = box

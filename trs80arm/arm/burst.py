@@ -91,19 +91,22 @@ class _Stretch:
         self.arm = arm
         self.times = times
         self.latches = latches
-        self.nibbles = nibbles
-        self.rows = _ROWS[nibbles & 15]
+        self.nibbles = nibbles & 15
+        self.rows = _ROWS[self.nibbles]
         self.free_until = len(times)
         self._cut((latches < 0) | (latches > 5) | (self.rows < 0))
         n = self.free_until
         turns = np.zeros(n, dtype=np.int64)
         self.writes: list[Array] = []
         for latch in range(6):
+            motor = arm.motors[latch]
             mine = np.flatnonzero(latches[:n] == latch)
+            patterns = self.nibbles[mine]
+            # A latch that is given what it holds does nothing.
+            mine = mine[patterns != np.concatenate(([motor.coils], patterns[:-1]))]
             self.writes.append(mine)
             if not len(mine):
                 continue
-            motor = arm.motors[latch]
             rows = self.rows[mine]
             first = motor.field if motor.row >= 0 else motor.rotor
             before = np.concatenate(([first & 7], rows[:-1]))
@@ -254,17 +257,14 @@ class _Stretch:
                 continue
             last = int(mine[k - 1])
             motor = arm.motors[latch]
-            nibbles = self.nibbles[mine[:k]] & 15
-            fresh = np.flatnonzero(nibbles != np.concatenate(([motor.coils], nibbles[:-1])))
             turned = int(self.rotors[last, latch]) - motor.rotor
-            if len(fresh):
-                motor.follow(len(fresh))
-                motor.moved = int(self.times[mine[int(fresh[-1])]])
+            motor.follow(k)
+            motor.moved = int(self.times[last])
             motor.done = int(self.done[latch][k - 1])
             motor.field = (motor.field if motor.row >= 0 else motor.rotor) + turned
             motor.rotor += turned
             motor.row = int(self.rows[last])
-            motor.coils = int(nibbles[-1])
+            motor.coils = int(self.nibbles[last])
         arm.arrive(self.rotors[count - 1].tolist(), int(self.times[count - 1]))
 
 

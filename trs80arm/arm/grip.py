@@ -14,6 +14,7 @@ from trs80arm.arm.body import Hold
 from trs80arm.arm.geometry import HAND_RANGE, HAND_STEPS
 from trs80arm.arm.limits import MOST_SQUEEZE
 from trs80arm.arm.motors import POUND_STEPS
+from trs80arm.arm.shapes import Box
 
 SWITCH_FORCE = 2 / 16
 """Pounds at which the tension switch closes: 2 ounces (article, on joint 6)."""
@@ -28,7 +29,8 @@ class Grip:
     Attributes:
         cable: half-steps of cable paid out; 0 where an empty hand has just closed.
         contact: half-steps of cable at which the fingers met what is between them.
-        part: name of the part that both fingers press on, or None.
+        part: name of the part that the fingers press on, or None.
+        fixed: an obstacle that they press on instead, or None.
         hold: how that part sits in the hand if friction carries it, or None.
         weight: of the part carried, ounces.
         slid: how far the part has been pushed along the fingers in this grip, inches.
@@ -37,6 +39,7 @@ class Grip:
     cable: int = 0
     contact: int = 0
     part: str | None = None
+    fixed: Box | None = None
     hold: Hold | None = None
     weight: float = 0.0
     slid: float = 0.0
@@ -80,4 +83,5 @@ class Grip:
 
     def forget(self) -> None:
         """Nothing is between the fingers any more."""
-        self.contact, self.part, self.hold, self.weight, self.slid = 0, None, None, 0.0, 0.0
+        self.contact, self.part, self.fixed = 0, None, None
+        self.hold, self.weight, self.slid = None, 0.0, 0.0

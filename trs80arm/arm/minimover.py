@@ -225,9 +225,9 @@ class MiniMover:
         nibble &= 15
         motor = self.motors[latch]
         row = ROWS[nibble]
+        self._time = max(self._time, time)
         if nibble == motor.coils and row == motor.row:
             return
-        self._time = max(self._time, time)
         motor.coils = nibble
         if row < 0:
             motor.release()

@@ -76,6 +76,14 @@ class Box:
         """Height of its highest corner, inches."""
         return self.center[2] + self.rise
 
+    def __getstate__(self) -> tuple[object, ...]:
+        # What has been worked out along the way is no part of the box.
+        return self.center, self.axes, self.half
+
+    def __setstate__(self, state: tuple[object, ...]) -> None:
+        for name, value in zip(("center", "axes", "half"), state, strict=True):
+            object.__setattr__(self, name, value)
+
     def moved(self, by: Vector) -> Box:
         """The same box elsewhere."""
         return Box(plus(self.center, by), self.axes, self.half)

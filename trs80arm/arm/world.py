@@ -94,11 +94,10 @@ class World:
         self.body, grip.cable = body, cable
         if held is not None and grip.part is not None:
             self.bench.parts[grip.part].box = held
-        if grip.part is None:
-            if closing:
-                self._close_on(rotors)
-        else:
+        if grip.part is not None or grip.fixed is not None:
             self._hold_on(rotors, latch)
+        elif closing:
+            self._close_on(rotors)
         self._feed()
         return None
 
@@ -106,7 +105,12 @@ class World:
         """Turn the turntable by a half-step; whether it could."""
         if self.bench.turntable is None:
             return True
-        turned = self.bench.turn_table(self.bench.turntable.rotor + step)
+        touch = self.settings.touch
+        turned = self.bench.turn_table(
+            self.bench.turntable.rotor + step, lambda box: not self._touches(box, touch)
+        )
+        if not turned:
+            self.met = "what stands on it"
         self._changed()
         return turned
 
@@ -114,7 +118,7 @@ class World:
         """The cable has slipped: bring the hold in line with it."""
         self.grip.cable = self.drive.cable(rotors)
         self.body = self._body(rotors, self.grip.opening)
-        if self.grip.part is not None:
+        if self.grip.contact:
             self._hold_on(rotors, HAND)
 
     def place(self, before: Sequence[int], rotors: list[int]) -> str | None:
@@ -342,9 +346,9 @@ class World:
         if held is not None and grip.part is not None:
             self.bench.parts[grip.part].box = held
 
-    def _touches(self, box: Box) -> bool:
-        """Whether a link or finger is in a box."""
-        return any(interval(box, a, b) is not None for a, b in self.body.segments)
+    def _touches(self, box: Box, skin: float = 0.0) -> bool:
+        """Whether a link or finger is in a box, deeper than a skin."""
+        return any(interval(box, a, b, skin) is not None for a, b in self.body.segments)
 
     # The hand
 
@@ -383,10 +387,8 @@ class World:
         grip = self.grip
         if grip.cable < 0:
             return  # they have met each other
-        for _, _, part in self._near(self.body, None):
-            if part is None:
-                continue
-            span = self._between(self.body, part.box)
+        for name, box, part in self._near(self.body, None):
+            span = self._between(self.body, box)
             if span is None:
                 continue
             half = grip.opening / 2 + SKIN
@@ -394,18 +396,22 @@ class World:
             over = 2 * self.settings.touch
             if high > half + over or low < -half - over:
                 continue  # a fingertip stands on it
-            if high > half and low > -half:
-                self._centre(part, grip.opening / 2 - high)
-            elif low < -half and high < half:
-                self._centre(part, -grip.opening / 2 - low)
-            if part.name not in self.bench.parts:
-                continue
-            span = self._between(self.body, part.box)
+            if part is not None:
+                if high > half and low > -half:
+                    self._centre(part, grip.opening / 2 - high)
+                elif low < -half and high < half:
+                    self._centre(part, -grip.opening / 2 - low)
+                if part.name not in self.bench.parts:
+                    continue
+                span = self._between(self.body, part.box)
             if span is not None and (span[0] < -half or span[1] > half):
                 grip.contact = grip.cable + 1
-                grip.part = part.name
+                if part is None:
+                    grip.fixed = box
+                else:
+                    grip.part = name
                 self.body = self._body(rotors, grip.opening)
-                self.bench.news.append((EventKind.CONTACT, f"fingers on {part.name}"))
+                self.bench.news.append((EventKind.CONTACT, f"fingers on {name}"))
                 self._hold_on(rotors, HAND)
                 return
 
@@ -418,29 +424,28 @@ class World:
         self._changed()
 
     def _hold_on(self, rotors: Sequence[int], latch: int) -> None:
-        """See whether the part between the fingers is held, let go, or lost."""
+        """See whether what is between the fingers is held, let go, or lost."""
         grip, bench = self.grip, self.bench
-        part = bench.parts.get(grip.part or "")
-        if part is None:
-            grip.forget()
-        elif grip.hold is not None:
-            if grip.carries(self.settings.pad_friction) < part.weight:
-                grip.hold, grip.weight = None, 0.0
-                bench.release(part)
-                self._changed()
-                if part.name not in bench.parts:
-                    grip.forget()
-        elif grip.squeeze and grip.carries(self.settings.pad_friction) >= part.weight:
+        part = bench.parts.get(grip.part) if grip.part is not None else None
+        carries = grip.carries(self.settings.pad_friction)
+        may_be_gone = latch != HAND
+        if part is not None and grip.hold is not None and carries < part.weight:
+            grip.hold, grip.weight = None, 0.0
+            bench.release(part)
+            self._changed()
+            part = bench.parts.get(part.name)
+            may_be_gone = True
+        elif part is not None and grip.hold is None and grip.squeeze and carries >= part.weight:
             part.held = True
             grip.hold, grip.weight = Hold.of(part.box, self.body.points), part.weight
             grip.slid = 0.0
             bench.news.append((EventKind.TAKEN, f"{part.name} in the hand"))
-            self._changed()
             bench.settle()
             self._changed()
-        if part is not None and grip.hold is None:
-            lost = latch != HAND and self._between(self.body, part.box) is None
-            if lost or grip.cable >= grip.contact:
+        if grip.hold is None:
+            box = part.box if part is not None else grip.fixed
+            gone = box is None or (may_be_gone and self._between(self.body, box) is None)
+            if gone or grip.cable >= grip.contact:
                 grip.forget()
         self.body = self._body(rotors, grip.opening)
 
