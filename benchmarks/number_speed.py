@@ -1,6 +1,6 @@
 """How much the machine's arithmetic costs beside Python's own, as ratios within one run.
 
-Run it as `python -m benchmarks.numbers`. A ratio compares the time of an operation of the machine
+Run it as `python -m benchmarks.number_speed`. A ratio compares the time of an operation of the machine
 with that of a call that adds two Python floats, measured in turns, so that the host hardly matters.
 """
 
