@@ -41,6 +41,9 @@ INPUT_BUFFER: Final = 0x41E5
 DEF_TABLE: Final = 0x4101
 TRACE_FLAG: Final = 0x411B
 SINGLE_TYPE: Final = 4
+_DISK_WORDS, _DISK_EXITS, _DISK_END = 0x4152, 0x41A6, 0x41E5
+"""Vectors of three bytes: a jump to ?L3 for each word of Disk BASIC, then returns."""
+_NO_DISK: Final = 0x012D
 
 
 def power_on(basic: Interpreter) -> None:
@@ -53,6 +56,11 @@ def power_on(basic: Interpreter) -> None:
     ram[_INTERRUPT] = _ENABLE
     ram[_WIDTH], ram[_LAST_ZONE] = 64, 48
     _set_word(ram, USR_VECTOR, USR_UNSET)
+    for address in range(_DISK_WORDS, _DISK_EXITS, 3):
+        ram[address] = _JUMP
+        _set_word(ram, address + 1, _NO_DISK)
+    for address in range(_DISK_EXITS, _DISK_END, 3):
+        ram[address] = BREAK_ON
     ram[OUTPUT_DEVICE] = 0
     ram[PRINTER_COLUMN] = 0
     ram[KEY_LATCH] = 0
