@@ -26,6 +26,8 @@ from trs80arm.ui.host_keys import trs80_keys
         ("ctrl+l", None, (Key.CLEAR,)),
         ("space", None, (Key.SPACE,)),
         ("enter", "\r", (Key.ENTER,)),
+        ("ctrl+h", "\x08", (Key.LEFT,)),
+        ("7", None, (Key.N7,)),
     ],
 )
 def test_a_key_is_what_it_means(name: str, text: str | None, keys: tuple[Key, ...]) -> None:

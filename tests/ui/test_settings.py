@@ -9,7 +9,8 @@ import pytest
 from trs80arm import settings
 from trs80arm.machine.card import CardSettings, Jumper, Latch
 from trs80arm.options import GlyphSet, KeyMode
-from trs80arm.settings import SettingsError, as_table, from_table, load, remember
+from trs80arm.plain_values import as_table, from_table
+from trs80arm.settings import SettingsError, load, remember
 
 
 def write(path: Path, text: str) -> Path:
