@@ -35,6 +35,9 @@ NUDGES = tuple(
 )
 """Small shifts tried, in this order, when a part set upright would overlap its neighbour."""
 
+SINK = 0.02
+"""What a part may have sunk into what carries it, a part held aslant say, inches."""
+
 
 class BenchError(Exception):
     """A bench that cannot be; one line naming the file, the key and what was expected."""
@@ -183,7 +186,7 @@ class Bench:
         height, under = 0.0, []
         for other in self.things(but):
             top = other.top
-            if top > box.bottom + 1e-3 or top < height - SKIN or not _above(box, other):
+            if top > box.bottom + SINK or top < height - SKIN or not _above(box, other):
                 continue
             if top > height + SKIN:
                 height, under = top, [other]
@@ -215,7 +218,7 @@ class Bench:
             moved = False
             for part in sorted(self.standing(), key=lambda p: p.box.bottom):
                 height, under = self.support(part.box, part)
-                if part.box.bottom > height + 1e-6 or not _balanced(part.box, under):
+                if abs(part.box.bottom - height) > 1e-6 or not _balanced(part.box, under):
                     self._fall(part)
                     moved = True
             self._deliver()
@@ -291,6 +294,10 @@ class Bench:
         table.rotor = rotor
         return True
 
+    def bears(self, part: Part) -> bool:
+        """Whether anything stands on a part."""
+        return any(_rests_on(other.box, part.box) for other in self.standing())
+
     def waiting_feeders(self) -> list[Feeder]:
         """Feeders with a part to give and nothing standing at their place."""
         return [
@@ -338,6 +345,8 @@ class Bench:
         """Let an upright part fall to what is below; off an edge it falls beside."""
         height, under = self.support(part.box, part)
         box = part.box.moved((0.0, 0.0, height - part.box.bottom))
+        if height > part.box.bottom and not self.room_for(box, part):
+            box = self._free(part.box, part)
         part.box = box
         if not _balanced(box, under):
             points = [p for other in under for p in common_ground(box, other)]
@@ -418,7 +427,7 @@ def _above(box: Box, other: Box) -> bool:
 
 def _rests_on(box: Box, other: Box) -> bool:
     """Whether one upright box stands on another."""
-    return abs(box.bottom - other.top) < 1e-3 and _above(box, other)
+    return abs(box.bottom - other.top) < SINK and _above(box, other)
 
 
 def _balanced(box: Box, under: list[Box]) -> bool:

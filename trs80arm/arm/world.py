@@ -49,6 +49,7 @@ class World:
         self._things: list[tuple[str, Box, Part | None]] = []
         self.ceiling = 0.0
         self.vacant: list[Feeder] = []
+        self._burdened = False
 
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
@@ -94,6 +95,9 @@ class World:
         self.body, grip.cable = body, cable
         if held is not None and grip.part is not None:
             self.bench.parts[grip.part].box = held
+            if self._burdened:
+                self.bench.settle()
+                self._changed()
         if grip.part is not None or grip.fixed is not None:
             self._hold_on(rotors, latch)
         elif closing:
@@ -176,6 +180,7 @@ class World:
         self._things = [(o.name, o.box, None) for o in bench.obstacles]
         self._things += [(part.name, part.box, part) for part in bench.standing()]
         self.ceiling = max((box.top for _, box, _ in self._things), default=0.0)
+        self._burdened = bench.held is not None and bench.bears(bench.held)
         self.vacant = [
             feeder
             for feeder in bench.feeders
