@@ -233,6 +233,13 @@ def test_break_ends_a_search_on_an_empty_tape_kinder_than_the_rom(session: Sessi
     assert session.transcript().endswith("Break\nREADY\n>")
 
 
+def test_half_a_program_from_tape_is_none(session: Session) -> None:
+    say(session, *(f'{number} PRINT "SOME TEXT"' for number in range(10, 100, 10)), 'CSAVE "A"')
+    session.play(Entry("CLOAD\r", (TimedKey(5.0, ("BREAK",), 0.1),)), 20)
+    assert session.transcript().endswith("Break\nREADY\n>")
+    assert say(session, "LIST") == "LIST\nREADY\n>"
+
+
 def test_items_of_a_recording(session: Session) -> None:
     say(session, '10 PRINT#-1,1,"A B","C,D",""', "RUN")
     say(session, "10 INPUT#-1,A,B$,C$,D$:PRINT A;B$;C$;D$")

@@ -131,6 +131,7 @@ class Reading(Activity):
             look = wait.look_for_break if self._found else wait.next_key
             if self._playing and look(basic) == wait.BREAK:
                 self.stop(basic)
+                self.broken_off(basic)
                 basic.break_()
 
     def search(self) -> None:
@@ -144,6 +145,9 @@ class Reading(Activity):
 
     def found(self, basic: Interpreter) -> None:
         """A recording begins."""
+
+    def broken_off(self, basic: Interpreter) -> None:
+        """BREAK ended the reading before its time."""
 
     def byte(self, basic: Interpreter, value: int) -> None:
         """The next byte of it."""
@@ -176,6 +180,12 @@ class Cload(Reading):
         if self._name == b"":
             self.stop(basic)
             raise BasicError(Code.FC)
+
+    def broken_off(self, basic: Interpreter) -> None:
+        """Half a program is none."""
+        if self._address and not self._verify:
+            basic.program.clear()
+            basic.clear_all()
 
     def byte(self, basic: Interpreter, value: int) -> None:
         """Three marks, the name, then the program up to three zeros in a row."""
