@@ -16,159 +16,174 @@ from trs80arm.basic.numbers.convert import Number
 _BLANK, _QUOTE, _COLON = 0x20, 0x22, 0x3A
 
 # -- the statement loop ---------------------------------------------------------------------------
-STATEMENT: Final = 1020
+STATEMENT: Final = 1040
 """One turn of the statement loop: the keyboard looked at, the separator, the jump by token."""
-NEW_LINE: Final = 124
+NEW_LINE: Final = 141
 """A new line: its number stored."""
-CHARACTER: Final = 111
+CHARACTER: Final = 52
 """One character of the text fetched: a letter, a token or a colon."""
-LOW_CHARACTER: Final = 111
+LOW_CHARACTER: Final = 109
 """A digit or any other character below the colon, which is looked at more closely."""
 BLANK: Final = 42
 """A blank passed on the way to a character."""
-SKIPPED: Final = 81
+SKIPPED: Final = 64
 """One character of the text passed without a look (REM, DATA, false IF, GOTO's rest of line)."""
-LINE_PASSED: Final = 161
+LINE_PASSED: Final = 187
 """One line passed in the search for a line number."""
-LINE_DIGIT: Final = 261
+LINE_DIGIT: Final = 263
 """One digit of a line number."""
 KEY_LATCHED: Final = 52
 """A key that the statement loop puts aside for INKEY$."""
 
 # -- operands -------------------------------------------------------------------------------------
-OPERAND: Final = 709
+OPERAND: Final = 727
 OPERATOR: Final = 528
-PARENTHESES: Final = 268
-DATA_LINE: Final = 350
+PARENTHESES: Final = 301
+DATA_LINE: Final = 830
 """A line looked through for DATA, beside its characters."""
-CONSTANT: Final = {"i": 436, "s": 1480, "d": 1390}
+CONSTANT: Final = {"i": 380, "s": 1360, "d": 1250}
 """A constant of a type, beside what its characters and its value take."""
-STRING_LITERAL: Final = 877
-STRING_CHARACTER: Final = 58
-VARIABLE: Final = 782
-SCALAR_OTHER_KIND: Final = 166
-SCALAR_OTHER_NAME: Final = 225
-NEW_SCALAR: Final = 1500
-NEW_SCALAR_BYTE: Final = 93
+STRING_LITERAL: Final = 878
+STRING_CHARACTER: Final = 56
+VARIABLE: Final = 783
+SCALAR_OTHER_KIND: Final = 175
+SCALAR_OTHER_NAME: Final = 218
+NEW_SCALAR: Final = 1370
+NEW_SCALAR_BYTE: Final = 94
 """A new simple variable, and each byte of the arrays that it moves up."""
-ARRAY: Final = 120
-ARRAY_OTHER: Final = 152
-SUBSCRIPT: Final = 1590
-NEW_ARRAY: Final = 718
+ARRAY: Final = 92
+ARRAY_OTHER: Final = 185
+SUBSCRIPT: Final = 1700
+NEW_ARRAY: Final = 639
 NEW_ARRAY_BYTE: Final = 82
-CONVERT: Final = {"n": 0, "s": 1050, "d": 1510, "x": 469}
+CONVERT: Final = {"n": 36, "s": 1150, "d": 1540, "x": 450}
 """A number of a type made an integer (CINT, PEEK, AND, subscripts)."""
-FLOOR: Final = {"i": 0, "n": 0, "s": 1030, "d": 1620, "x": 2000}
+FLOOR: Final = {"i": 0, "n": 0, "s": 1080, "d": 1660, "x": 2000}
 """INT and FIX of a number, beside those of an integer."""
-NUMBER_TEXT: Final = {"i": -7030, "s": -6560, "d": -6960}
+NUMBER_TEXT: Final = {"i": -6960, "s": -6420, "d": -7090}
 """A number's text, beside what its digits take."""
-NAME_LETTER: Final = 24
+NAME_LETTER: Final = 13
 """A letter or digit of a name behind the first, beside its fetching."""
-KIND_BY_LETTER: Final = 92
+KIND_BY_LETTER: Final = 73
 """The type of a name without a type sign looked up."""
-FETCH: Final = {"i": 117, "s": 97, "d": 439, "t": 0}
+FETCH: Final = {"i": 173, "s": 83, "d": 334, "t": 23}
 """A variable's value brought in, by its type."""
 
 # -- arithmetic, by the types of the operands -----------------------------------------------------
 BINARY: Final[dict[str, dict[str, int]]] = {
-    "add": {"ii": 20, "is": 1700, "si": 1710, "ss": 1090, "d": 1570, "di": 932, "ds": 163},
-    "sub": {"ii": 92, "is": 1750, "si": 1600, "ss": 991, "d": 1640, "di": 900, "ds": 0},
-    "mul": {"ii": 1300, "is": 2560, "si": 2650, "ss": 1950, "d": 1350, "di": 1060, "ds": 260},
-    "div": {"ii": 9220, "is": 8780, "si": 8510, "ss": 7960, "d": 797, "di": 1740, "ds": 771},
-    "compare": {"ii": 235, "is": 1510, "si": 1510, "ss": 767, "d": 1520, "di": 950, "ds": 223},
+    "add": {"ii": 9, "is": 1770, "si": 1800, "ss": 1210, "d": 1740, "di": 837, "ds": 162},
+    "sub": {"ii": 85, "is": 1810, "si": 1750, "ss": 1160, "d": 1800, "di": 833, "ds": 0},
+    "mul": {"ii": 1360, "is": 2650, "si": 2900, "ss": 2060, "d": 1530, "di": 959, "ds": 242},
+    "div": {"ii": 9190, "is": 8850, "si": 8580, "ss": 8110, "d": 895, "di": 1630, "ds": 736},
+    "compare": {"ii": 258, "is": 1590, "si": 1570, "ss": 891, "d": 1680, "di": 750, "ds": 167},
 }
 """An operation by the types left and right; with a double on either side `d`, and what the
 conversion of the other operand takes."""
 STORE: Final = {
-    "ii": 243,
-    "is": 276,
-    "id": 291,
-    "ss": 319,
-    "si": 898,
-    "sd": 809,
-    "dd": 486,
-    "di": 1320,
-    "ds": 620,
+    "ii": 169,
+    "is": 232,
+    "id": 286,
+    "ss": 461,
+    "si": 964,
+    "sd": 926,
+    "dd": 498,
+    "di": 1260,
+    "ds": 662,
 }
 """A number put into a variable: the variable's type, then the value's."""
-STORE_STRING: Final = 192
-COMPARE_STRINGS: Final = 216
-NEGATE: Final = 53
-LOGICAL: Final = 229
-POWER: Final = 86500
+STORE_STRING: Final = 215
+COMPARE_STRINGS: Final = 176
+NEGATE: Final = 0
+LOGICAL: Final = 138
+POWER: Final = 87200
 
-FUNCTION: Final = 100
+FUNCTION: Final = 120
 FUNCTION_WORK: Final[dict[str, int]] = {
-    "SGN": 303,
-    "INT": 162,
-    "ABS": 119,
-    "FRE": 221,
-    "INP": 332,
+    "SGN": 430,
+    "INT": 145,
+    "ABS": 129,
+    "FRE": 156,
+    "INP": 389,
     "POS": 142,
-    "SQR": 87700,
-    "RND": 4980,
-    "LOG": 34800,
+    "SQR": 88300,
+    "RND": 4940,
+    "LOG": 35100,
     "EXP": 47600,
     "COS": 43700,
     "SIN": 42300,
     "TAN": 94400,
     "ATN": 58300,
-    "PEEK": 231,
-    "CINT": 180,
-    "CSNG": 207,
-    "CDBL": 210,
-    "FIX": 337,
-    "LEN": 242,
-    "STR$": 1220,
-    "VAL": 0,
-    "ASC": 357,
-    "CHR$": 1460,
-    "LEFT$": 2120,
-    "RIGHT$": 2080,
-    "MID$": 2500,
-    "STRING$": 1820,
-    "POINT": 1370,
-    "INKEY$": 1180,
-    "MEM": 174,
-    "VARPTR": 215,
+    "PEEK": 222,
+    "CINT": 169,
+    "CSNG": 220,
+    "CDBL": 247,
+    "FIX": 306,
+    "LEN": 254,
+    "STR$": 1360,
+    "VAL": 3,
+    "ASC": 425,
+    "CHR$": 1620,
+    "LEFT$": 2300,
+    "RIGHT$": 2320,
+    "MID$": 2760,
+    "STRING$": 2230,
+    "POINT": 1500,
+    "INKEY$": 1370,
+    "MEM": 128,
+    "VARPTR": 181,
     "USR": 301,
-    "ERR": 133,
-    "ERL": 279,
+    "ERR": 117,
+    "ERL": 421,
 }
 
-RND_OF_NUMBER: Final = 6070
+EASY: Final[dict[tuple[str, float], int]] = {
+    ("SQR", 0.0): 87100,
+    ("SQR", 1.0): 14600,
+    ("EXP", 0.0): 6700,
+    ("COS", 0.0): 7900,
+    ("SIN", 0.0): 36800,
+    ("TAN", 0.0): 52600,
+    ("ATN", 0.0): 53000,
+    ("LOG", 1.0): 3300,
+}
+"""What functions take less for arguments where the ROM multiplies by zero or leaves at once."""
+POWER_OF_ZERO: Final = 86400
+POWER_OF_ONE: Final = 13300
+POWER_BY_ZERO: Final = 45700
+"""What a power takes less."""
+RND_OF_NUMBER: Final = 6080
 """RND of anything but a plain 0: the product with its argument, and INT."""
 
 # -- statements -----------------------------------------------------------------------------------
 STATEMENT_WORK: Final[dict[str, int]] = {
-    "LET": 435,
-    "FOR": 1650,
-    "STEP": 534,
-    "NEXT": 2360,
-    "NEXT_INTEGER": 929,
-    "GOTO": 370,
-    "GOSUB": 644,
-    "RETURN": 687,
-    "IF": 298,
-    "ON": 478,
-    "READ": 2650,
-    "RESTORE": 143,
-    "SET": 1400,
+    "LET": 453,
+    "FOR": 1850,
+    "STEP": 480,
+    "NEXT": 2440,
+    "NEXT_INTEGER": 976,
+    "GOTO": 273,
+    "GOSUB": 496,
+    "RETURN": 626,
+    "IF": 429,
+    "ON": 605,
+    "READ": 4550,
+    "RESTORE": 131,
+    "SET": 1480,
     "RESET": 1500,
-    "POKE": 490,
-    "OUT": 819,
-    "CLS": 97,
-    "DIM": 259,
-    "PRINT": 300,
-    "PRINT_ITEM": 311,
-    "PRINT@": 313,
-    "TAB": 256,
+    "POKE": 527,
+    "OUT": 897,
+    "CLS": 95,
+    "DIM": 243,
+    "PRINT": 360,
+    "PRINT_ITEM": 313,
+    "PRINT@": 365,
+    "TAB": 251,
     "CLEAR": 1520,
     "RUN": 1310,
     "ERROR": 619,
     "RESUME": 615,
     "ON ERROR": 487,
-    "DEF": 251,
+    "DEF": 257,
     "RANDOM": 100,
     "END": 300,
 }
@@ -182,12 +197,27 @@ USING_PLACE: Final = 163
 """Each place of the field."""
 
 # -- strings --------------------------------------------------------------------------------------
-STRING_BYTE: Final = 48
-CONCATENATE: Final = 1090
-COLLECT: Final = 524
-COLLECT_PASS: Final = 898
-COLLECT_DESCRIPTOR: Final = 191
-COLLECT_NUMBER: Final = 60
+STRING_BYTE: Final = 52
+"""A byte copied into string space."""
+STRING_FILLED: Final = 34
+"""A byte that STRING$ writes."""
+STRING_COMPARED: Final = 109
+"""A pair of bytes compared."""
+CONCATENATE: Final = 1260
+COLLECT_PASS: Final = 300
+"""One look through all variables for the highest string that is left; there is one for each live
+string, and a last one that finds none."""
+COLLECT_STRING: Final = 225
+COLLECT_NUMBER: Final = 171
+COLLECT_ARRAY: Final = 239
+COLLECT_STRING_ARRAY: Final = 150
+COLLECT_ELEMENT: Final = 168
+"""A simple variable, an array, an element of a string array passed in that look."""
+COLLECT_BYTE: Final = 21
+COLLECT_LIVE: Final = 440
+COLLECT_COMPARED: Final = 166
+"""A string moved, and one compared with the highest so far; every look but the last ones meets
+about half of them."""
 
 # -- typed lines ----------------------------------------------------------------------------------
 CRUNCH_FOUND: Final = 714

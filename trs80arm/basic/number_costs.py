@@ -108,10 +108,10 @@ SUM_BIT: Final = 365
 SUM_UNLIKE: Final = 86
 SUM_NEGATIVE: Final = 377
 SUM_CARRY: Final = 480
-PRODUCT_BY: Final = 325
+PRODUCT_BY: Final = 880
 PRODUCT_BY_BIT: Final = 64
 PRODUCT_BY_ZERO_BYTE: Final = -709
-"""A single product, whose usual right side has a zero byte and six ones (or twelve and none)."""
+"""A single product, whose usual right side has one or two zero bytes and four ones."""
 PRODUCT: Final = 27340
 PRODUCT_BIT: Final = 386
 PRODUCT_ZERO_BYTE: Final = -3386
@@ -207,6 +207,8 @@ def literal(text: bytes, is_double: bool = False) -> int:
     if steps is None:
         steps, register = SINGLE, single.to_register(float(whole))
     sign = code[place : place + 1]
+    if sign == b"E" and steps is DOUBLE:
+        steps, register = SINGLE, single.to_register(double.to_single(Double(*register)))
     exponent = 0
     if sign and sign in b"ED":
         total += EXPONENT

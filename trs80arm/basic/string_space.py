@@ -169,21 +169,13 @@ class StringSpace:
         starts again: the time grows with the square of the number of strings.
         """
         live: list[Descriptor] = [s for s in self.temporaries if s[0] and self._holds(s)]
-        descriptors = len(self.temporaries)
         for scalar in self._variables.order:
-            if scalar.kind == STRING:
-                descriptors += 1
-                if scalar.value[0] and self._holds(scalar.value):
-                    live.append(scalar.value)
+            if scalar.kind == STRING and scalar.value[0] and self._holds(scalar.value):
+                live.append(scalar.value)
         for array in self._variables.arrays.values():
             if array.kind == STRING:
-                descriptors += len(array.data)
                 live += [s for s in array.data if s[0] and self._holds(s)]
-        self._clock.now += costs.COLLECT + (len(live) + 1) * (
-            costs.COLLECT_PASS
-            + costs.COLLECT_DESCRIPTOR * descriptors
-            + costs.COLLECT_NUMBER * (len(self._variables.order) - descriptors)
-        )
+        self._clock.now += self._collecting(len(live))
         live.sort(key=lambda string: string[1], reverse=True)
         free = self.top
         ram = self._ram
@@ -194,8 +186,19 @@ class StringSpace:
                 ram[new : new + length] = bytes(ram[address : address + length])
                 string[1] = new
             free -= length
-            self._clock.now += length * costs.STRING_BYTE
+            self._clock.now += length * costs.COLLECT_BYTE
         self.next = free
+
+    def _collecting(self, live: int) -> int:
+        """T-states of a collection of so many live strings, beside moving their bytes."""
+        strings = sum(scalar.kind == STRING for scalar in self._variables.order)
+        look = costs.COLLECT_PASS + costs.COLLECT_STRING * (strings + len(self.temporaries))
+        look += costs.COLLECT_NUMBER * (len(self._variables.order) - strings)
+        for array in self._variables.arrays.values():
+            look += costs.COLLECT_ARRAY
+            if array.kind == STRING:
+                look += costs.COLLECT_STRING_ARRAY + costs.COLLECT_ELEMENT * len(array.data)
+        return (live + 1) * look + live * (costs.COLLECT_LIVE + costs.COLLECT_COMPARED * live)
 
     def _holds(self, string: Descriptor) -> bool:
         return self.bottom < string[1] <= self.top

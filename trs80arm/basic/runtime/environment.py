@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from trs80arm.basic.errors import BasicError, Code
-from trs80arm.basic.numbers import convert, double, functions, integer, single
+from trs80arm.basic.numbers import convert, double, integer, single
 from trs80arm.basic.runtime.arithmetic import Arithmetic
 from trs80arm.basic.runtime.data import DataReader
 from trs80arm.basic.runtime.flow import Flow
@@ -105,7 +105,6 @@ class Runtime:
             "integer_step": integer_step,
             "double_compare": double.compare,
             "double_negate": double.negate,
-            "power": functions.power,
             "literal": basic.strings.literal,
             "concatenate": basic.strings.concatenate,
         }
@@ -115,8 +114,6 @@ class Runtime:
             names[f"integer_{operation}"] = getattr(
                 convert if operation == "div" else integer, operation
             )
-        for function in ("sin", "cos", "tan", "atn", "log", "exp", "sqr"):
-            names[function] = getattr(functions, function)
         for part in (
             self.printing,
             self.flow,

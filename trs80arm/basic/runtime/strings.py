@@ -13,6 +13,14 @@ _BLANKS = (b" ", b"\t", b"\n")
 _SIGNS = (b"+", b"-")
 
 
+def _compared(first: bytes, second: bytes) -> int:
+    """How many pairs of bytes are looked at until the order is known."""
+    shorter = min(len(first), len(second))
+    if first[:shorter] == second[:shorter]:
+        return shorter
+    return next(place for place in range(shorter) if first[place] != second[place]) + 1
+
+
 class StringFunctions(Part):
     """Functions that take or give strings; a string is its descriptor."""
 
@@ -25,7 +33,7 @@ class StringFunctions(Part):
         strings = self._strings
         second = strings.take(right)
         first = strings.take(left)
-        self._clock.now += costs.STRING_BYTE * min(len(first), len(second))
+        self._clock.now += costs.STRING_COMPARED * _compared(first, second)
         return first == second
 
     def string_compare(self, left: Descriptor, right: Descriptor) -> int:
@@ -33,7 +41,7 @@ class StringFunctions(Part):
         strings = self._strings
         second = strings.take(right)
         first = strings.take(left)
-        self._clock.now += costs.STRING_BYTE * min(len(first), len(second))
+        self._clock.now += costs.STRING_COMPARED * _compared(first, second)
         return (first > second) - (first < second)
 
     def left(self, string: Descriptor, count: int) -> Descriptor:
@@ -94,7 +102,7 @@ class StringFunctions(Part):
 
     def string_of(self, count: int, code: int) -> Descriptor:
         """STRING$."""
-        self._clock.now += costs.STRING_BYTE * count
+        self._clock.now += costs.STRING_FILLED * count
         return self._strings.new(bytes((code,)) * count)
 
     def inkey(self) -> Descriptor:
