@@ -35,13 +35,24 @@ class Command:
 
 
 COMMANDS: tuple[Command, ...] = (
-    Command("help", "Help: one page", "Keys, BREAK, and programs to try.", "f1", "Help"),
+    Command("help", "Help: one page", "This page: keys, BREAK, programs to try.", "f1", "Help"),
     Command("open", "Program: open", "Load a program file.", "f2,ctrl+o", "Open"),
     Command("save", "Program: save", "Save the program in memory.", "f3,ctrl+s", "Save"),
     Command("run_program", "Program: run", "Type RUN.", "f5", "Run"),
-    Command("break_program", "Program: BREAK", "Press BREAK, as Escape does.", "f9", "Break"),
-    Command("paste_listing", "Program: paste a listing", "Type in or load a listing.", "ctrl+v"),
-    Command("pause", "Machine: pause or go on", "Stop the clock of the machine.", "f6", "Pause"),
+    Command("break_program", "Program: BREAK", "BREAK, as Escape.", "f9", "Break"),
+    Command(
+        "paste_listing",
+        "Program: paste a listing",
+        "Paste a listing: typed in, or loaded at once.",
+        "ctrl+v",
+    ),
+    Command(
+        "pause",
+        "Machine: pause or go on",
+        "Stop the machine's clock, or let it go on.",
+        "f6",
+        "Pause",
+    ),
     Command(
         "step_statement", "Machine: one statement", "Pause, and do one statement.", "f7", "Step"
     ),
@@ -51,7 +62,7 @@ COMMANDS: tuple[Command, ...] = (
         "Pause, and go on to the next change of a latch.",
         "shift+f7,ctrl+f7,f19",
     ),
-    Command("speed", "Machine: choose the speed", "How fast time goes.", "f8", "Speed"),
+    Command("speed", "Machine: choose the speed", "Choose how fast time goes.", "f8", "Speed"),
     Command("set_speed('1')", "Speed: 1, as it was", "As fast as the real machine."),
     Command("set_speed('2')", "Speed: 2", "Twice as fast."),
     Command("set_speed('5')", "Speed: 5", "Five times as fast."),
@@ -59,7 +70,7 @@ COMMANDS: tuple[Command, ...] = (
     Command("set_speed('max')", "Speed: flat out", "As fast as this computer can."),
     Command("reset", "Machine: off and on", "Switch the TRS-80 off and on again."),
     Command("panel", "View: next panel", "Switch the panel under the tube.", "f4", "Panel"),
-    Command("zoom", "View: arm large, and back", "The arm's views fill the screen.", "f11", "Zoom"),
+    Command("zoom", "View: arm large, and back", "The arm large, and back.", "f11", "Zoom"),
     Command(
         "show_bottom('keyboard')",
         "View: keyboard",
@@ -82,11 +93,23 @@ COMMANDS: tuple[Command, ...] = (
     Command("arm_zoom('out')", "Arm view: farther", "Show the arm smaller.", "ctrl+down"),
     Command("arm_zoom('fit')", "Arm view: fit", "Show all of the arm and the bench."),
     Command("teach", "Arm: teach", "The positions taught, and programs of them.", "f12", "Teach"),
-    Command("teach_here", "Arm: teach this position", "Add where the arm is.", "ctrl+t"),
-    Command("hand_move", "Arm: move by hand", "While the motors are off.", "ctrl+g"),
+    Command(
+        "teach_here", "Arm: teach this position", "Teach the position where the arm is.", "ctrl+t"
+    ),
+    Command(
+        "hand_move",
+        "Arm: move by hand",
+        "Move the arm by hand, while the motors are off.",
+        "ctrl+g",
+    ),
     Command("bench", "Bench: choose", "Set up another bench.", "ctrl+b"),
     Command("refill", "Bench: put the parts back", "Every part to where it was at the start."),
-    Command("latch", "Keys: latch on or off", "A press turns a key on in @SET.", "ctrl+d"),
+    Command(
+        "latch",
+        "Keys: latch on or off",
+        "Latch mode: in @SET a press turns a key on or off.",
+        "ctrl+d",
+    ),
     Command("key_test", "Keys: test", "What the terminal tells about keys."),
     Command("copy_screen", "Screen: copy", "Copy the tube's text.", "ctrl+y"),
     Command("save_screen('txt')", "Screen: save as text", "The tube as a text file."),
@@ -98,8 +121,15 @@ COMMANDS: tuple[Command, ...] = (
     Command("replay", "Session: play a recording", "Play a recorded session."),
     Command("demo", "Session: demonstration", "The article's pick and place, with captions."),
     Command("settings", "Settings: show", "What is set, and where."),
-    Command("suspend_process", "Suspend", "To the shell; `fg` comes back.", "ctrl+z"),
-    Command("leave", "Leave", "Ask if the program is unsaved.", "f10,ctrl+q,ctrl+c", "Quit", True),
+    Command("suspend_process", "Suspend", "Suspend: to the shell; fg comes back.", "ctrl+z"),
+    Command(
+        "leave",
+        "Leave",
+        "Leave; asks if the program is unsaved.",
+        "f10,ctrl+q,ctrl+c",
+        "Quit",
+        True,
+    ),
 )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet
@@ -152,7 +153,7 @@ class ViewCommands(Desk):
             "arm": as_table(rig.arm, with_defaults=True),
         }
         shown = {
-            name: {key: str(value) for key, value in table.items()}
+            name: {key: json.dumps(value) for key, value in table.items()}
             for name, table in tables.items()
         }
         self.push_screen(SettingsScreen(self.options.settings_file, shown))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from importlib.resources import files
 
 from textual.app import ComposeResult
@@ -12,6 +13,8 @@ from trs80arm.options import KeyMode
 from trs80arm.ui.commands import COMMANDS, spoken
 from trs80arm.ui.host_keys import TABLE
 from trs80arm.ui.screens.dialog import Dialog
+
+LEFT_COLUMN = 18
 
 KEYS_IN_USE = {
     KeyMode.EVENTS: "`KEYS: events`: this terminal tells when a key is let go, so keys are really "
@@ -28,17 +31,22 @@ KEYS_IN_USE = {
 def page(in_use: KeyMode) -> str:
     """The page, with why keys work as they do here, and the tables of keys."""
     text = files("trs80arm.ui").joinpath("help/help.md").read_text(encoding="utf-8")
-    commands = "\n".join(
-        f"| {', '.join(map(spoken, command.keys.split(',')))} | {command.title}: {command.help} |"
+    commands = [
+        (" ".join(map(spoken, command.keys.split(",")[:2])), command.help)
         for command in COMMANDS
         if command.keys
-    )
-    keys = "\n".join(f"| {name} | {meaning} |" for name, meaning in TABLE)
+    ]
     return (
         text.replace("<!-- keys in use -->", KEYS_IN_USE[in_use])
-        .replace("<!-- commands -->", f"| Key | What it does |\n|---|---|\n{commands}")
-        .replace("<!-- keys -->", f"| Key | On the TRS-80 |\n|---|---|\n{keys}")
+        .replace("<!-- commands -->", _listed(commands))
+        .replace("<!-- keys -->", _listed(TABLE))
     )
+
+
+def _listed(entries: Iterable[tuple[str, str]]) -> str:
+    """Two columns as they stand, closer together than a table."""
+    lines = (f"{left:<{LEFT_COLUMN}} {right}" for left, right in entries)
+    return "\n".join(["```", *lines, "```"])
 
 
 class HelpScreen(Dialog[None]):
