@@ -92,7 +92,7 @@ class Control:
     resume_line: int = 0
     data: int = 0
     data_line: int = 0
-    dot: int = DIRECT
+    dot: int = 0
     traced: bool = False
     slip: int = 0
 

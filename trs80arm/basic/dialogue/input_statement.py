@@ -49,6 +49,10 @@ class TargetList(Protocol):
     def restart(self) -> None:
         """The answer was no good: none has been found yet."""
 
+    @property
+    def at_end(self) -> bool:
+        """Whether the statement ends behind the variables found."""
+
 
 class Items:
     """Items separated by commas, as INPUT and INPUT# read them.
@@ -137,6 +141,7 @@ class InputStatement(Activity):
         if result.text is None:
             basic.break_()
         elif not result.text:
+            self._targets.restart()
             basic.end()
         else:
             self._take(basic, Items(result.text))
@@ -160,6 +165,6 @@ class InputStatement(Activity):
                 self._question = self._prompt + b"? "
                 return
             self._done += 1
-        if items.is_rest:
+        if items.is_rest and self._targets.at_end:
             basic.print_text(b"?Extra ignored\r")
         basic.end()

@@ -71,6 +71,11 @@ class Targets:
         """Begin again with the first variable."""
         del self._places[1:]
 
+    @property
+    def at_end(self) -> bool:
+        """Whether the statement ends behind the variables found."""
+        return self._basic.memory.ram[self._places[-1]] in (0, _COLON)
+
     def find(self, number: int) -> Any:
         """The variable of that number; what comes before it has been found already."""
         del self._places[number + 1 :]
