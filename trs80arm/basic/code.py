@@ -32,6 +32,9 @@ are executed instead, so that both ways stop at the same statement."""
 _LONGEST = 40
 """Statements in a block at most."""
 _COLON = 0x3A
+_LOWEST = 0x4000
+_LINE_HEAD = 5
+"""A line's final zero, link and number; where these do not fit there is no statement."""
 _VARIANTS = 4
 """Compiled forms of one statement that are kept for different pictures of the variables."""
 
@@ -284,6 +287,9 @@ class CompiledCode:
         direct = address < program.start - 1
         start = address + 1
         line = DIRECT
+        if not _LOWEST <= address < basic.memory.top - _LINE_HEAD:
+            out.fail(Code.SN)
+            return Trial(None, False, False, 0)
         if ram[address] == 0:
             if direct or not (ram[start] or ram[start + 1]):
                 out.emit(f"end_of_text({address})")
@@ -299,7 +305,7 @@ class CompiledCode:
             link = program.line_at(address)
             line = 0 if link is None else program.number_at(link)
         before = out.cost
-        reader = Reader(bytes(ram[start : ram.index(0, start)]), start, out)
+        reader = Reader(program.text_from(start), start, out)
         reader.skip()
         compiler = StatementCompiler(reader, out, scope, program, line, loops, basic.armbasic)
         goes_on = reader.address if compiler.compile() else None
@@ -311,9 +317,8 @@ class CompiledCode:
         It is made if it is not there, subscripts are evaluated.
         """
         basic = self._basic
-        ram = basic.memory.ram
         out = Emitter()
-        reader = Reader(bytes(ram[address : ram.index(0, address)]), address, out)
+        reader = Reader(basic.program.text_from(address), address, out)
         compiler = StatementCompiler(
             reader, out, self._scope(self.types()), basic.program, DIRECT, [], basic.armbasic
         )

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 _BREAK_KEY = 1
 _PAUSE_KEY = 96
+_LINE_HEAD = 5
+"""A line's final zero, link and number."""
 
 
 class Leave(Exception):  # noqa: N818 - a way of leaving, not a failure
@@ -74,7 +76,7 @@ class Execution(Activity):
     def _line_of(self, basic: Interpreter, address: int) -> int:
         program = basic.program
         ram = basic.memory.ram
-        if address < program.start - 1:
+        if not program.start - 1 <= address < basic.memory.top - _LINE_HEAD:
             return DIRECT
         if ram[address] == 0 and (ram[address + 1] or ram[address + 2]):
             return ram[address + 3] | ram[address + 4] << 8

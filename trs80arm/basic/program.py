@@ -14,6 +14,7 @@ from trs80arm.basic.host import Memory
 
 START = 17129
 """42E9H, where the text of the first line's link stands on a machine without disk."""
+_RAM_START = 0x4000
 _START_POINTER = 0x40A4
 _END_POINTER = 0x40F9
 
@@ -35,15 +36,21 @@ class Program:
 
     @property
     def start(self) -> int:
-        """Where the first line's link is (the pointer at 40A4H)."""
+        """Where the first line's link is (the pointer at 40A4H, if it points into RAM)."""
         ram = self._memory.ram
-        return ram[_START_POINTER] | ram[_START_POINTER + 1] << 8
+        start = ram[_START_POINTER] | ram[_START_POINTER + 1] << 8
+        return start if _RAM_START < start < self._memory.top - 2 else START
 
     @property
     def end(self) -> int:
-        """The first address behind the two zeros that end the program (the pointer at 40F9H)."""
+        """The first address behind the two zeros that end the program (the pointer at 40F9H).
+
+        A pointer that was POKEd to where no program can end counts as one that ends at once.
+        """
         ram = self._memory.ram
-        return ram[_END_POINTER] | ram[_END_POINTER + 1] << 8
+        end = ram[_END_POINTER] | ram[_END_POINTER + 1] << 8
+        first = self.start + 2
+        return end if first <= end < self._memory.top else min(first, self._memory.top)
 
     @end.setter
     def end(self, address: int) -> None:
@@ -122,8 +129,13 @@ class Program:
 
     def text_at(self, line: int) -> bytes:
         """The crunched text of the line whose link is at `line`."""
+        return self.text_from(line + 4)
+
+    def text_from(self, address: int) -> bytes:
+        """The text from an address up to the next zero, or to the end of RAM."""
         ram = self._memory.ram
-        return bytes(ram[line + 4 : ram.index(0, line + 4)])
+        end = ram.find(0, address, self._memory.top)
+        return bytes(ram[address : end if end >= 0 else self._memory.top])
 
     def text(self, number: int) -> bytes | None:
         """The crunched text of a line, None if there is none of that number."""
@@ -207,7 +219,7 @@ class Program:
         address = self.start
         end = self.end
         while address < end - 2 and (ram[address] or ram[address + 1]):
-            following = ram.index(0, address + 4) + 1
+            following = address + 4 + len(self.text_from(address + 4)) + 1
             ram[address] = following & 0xFF
             ram[address + 1] = following >> 8
             address = following

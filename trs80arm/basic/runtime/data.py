@@ -138,6 +138,8 @@ class DataReader(Part):
                 control.data_line = ram[address + 3] | ram[address + 4] << 8
                 address += 4
                 self._clock.now += costs.DATA_LINE
+            else:
+                self._clock.now += costs.DATA_STATEMENT
             address = self._skip(address + 1)
             if ram[address] == tokens.DATA:
                 return self._skip(address + 1)
@@ -166,8 +168,7 @@ class DataReader(Part):
     def read_number(self, kind: str) -> Any:
         """READ of a number; OV, SN in the DATA line."""
         address = self._item()
-        ram = self._ram
-        text = bytes(ram[address : ram.index(0, address)])
+        text = self._basic.program.text_from(address)
         try:
             if kind == DOUBLE:
                 value, end = literal.scan(text, 0, double.ZERO)
@@ -178,6 +179,7 @@ class DataReader(Part):
                 raise LineError(Code.SN, self._control.data_line) from None
             raise
         self._clock.now += costs.constant(text[:end], value, kind == DOUBLE)
+        self._clock.now += costs.read(kind, value)
         self._end(address + end)
         return self._basic.runtime.storage.as_kind(kind, value)
 
@@ -197,7 +199,7 @@ class DataReader(Part):
             while ram[address] not in (0, _COLON, _COMMA):
                 address += 1
             length = address - start
-        self._clock.now += costs.STRING_CHARACTER * length
+        self._clock.now += costs.STRING_LITERAL + costs.STRING_CHARACTER * length
         self._end(address)
         return self._strings.literal(length, start)
 
