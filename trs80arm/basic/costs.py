@@ -39,8 +39,9 @@ KEY_LATCHED: Final = 52
 OPERAND: Final = 727
 OPERATOR: Final = 528
 PARENTHESES: Final = 301
-DATA_LINE: Final = 830
-"""A line looked through for DATA, beside its characters."""
+DATA_LINE: Final = 252
+DATA_STATEMENT: Final = 180
+"""A line, and a further statement of it, looked through for DATA, beside its characters."""
 CONSTANT: Final = {"i": 380, "s": 1360, "d": 1250}
 """A constant of a type, beside what its characters and its value take."""
 STRING_LITERAL: Final = 878
@@ -166,7 +167,7 @@ STATEMENT_WORK: Final[dict[str, int]] = {
     "RETURN": 626,
     "IF": 429,
     "ON": 605,
-    "READ": 4550,
+    "READ": 1315,
     "RESTORE": 131,
     "SET": 1480,
     "RESET": 1500,
@@ -270,6 +271,11 @@ def constant(text: bytes, value: Number, is_double: bool = False) -> int:
         is_double: whether the conversion begins in double precision (VAL).
     """
     return CONSTANT[_kind(value)] + number_costs.literal(text, is_double)
+
+
+def read(target: str, value: Number) -> int:
+    """T-states to put a number that was read into a variable of a type."""
+    return store(target, _kind(value))
 
 
 def _kind(value: Number) -> str:
