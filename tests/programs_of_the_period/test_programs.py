@@ -10,11 +10,13 @@ import pytest
 from tests.conformance.case import Entry, entry
 from tests.conformance.player import Session
 from trs80arm.basic.activity import Waiting
+from trs80arm.machine.clock import T_STATES_PER_SECOND
 
 FOLDER = Path(__file__).parent / "programs"
 NAMES = sorted(path.stem for path in FOLDER.glob("*.bas"))
 LONGEST = 120.0
 """Virtual seconds that one entry of a script may take."""
+SLICED = 3 * T_STATES_PER_SECOND
 
 
 def shown(text: str) -> str:
@@ -50,6 +52,22 @@ def test_program_prints_what_the_rom_printed(name: str) -> None:
     found = shown(session.transcript()) + "\n--- the tube ---\n"
     found += "".join(f"|{shown(line)}\n" for line in picture(session))
     assert found == (FOLDER / f"{name}.golden.txt").read_text(encoding="ascii")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_time_may_be_cut_into_any_slices(name: str) -> None:
+    states = []
+    for slices in (1, 7, 900):
+        session = Session()
+        session.rig.load_text("\n".join(listing(name)))
+        for character in "RUN\r":
+            session.press(character)
+        session.rig.run_for(0.1)
+        start = session.rig.clock.now
+        for count in range(1, slices + 1):
+            session.rig.run_to(start + SLICED * count // slices)
+        states.append((session.rig.clock.now, session.transcript(), picture(session)))
+    assert states[0] == states[1] == states[2]
 
 
 @pytest.mark.parametrize("name", NAMES)
