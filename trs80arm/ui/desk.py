@@ -321,6 +321,7 @@ class Desk(App[int]):
         if self.at_the_keyboard and not self.operator_came():
             self._mind_the_pause(message.name)
             self.keyboard.went_down(message.base, message.name, message.text)
+            self.pacer.advance()
 
     def on_key_went_up(self, message: KeyWentUp) -> None:
         """The same let go."""
@@ -336,6 +337,8 @@ class Desk(App[int]):
             return
         self._mind_the_pause(message.name)
         self.keyboard.typed(message.name, message.text)
+        # The machine sees the key now, not at the next tick.
+        self.pacer.advance()
 
     def _mind_the_pause(self, name: str) -> None:
         """A key in a pause waits for its end, but BREAK ends it."""

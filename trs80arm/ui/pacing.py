@@ -15,7 +15,7 @@ TICK = 1 / 60
 """Seconds of the wall between two calls of the timer."""
 BUDGET = 0.004
 """Seconds of the wall that one call may use at a chosen speed."""
-FLAT_OUT_BUDGET = 0.008
+FLAT_OUT_BUDGET = 0.007
 """The same when the machine is to go as fast as it can."""
 SLICE = 0.004
 """Virtual seconds in one slice at the start; slices grow and shrink with what they cost."""
@@ -127,7 +127,7 @@ class Pacer:
         began = self._wall()
         self.machine.run_for(seconds)
         cost = self._wall() - began
-        if cost > BUDGET / 2:
+        if cost > BUDGET / 4:
             self._slice = max(self._slice / 2, SHORTEST_SLICE)
         elif cost < BUDGET / 8 and seconds >= self._slice:
             self._slice = min(self._slice * 1.5, LONGEST_SLICE)
