@@ -75,8 +75,8 @@ def scan(text: bytes, position: int = 0, start: Number = 0) -> Scanned:
         else:
             break
         position, code = at(position + 1)
-    if code in b"EeDd" and code:
-        value = convert.to_single(value) if code in b"Ee" else convert.to_double(value)
+    if code in b"ED" and code:
+        value = convert.to_single(value) if code == 0x45 else convert.to_double(value)
         position, code = at(position + 1)
         below = code in _MINUS
         if below or code in _PLUS:

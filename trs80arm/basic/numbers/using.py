@@ -92,7 +92,8 @@ class NumberField:
 
         One place before the point is kept for a sign that does not trail. Where a field has more
         such places than the number has digits and nothing behind the point, the ROM leaves the last
-        zero out, never comes to the point, and takes the number for too wide.
+        zero out, never comes to the point, and takes the number for too wide. Without any place
+        for the sign it does not come to the point either, where all digits fit behind it.
         """
         right = self.right or 0
         left = self.left if self.trailing else self.left - 1
@@ -107,6 +108,8 @@ class NumberField:
             figures = str(decimal.cut(x)) + "0" * (left + right - count)
             exponent = count - places - left
         tail = f"{letter}{'-' if exponent < 0 else '+'}{abs(exponent):02d}"
+        if left < 0 and left + right >= count:
+            return self._fitted(figures.lstrip("0") or "0", tail, negative, too_wide=True)
         if left > count and not right:
             body = figures if self.right is not None else figures[:-1]
             return self._fitted(body.lstrip("0") or "0", tail, negative, too_wide=True)
