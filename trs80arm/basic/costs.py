@@ -148,6 +148,8 @@ EASY: Final[dict[tuple[str, float], int]] = {
     ("LOG", 1.0): 3300,
 }
 """What functions take less for arguments where the ROM multiplies by zero or leaves at once."""
+PRODUCT_OF_ZERO: Final = 1700
+QUOTIENT_OF_ZERO: Final = 7700
 POWER_OF_ZERO: Final = 86400
 POWER_OF_ONE: Final = 13300
 POWER_BY_ZERO: Final = 45700

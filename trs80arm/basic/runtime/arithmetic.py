@@ -7,7 +7,7 @@ a usual argument; where the ROM has less to do some of it is given back.
 from __future__ import annotations
 
 from trs80arm.basic import costs, number_costs
-from trs80arm.basic.numbers import double, functions
+from trs80arm.basic.numbers import double, functions, single
 from trs80arm.basic.numbers.double import Double
 from trs80arm.basic.runtime.part import Part
 
@@ -77,3 +77,17 @@ class Arithmetic(Part):
         elif base in (0.0, 1.0):
             self._clock.now -= costs.POWER_OF_ONE if base else costs.POWER_OF_ZERO
         return functions.power(base, exponent)
+
+    # -- singles: generated code calls these only where the short way does not do ----------------
+
+    def mul(self, a: float, b: float) -> float:
+        """A product of singles; OV."""
+        if not a or not b:
+            self._clock.now -= costs.PRODUCT_OF_ZERO
+        return single.mul(a, b)
+
+    def div(self, a: float, b: float) -> float:
+        """A quotient of singles; division by zero, OV."""
+        if not a:
+            self._clock.now -= costs.QUOTIENT_OF_ZERO
+        return single.div(a, b)

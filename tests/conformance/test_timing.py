@@ -1,0 +1,48 @@
+"""How long the machine takes, held against the T-states that the ROM needed.
+
+Virtual time is a count, so this is a computation like any other: nothing here depends on how fast
+the computer is.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from statistics import median
+
+import pytest
+
+from tests.conformance import case, player
+from tests.conformance.timing import LONG, Segment
+
+CASES = list(case.load(Path(__file__).parent / "cases"))
+
+
+@pytest.fixture(scope="module")
+def segments() -> list[Segment]:
+    """Every segment of every case, with the machine's time."""
+    return [
+        Segment(one.id, one.group, str(expected["in"]), expected["t"], here)
+        for one in CASES
+        for expected, here in zip(
+            one.expected["segments"], player.play_once(one).times, strict=False
+        )
+    ]
+
+
+def test_the_median_segment_takes_as_long_as_on_the_rom(segments: list[Segment]) -> None:
+    assert 0.95 <= median(segment.ratio for segment in segments) <= 1.05
+
+
+def test_nine_long_segments_of_ten_are_close_to_the_rom(segments: list[Segment]) -> None:
+    long = [segment for segment in segments if segment.rom > LONG]
+    far = [segment for segment in long if not segment.is_close]
+    assert len(long) > 300
+    assert len(far) <= len(long) / 10, "\n".join(map(str, far))
+
+
+def test_no_group_of_cases_is_far_off(segments: list[Segment]) -> None:
+    groups: dict[str, list[float]] = {}
+    for segment in segments:
+        groups.setdefault(segment.group, []).append(segment.ratio)
+    off = {group: median(r) for group, r in groups.items() if not 0.9 <= median(r) <= 1.1}
+    assert not off
