@@ -112,13 +112,27 @@ def upright(x: float, y: float, bottom: float, size: Vector, turn: float) -> Box
 
 
 def overlap(a: Box, b: Box, skin: float = SKIN) -> bool:
-    """Whether two boxes share more than a touch (separating axes)."""
+    """Whether two boxes share more than a touch."""
+    return depth(a, b, skin) > skin
+
+
+def depth(a: Box, b: Box, skin: float = 0.0) -> float:
+    """How far one box would have to be moved to be clear of another, inches.
+
+    Args:
+        a: one box.
+        b: the other.
+        skin: a depth below which the caller does not care.
+
+    Returns:
+        The depth (separating axes), or some number that is no more than the skin.
+    """
     d = minus(b.center, a.center)
     if abs(d[2]) >= a.rise + b.rise - skin:
-        return False
+        return skin
     reach = a.radius + b.radius - skin
     if reach <= 0 or dot(d, d) >= reach * reach:
-        return False
+        return skin
     axes = [*a.axes, *b.axes]
     if not (a.axes[2] == UP and b.axes[2] == UP):
         for one in a.axes:
@@ -127,7 +141,12 @@ def overlap(a: Box, b: Box, skin: float = SKIN) -> bool:
                 length = math.sqrt(dot(axis, axis))
                 if length > 1e-6:
                     axes.append((axis[0] / length, axis[1] / length, axis[2] / length))
-    return all(abs(dot(d, axis)) < _span(a, axis) + _span(b, axis) - skin for axis in axes)
+    least = math.inf
+    for axis in axes:
+        least = min(least, _span(a, axis) + _span(b, axis) - abs(dot(d, axis)))
+        if least <= skin:
+            return skin
+    return least
 
 
 def _span(box: Box, axis: Vector) -> float:

@@ -17,7 +17,7 @@ from trs80arm.arm.geometry import HAND_LENGTH, CableDrive
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.limits import MOST_SQUEEZE
 from trs80arm.arm.settings import ArmSettings
-from trs80arm.arm.shapes import SKIN, Box, interval, minus, overlap, plus
+from trs80arm.arm.shapes import SKIN, Box, depth, interval, minus, overlap, plus
 
 HAND = 5
 FINGER_TURNS = 8
@@ -37,6 +37,7 @@ class World:
         met: name of what blocked the arm last, or None.
         ceiling: height of the highest thing that the hand does not carry, inches.
         vacant: feeders at whose place nothing stands.
+        pushes: how often something has been pushed aside.
     """
 
     def __init__(self, bench: Bench, settings: ArmSettings, drive: CableDrive) -> None:
@@ -49,6 +50,7 @@ class World:
         self._things: list[tuple[str, Box, Part | None]] = []
         self.ceiling = 0.0
         self.vacant: list[Feeder] = []
+        self.pushes = 0
         self._burdened = False
 
     def start(self) -> None:
@@ -86,11 +88,12 @@ class World:
         if latch == HAND and step < 0 and grip.contact - cable > MOST_SQUEEZE:
             return Reason.LOAD
         body = self._body(rotors, grip.opening_at(cable))
-        held, slid = self._carried(body), grip.slid
-        if not self._clear(body, held):
+        hold, slid = grip.hold, grip.slid
+        before = self._carried(self.body)
+        if not self._clear(body, before):
+            grip.hold, grip.slid = hold, slid
             return Reason.CONTACT
-        if grip.slid != slid:
-            held = self._carried(body)
+        held = self._carried(body)
         closing = cable < grip.cable
         self.body, grip.cable = body, cable
         if held is not None and grip.part is not None:
@@ -188,8 +191,13 @@ class World:
             and not any(overlap(feeder.place, box) for _, box, _ in self._things)
         ]
 
-    def _clear(self, body: Body, held: Box | None) -> bool:
-        """Whether the arm can stand there, pushing aside what gives way."""
+    def _clear(self, body: Body, before: Box | None) -> bool:
+        """Whether the arm can stand there, pushing aside what gives way.
+
+        Args:
+            body: the arm there.
+            before: the carried part where it is now.
+        """
         touch = self.settings.touch
         if body.lowest_tip < -touch and body.lowest_tip < self.body.lowest_tip:
             self.met = "the table"
@@ -199,18 +207,37 @@ class World:
             self.met = "the table"
             return False
         low = min(wrist, body.lowest_tip, body.points.elbow[2])
+        held = self._carried(body)
         if held is not None:
             low = min(low, held.bottom)
             if held.bottom < 0 and not self._slide(body, -held.bottom, "the table"):
                 return False
         if low > self.ceiling + touch:
             return True
-        for name, box, part in self._near(body, held):
-            if box.top < low - touch:
-                continue
+        near = [thing for thing in self._near(body, held) if thing[1].top >= low - touch]
+        if before is not None and not self._let_down(body, before, near):
+            return False
+        pushed = self.pushes
+        for name, box, part in near:
             if not self._past(body, name, box, part):
                 return False
-            if held is not None and not self._carried_past(body, name, part, box):
+            if before is not None and not self._carried_past(body, before, name, box, part):
+                return False
+        # What was pushed may have pushed something else into the carried part's way.
+        held = self._carried(body)
+        if held is None or before is None or self.pushes == pushed:
+            return True
+        return all(_as_clear(held, before, box) for _, box, _ in self._near(body, held))
+
+    def _let_down(self, body: Body, before: Box, near: list[tuple[str, Box, Part | None]]) -> bool:
+        """The carried part comes down on things and gives way; whether it can."""
+        for name, box, _ in near:
+            held = self._carried(body)
+            if held is None or before.bottom < box.top - 2 * GRAZE:
+                continue
+            if not _as_clear(held, before, box) and not self._slide(
+                body, box.top - held.bottom, name
+            ):
                 return False
         return True
 
@@ -270,6 +297,7 @@ class World:
             if interval(part.box, start, end, self.settings.touch) is None:
                 break
         if gave:
+            self.pushes += 1
             self.bench.news.append((EventKind.PUSHED, f"{part.name} pushed aside"))
             self._changed()
         return (
@@ -277,31 +305,28 @@ class World:
             or interval(part.box, start, end, self.settings.touch) is None
         )
 
-    def _carried_past(self, body: Body, name: str, part: Part | None, box: Box) -> bool:
-        """Whether the carried part clears a thing, sliding in the grip or pushing it aside."""
+    def _carried_past(
+        self, body: Body, before: Box, name: str, box: Box, part: Part | None
+    ) -> bool:
+        """Whether the carried part clears a thing, having pushed it aside if need be."""
         if part is not None:
             if part.name not in self.bench.parts:
                 return True
             box = part.box
-        held, before = self._carried(body), self._carried(self.body)
-        if held is None or before is None or not overlap(held, box, GRAZE):
+        held = self._carried(body)
+        if held is None or _as_clear(held, before, box):
             return True
-        if overlap(before, box, GRAZE):
-            return True
-        if before.bottom >= box.top - 2 * GRAZE:
-            return self._slide(body, box.top - held.bottom, name)
         by = minus(held.center, before.center)
-        if part is None or abs(by[2]) > math.hypot(by[0], by[1]):
-            self.met = name
-            return False
-        height = max(held.bottom, box.bottom)
-        for _ in range(FINGER_TURNS):
-            if not self.bench.push(part, by, height):
-                break
-            self._changed()
-            if part.name not in self.bench.parts or not overlap(held, part.box, GRAZE):
-                self.bench.news.append((EventKind.PUSHED, f"{part.name} pushed aside"))
-                return True
+        if part is not None and abs(by[2]) <= math.hypot(by[0], by[1]):
+            height = max(held.bottom, box.bottom)
+            for _ in range(FINGER_TURNS):
+                if not self.bench.push(part, by, height):
+                    break
+                self.pushes += 1
+                self._changed()
+                if part.name not in self.bench.parts or not overlap(held, part.box, GRAZE):
+                    self.bench.news.append((EventKind.PUSHED, f"{part.name} pushed aside"))
+                    return True
         self.met = name
         return False
 
@@ -468,3 +493,9 @@ class World:
                 continue
             self.bench.feed(feeder)
             self._changed()
+
+
+def _as_clear(held: Box, before: Box, box: Box) -> bool:
+    """Whether a carried part is clear of a thing, or no deeper in it than it was before."""
+    deep = depth(held, box, GRAZE)
+    return deep <= GRAZE or deep <= depth(before, box, GRAZE)
