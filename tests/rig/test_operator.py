@@ -49,3 +49,11 @@ def test_two_joints_are_jogged_together_and_zero_ends_it() -> None:
     assert abs(j1 - 185) <= 1
     assert abs(j6 - 185) <= 1
     assert (j2, j4, j5) == (0, 0, 0)
+
+
+def test_a_zero_pressed_the_moment_manual_mode_begins_ends_it() -> None:
+    rig = Rig()
+    rig.load_text('10 @SET\n20 PRINT "DONE"\n')
+    rig.type("RUN\r")
+    assert Operator(rig, sets=[parse_holds("0")]).run(10) is Waiting.COMMAND
+    assert "DONE" in rig.screen()

@@ -143,7 +143,7 @@ class Driver:
         A 0 that is down already, as from ending the manual mode before, must be let go first.
         """
         pace = Pace(self._clock.now, self.settings.set_delay if delay is None else delay)
-        self._motion = _Set(pace)
+        self._motion = _Set(pace, let_go=not self.leaves())
 
     def reset(self) -> None:
         """`@RESET`: registers to zero, the coils of all six motors off.
@@ -336,9 +336,9 @@ class _Set:
     """
 
     pace: Pace
-    tick: int = 0
-    let_go: bool = False
+    let_go: bool
     """Whether the key that ends the mode has been seen up."""
+    tick: int = 0
     mode = Mode.SET
 
     def advance(self, driver: Driver) -> Progress:
