@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from textual import events
+from textual.widgets import Input
 
 from tests.ui.conftest import PROGRAMS, Opener, Sitting
 from trs80arm.basic.activity import Waiting
@@ -222,9 +223,8 @@ def test_leaving_with_an_unsaved_program_asks(sit_down: Opener, tmp_path: Path) 
             await sitting.press("enter")
             await sitting.settle()
             assert isinstance(sitting.app.screen, AskPath)
-            for _ in range(20):
-                await sitting.pilot.press("backspace")
-            await sitting.press(*str(tmp_path / "mine.bas"), "enter")
+            sitting.app.screen.query_one(Input).value = str(tmp_path / "mine.bas")
+            await sitting.press("enter")
             await sitting.pilot.pause()
         assert sitting.app.return_code == 0
         assert (tmp_path / "mine.bas").read_text() == '10 PRINT "MINE"\n'
