@@ -45,6 +45,8 @@ CLEAR: Final = 40
 """Bytes that CLEAR n must leave above the program."""
 LINE: Final = 62
 """Free bytes that must remain when a line was stored."""
+FEW: Final = 50
+_PLENTY: Final = 2000
 _TIGHT: Final = 400
 """With less than this the compiled statements look for room in every expression."""
 
@@ -54,6 +56,7 @@ class Room:
 
     Attributes:
         tight: whether memory has been so short that expressions must look for room.
+        plenty: whether `FEW` loops and subroutines are sure to fit.
     """
 
     def __init__(self, strings: StringSpace, variables: Variables, control: Control) -> None:
@@ -61,6 +64,7 @@ class Room:
         self._variables = variables
         self._control = control
         self.tight = False
+        self.plenty = False
 
     def free(self) -> int:
         """Bytes between the variables and the stack."""
@@ -70,6 +74,7 @@ class Room:
     def need(self, size: int) -> None:
         """OM unless so many bytes are free."""
         free = self.free()
+        self._look(size)
         if free - size < _TIGHT:
             self.tight = True
         if free < size:
@@ -77,4 +82,8 @@ class Room:
 
     def relax(self) -> None:
         """Everything was cleared: look again."""
+        self._look(0)
         self.tight = self.free() < _TIGHT
+
+    def _look(self, size: int) -> None:
+        self.plenty = self._strings.bottom - self._variables.end - size >= _PLENTY

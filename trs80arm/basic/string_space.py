@@ -51,6 +51,8 @@ class StringSpace:
         """The characters of a string, wherever its descriptor points."""
         length, address = string
         end = address + length
+        if address > self.bottom:
+            return bytes(self._ram[address:end])
         if address >= _PLAIN and (address >= self._variables.end or end <= self._variables.start):
             return bytes(self._ram[address:end])
         peek = self._memory.peek

@@ -78,7 +78,11 @@ class FlowCompiler(AssignmentCompiler):
         number = self.line_number()
         self.out.cost += costs.SKIPPED * (len(self.reader.text) - self.reader.position)
         address = self.jump_address(number)
-        self.out.emit(f"open_subroutine({back}, {self.line})")
+        frame = self.scope.frame_name(back, self.line)
+        self.out.emit(f"if memory_room.plenty and len(frames) < {room.FEW}:")
+        self.out.emit(f"  frames.append({frame})")
+        self.out.emit("else:")
+        self.out.emit(f"  open_subroutine({back}, {self.line})")
         self.out.go(address)
 
     def return_(self) -> bool:
@@ -86,6 +90,12 @@ class FlowCompiler(AssignmentCompiler):
         if not self.reader.at_end:
             return True
         self.out.cost += costs.STATEMENT_WORK["RETURN"]
+        self.out.emit("f = frames[-1]")
+        self.out.emit("if f.scalar is None and len(frames) > 1:")
+        self.out.indent += 1
+        self.out.emit("frames.pop()")
+        self.out.go("f.back")
+        self.out.indent -= 1
         self.out.go("close_subroutine()")
         return False
 
@@ -184,7 +194,8 @@ class FlowCompiler(AssignmentCompiler):
         self.expect(tokens.EQUAL)
         self.store(target, self.expression())
         scalar = self.scope.object_name(key)
-        out.emit(f"drop_loop({scalar})")
+        out.emit("if frames[-1].scalar is not None:")
+        out.emit(f"  drop_loop({scalar})")
         state = reader.state()
         reader.skip_statement()
         body = reader.address

@@ -11,6 +11,7 @@ from types import CellType
 from typing import Any, NamedTuple
 
 from trs80arm.basic import costs
+from trs80arm.basic.control import GosubFrame
 from trs80arm.basic.numbers.double import Double
 from trs80arm.basic.variables import KINDS, Array, Key, Scalar, Variables
 
@@ -104,6 +105,12 @@ class Scope:
         """The Python name of the variable itself, for the loops that it runs."""
         name = f"s_{key[0]}_{key[1]}"
         self._environment[name] = self._variables.scalar(key)
+        return name
+
+    def frame_name(self, back: int, line: int) -> str:
+        """The Python name of what a GOSUB puts on the stack; it is never changed."""
+        name = f"g_{back}_{line}"
+        self._environment[name] = GosubFrame(back, line)
         return name
 
     @staticmethod

@@ -85,6 +85,7 @@ class Runtime:
         names: dict[str, Any] = {
             "clock": basic.clock,
             "frames": basic.control.frames,
+            "memory_room": basic.room,
             "BasicError": BasicError,
             "fail": fail,
             "byte": byte,

@@ -13,9 +13,6 @@ from trs80arm.basic.numbers import single
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.variables import INTEGER, Scalar
 
-_FEW = 50
-_MUCH = 2000
-"""So many loops and subroutines always fit into so many bytes."""
 _LAST = 0xFFF0
 """No statement begins behind this address."""
 
@@ -37,8 +34,8 @@ class Flow(Part):
         With few frames and much memory there is nothing to look at.
         """
         frames = self._control.frames
-        if len(frames) > _FEW or self._strings.bottom - self._variables.end < _MUCH:
-            basic = self._basic
+        basic = self._basic
+        if len(frames) >= room.FEW or not basic.room.plenty:
             tight = basic.room.tight
             basic.room.need(size)
             if basic.room.tight and not tight:
