@@ -345,8 +345,9 @@ class Bench:
         """Let an upright part fall to what is below; off an edge it falls beside."""
         height, under = self.support(part.box, part)
         box = part.box.moved((0.0, 0.0, height - part.box.bottom))
-        if height > part.box.bottom and not self.room_for(box, part):
-            box = self._free(part.box, part)
+        if not self.room_for(box, part):
+            # A part held aslant is in the way although it is not below.
+            box = self._free(box, part)
         part.box = box
         if not _balanced(box, under):
             points = [p for other in under for p in common_ground(box, other)]
