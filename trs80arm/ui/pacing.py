@@ -127,9 +127,11 @@ class Pacer:
         began = self._wall()
         self.machine.run_for(seconds)
         cost = self._wall() - began
-        if cost > BUDGET / 4:
+        # Long slices are cheaper: a motion of many steps is computed as one array.
+        budget = FLAT_OUT_BUDGET if self.speed is None else BUDGET
+        if cost > budget * 0.75:
             self._slice = max(self._slice / 2, SHORTEST_SLICE)
-        elif cost < BUDGET / 8 and seconds >= self._slice:
+        elif cost < budget * 0.4 and seconds >= self._slice:
             self._slice = min(self._slice * 1.5, LONGEST_SLICE)
 
     def _measure(self, now: float) -> None:
