@@ -155,6 +155,7 @@ class FunctionCompiler(ExpressionCompiler):
             self.pending.append(value.text)
             raise self.mistake(Code.TM)
         if name in _SINGLE_FUNCTIONS:
+            self.out.allow(costs.MOST_OF_CALL)
             return Expression(f"{name.lower()}({self.to_single(value)})", SINGLE)
         return self._numeric(name, value)
 
@@ -191,5 +192,9 @@ class FunctionCompiler(ExpressionCompiler):
             function = {"INT": "single_floor", "FIX": "fix", "ABS": "abs"}[name]
             return Expression(f"{function}({value.text})", SINGLE)
         function = {"INT": "any_floor", "FIX": "fix", "ABS": "absolute"}[name]
-        kind = NUMBER if value.kind == INTEGER else value.kind
+        kind = value.kind
+        if kind == INTEGER:
+            kind = NUMBER  # ABS(-32768) is a single.
+        elif kind == DOUBLE and name != "ABS":
+            kind = ANY  # INT of a double that has come to fit into an integer is one.
         return Expression(f"{function}({value.text})", kind)

@@ -119,16 +119,21 @@ def absolute(a: Number) -> Number:
 
 
 def int_(a: Number) -> Number:
-    """INT: the largest whole number that is not above `a`, in the same type; TM."""
+    """INT: the largest whole number that is not above `a`; TM.
+
+    It keeps the type, but a double that has come to fit into an integer is one (asked of the ROM:
+    `INT(1#)/3` prints .333333, `INT(40000#)/3` prints sixteen digits).
+    """
     if isinstance(a, float):
         return single.floor(a)
     if isinstance(a, int):
         return a
     if isinstance(a, Double):
-        return double.floor(a)
+        whole = double.floored(a)
+        return whole if -32768 <= whole <= 32767 else double.floor(a)
     raise BasicError(Code.TM)
 
 
 def fix(a: Number) -> Number:
-    """FIX: the number without its fraction, in the same type; TM."""
+    """FIX: the number without its fraction, its type as with INT; TM."""
     return negate(int_(negate(a))) if sign(a) < 0 and not isinstance(a, int) else int_(a)

@@ -21,6 +21,8 @@ from trs80arm.basic.variables import (
 
 AUTOMATIC = 11
 """Elements in each dimension of an array that no DIM made."""
+_LAST_ADDRESS = 0xFFFF
+"""An array that would pass it is ?BS, however little memory there is."""
 DIMENSIONS = 255
 
 
@@ -94,6 +96,8 @@ class Storage(Part):
 
     def _make(self, key: Key, dims: tuple[int, ...]) -> Array:
         size = array_size(key[1], dims)
+        if self._variables.end + size > _LAST_ADDRESS:
+            raise BasicError(Code.BS)
         self._check_room(size + room.ARRAY)
         array = self._variables.add_array(key, dims)
         self._clock.now += costs.NEW_ARRAY + costs.NEW_ARRAY_BYTE * size
