@@ -138,3 +138,35 @@ def test_whatever_stands_on_a_bench_comes_to_rest(seed: int) -> None:
     before = {part.name: part.box for part in arm.bench.parts.values()}
     arm.bench.settle()
     assert {part.name: part.box for part in arm.bench.parts.values()} == before
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.integers(0, 10**9))
+def test_rummaging_in_a_heap_leaves_every_part_where_a_part_can_be(seed: int) -> None:
+    chance = random.Random(seed)
+    bench = Bench("heap")
+    for k in range(7):
+        size = (
+            chance.choice([0.5, 1.0, 1.5]),
+            chance.choice([0.5, 1.0]),
+            chance.choice([0.5, 2.0]),
+        )
+        x, y = 8 + chance.uniform(-0.6, 0.6), chance.uniform(-0.6, 0.6)
+        bottom, turn = chance.uniform(0, 5), chance.choice([0.0, chance.uniform(0, 3)])
+        if bench.room_for(upright(x, y, bottom, size, turn)):
+            bench.add_part(f"part {k}", size, chance.choice([1.0, 4.0, 10.0]), x, y, bottom, turn)
+    generator = PulseGenerator(MiniMover(bench=bench))
+    operator = Operator(chance, generator)
+    for _ in range(6):
+        generator.off()
+        x, y, z = chance.choice(list(bench.parts.values())).box.center
+        operator.place(x + chance.uniform(-0.1, 0.1), y, z, opening=chance.uniform(0.6, 2))
+        generator.align()
+        generator.close(3600, chance.randrange(150))
+        assert_possible(generator.arm)
+        for _ in range(3):
+            counts = [chance.randrange(-150, 150) * chance.randrange(2) for _ in range(5)]
+            generator.step(counts, chance.choice([4800, 9000]))
+            assert_possible(generator.arm)
+        generator.turn(5, chance.randrange(300), 4800)
+        assert_possible(generator.arm)
