@@ -150,8 +150,8 @@ class StringSpace:
         temporaries = self.temporaries
         temporary = bool(temporaries) and temporaries[-1] is string
         address = string[1]
-        in_text = text_start <= address < self._variables.end
-        if string[0] and not in_text and not (temporary and address > self.bottom):
+        in_text = text_start < address <= self.bottom
+        if not in_text and not (temporary and address > self.bottom):
             length = string[0]
             address = self.allocate(length)
             text = self.bytes_of(string)

@@ -34,10 +34,14 @@ Descriptor = list[int]
 """A string in memory: length and address, changed in place when the string moves."""
 
 
+NO_STRING = (0, 0x4552)
+"""The descriptor that the ROM has for the empty string of a variable that does not exist."""
+
+
 def zero(kind: str) -> Any:
-    """The value of a variable never assigned."""
+    """The value of a variable that does not exist."""
     if kind == STRING:
-        return [0, 0]
+        return list(NO_STRING)
     if kind == DOUBLE:
         return double.ZERO
     return 0 if kind == INTEGER else 0.0
@@ -179,7 +183,7 @@ class Variables:
         for scalar in self.order:
             scalar.offset = None
             if scalar.kind == STRING:
-                scalar.value[:] = (0, 0)
+                scalar.value[:] = NO_STRING
             else:
                 scalar.cell.cell_contents = zero(scalar.kind)
         self.order.clear()
@@ -211,6 +215,8 @@ class Variables:
         scalar.offset = self.size
         self.size += scalar.size
         self.order.append(scalar)
+        if scalar.kind == STRING:
+            scalar.value[:] = (0, 0)
 
     def missing_cost(self, wanted: Scalar) -> int:
         """T-states to look through the whole table for a variable that is not in it."""

@@ -7,7 +7,7 @@ from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import decimal, double, literal
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.runtime.part import Part
-from trs80arm.basic.variables import Descriptor
+from trs80arm.basic.variables import NO_STRING, Descriptor
 
 _BLANKS = (b" ", b"\t", b"\n")
 _SIGNS = (b"+", b"-")
@@ -113,7 +113,7 @@ class StringFunctions(Part):
             ram[system_area.KEY_LATCH] = 0
         else:
             key = self._console.scan()
-        return self._strings.new(bytes((key,))) if key else [0, 0]
+        return self._strings.new(bytes((key,))) if key else list(NO_STRING)
 
     def free_strings(self, string: Descriptor) -> float | int:
         """FRE of a string: collect, and count the free string space."""
