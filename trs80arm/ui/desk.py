@@ -14,6 +14,7 @@ from pathlib import Path
 
 from textual import events
 from textual.app import App, ComposeResult
+from textual.command import CommandPalette
 from textual.driver import Driver
 from textual.geometry import Offset
 from textual.screen import Screen
@@ -131,6 +132,11 @@ class Desk(App[int]):
             self.register_theme(theme)
         known = options.theme in self.available_themes
         self.theme = options.theme if known else THEMES[0].name
+
+    def action_command_palette(self) -> None:
+        """Open the palette, unless it is open already, perhaps below a dialog."""
+        if not any(isinstance(screen, CommandPalette) for screen in self.screen_stack):
+            super().action_command_palette()
 
     def get_theme_variable_defaults(self) -> dict[str, str]:
         """The tube's colours in themes that know no tube: those of any text."""
