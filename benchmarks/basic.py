@@ -4,8 +4,8 @@
 
 Each listing of `benchmarks/basic/`, made longer, is RUN until half a second of processor time has
 gone. The last column compares it, in the same run, with the same work translated by hand into a
-Python function that rounds every result to 24 bits in line and checks nothing: the most that CPython
-could give.
+Python function that rounds every result to 24 bits in line and checks nothing: the most that
+CPython could give.
 """
 
 from __future__ import annotations
