@@ -96,7 +96,6 @@ STORE_STRING: Final = 215
 COMPARE_STRINGS: Final = 176
 NEGATE: Final = 0
 LOGICAL: Final = 138
-POWER: Final = 87200
 
 FUNCTION: Final = 120
 FUNCTION_WORK: Final[dict[str, int]] = {
@@ -106,14 +105,7 @@ FUNCTION_WORK: Final[dict[str, int]] = {
     "FRE": 156,
     "INP": 389,
     "POS": 142,
-    "SQR": 88300,
     "RND": 4940,
-    "LOG": 35100,
-    "EXP": 47600,
-    "COS": 43700,
-    "SIN": 42300,
-    "TAN": 94400,
-    "ATN": 58300,
     "PEEK": 222,
     "CINT": 169,
     "CSNG": 220,
@@ -137,6 +129,17 @@ FUNCTION_WORK: Final[dict[str, int]] = {
     "ERL": 421,
 }
 
+TRANSCENDENTAL: Final[dict[str, int]] = {
+    "SQR": 88300,
+    "LOG": 35100,
+    "EXP": 47600,
+    "COS": 43700,
+    "SIN": 42300,
+    "TAN": 94400,
+    "ATN": 58300,
+    "POWER": 87200,
+}
+"""The functions by polynomials and the power, for a usual argument; charged when they are done."""
 EASY: Final[dict[tuple[str, float], int]] = {
     ("SQR", 0.0): 87100,
     ("SQR", 1.0): 14600,
@@ -184,7 +187,7 @@ STATEMENT_WORK: Final[dict[str, int]] = {
     "CLEAR": 1520,
     "RUN": 1310,
     "ERROR": 619,
-    "RESUME": 615,
+    "RESUME": 250,
     "ON ERROR": 487,
     "DEF": 257,
     "RANDOM": 100,
@@ -229,6 +232,14 @@ CRUNCH_PASSED: Final = 33
 """One letter of the table passed in the search; a character that begins no word passes them all."""
 CRUNCH_PLAIN: Final = 149
 """A character that is copied without a search: digits, blanks, quotes, REM and DATA."""
+CRUNCH_QUESTION: Final = 7440
+"""What `?` takes less than PRINT."""
+SPELL_CHARACTER: Final = 20
+SPELL_TOKEN: Final = 300
+SPELL_WORD: Final = 122
+"""A character copied, a token's word found, and each word passed on the way to it."""
+NUMBERED_LINE: Final = 2600
+"""A numbered line typed at the prompt, beside crunching and storing it."""
 STORE_LINE: Final = 1410
 """A numbered line put in or taken out, beside what follows."""
 STORE_BYTE: Final = 48
@@ -239,10 +250,11 @@ LINK_BYTE: Final = 48
 
 # -- errors and commands --------------------------------------------------------------------------
 ERROR_RAISED: Final = 1040
-"""From the error to the first character of its message, or to the ON ERROR line."""
+"""From the error to the first character of its message. The way to the ON ERROR line takes about as
+long as what the failed statement had still to do."""
 
-MOST_OF_DOUBLE: Final = 100_000
-"""What double arithmetic takes at most beside that, by the bits of its operands."""
+MOST_OF_CALL: Final = 100_000
+"""What double arithmetic, or a function, takes at most beside that."""
 
 _TAKEN_FOR = {"n": "i", "x": "d"}
 """What a number is taken for whose type is known only when it is there: arithmetic on integers
@@ -311,13 +323,22 @@ _PASSED: Final = tuple(
 )
 
 
-def crunching(crunched: bytes) -> int:
+def spelling(text: bytes) -> int:
+    """T-states to spell out a stored line for LIST and EDIT."""
+    return sum(
+        SPELL_CHARACTER if code < tokens.FIRST else SPELL_TOKEN + SPELL_WORD * (code - tokens.FIRST)
+        for code in text
+    )
+
+
+def crunching(crunched: bytes, typed: bytes = b"") -> int:
     """T-states to crunch a typed line.
 
     Args:
         crunched: what it came to.
+        typed: what was typed, where `?` is quicker than PRINT.
     """
-    total = 0
+    total = -CRUNCH_QUESTION * (typed.count(b"?") if b'"' not in typed else 0)
     quoted = in_data = False
     for place, code in enumerate(crunched):
         quoted ^= code == _QUOTE

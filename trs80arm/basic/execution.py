@@ -209,7 +209,6 @@ class Execution(Activity):
 
     def fail(self, basic: Interpreter, error: BasicError) -> None:
         """An error in the statement under way: to the program's trap, or a message."""
-        basic.clock.now += costs.ERROR_RAISED
         control = basic.control
         line = error.line if isinstance(error, LineError) else self.line(basic)
         basic.strings.temporaries.clear()
@@ -227,6 +226,7 @@ class Execution(Activity):
             self.noted = noted
             self.next = control.trap - 1
             return
+        basic.clock.now += costs.ERROR_RAISED
         self.raise_again(basic, error.code)
 
     def raise_again(self, basic: Interpreter, code: Code) -> None:

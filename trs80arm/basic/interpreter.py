@@ -181,9 +181,11 @@ class Interpreter:
         number, rest = cruncher.split_line(text)
         if number is None:
             crunched = cruncher.crunch(rest)
-            self.clock.now += costs.crunching(crunched)
+            self.clock.now += costs.crunching(crunched, rest)
             self.execute_direct(crunched)
             return True
+        if rest:
+            self.clock.now += costs.NUMBERED_LINE
         self.store_line(number, rest)
         return False
 
@@ -198,7 +200,7 @@ class Interpreter:
         crunched = cruncher.crunch(text) if text.strip(b" \t\n") else b""
         program = self.program
         behind = program.end - (program.address_from(number) or program.end)
-        self.clock.now += costs.crunching(crunched) + costs.storing(
+        self.clock.now += costs.crunching(crunched, text) + costs.storing(
             behind, len(program), program.end - program.start
         )
         self.control.dot = number

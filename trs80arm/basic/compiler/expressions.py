@@ -197,7 +197,7 @@ class ExpressionCompiler(ValueCompiler):
             self.pending += [left.text, right.text]
             raise self.mistake(Code.TM)
         if operator == tokens.POWER:
-            self.out.cost += costs.POWER
+            self.out.allow(costs.MOST_OF_CALL)
             return Expression(f"power({self.to_single(left)}, {self.to_single(right)})", SINGLE)
         return self._arithmetic(left, operator, right)
 
@@ -228,7 +228,7 @@ class ExpressionCompiler(ValueCompiler):
         if name == "mul" and kind == SINGLE and right.constant:
             self.out.cost += number_costs.product_by(float(right.constant))
         if kind == DOUBLE:
-            self.out.allow(costs.MOST_OF_DOUBLE)
+            self.out.allow(costs.MOST_OF_CALL)
             text = f"double_{name}({self.to_double(left)}, {self.to_double(right)})"
         elif kind == SINGLE:
             text = self.single_arithmetic(name, left, right)

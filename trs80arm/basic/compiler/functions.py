@@ -59,7 +59,7 @@ class FunctionCompiler(ExpressionCompiler):
             self.observes = True
             return Expression("inkey()", STRING)
         if code == tokens.MEM:
-            return Expression(f"free_memory({self.stack_bytes})", NUMBER)
+            return Expression(f"free_memory({self.stack_bytes})", SINGLE)
         return Expression("error_line()" if code == tokens.ERL else "error_code()", NUMBER)
 
     def _varptr(self) -> Expression:
@@ -138,8 +138,8 @@ class FunctionCompiler(ExpressionCompiler):
             self.plain = False
         if name == "FRE":
             if value.kind == STRING:
-                return Expression(f"free_strings({value.text})", NUMBER)
-            return Expression(f"free_after({value.text}, {self.stack_bytes})", NUMBER)
+                return Expression(f"free_strings({value.text})", SINGLE)
+            return Expression(f"free_after({value.text}, {self.stack_bytes})", SINGLE)
         if name == "POS":
             return Expression(f"position({value.text})", INTEGER)
         if name == "USR":

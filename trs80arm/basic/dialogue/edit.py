@@ -9,7 +9,7 @@ from __future__ import annotations
 from enum import Enum
 from typing import TYPE_CHECKING, Final
 
-from trs80arm.basic import cruncher
+from trs80arm.basic import costs, cruncher
 from trs80arm.basic.activity import Activity, Waiting
 from trs80arm.basic.dialogue import line_range, wait
 from trs80arm.basic.dialogue.home import return_to_command
@@ -28,8 +28,10 @@ _T_KEY: Final = 311
 _T_CHARACTER: Final = 44
 """T-states of the loop that prints the rest of the line, per character."""
 _T_FINISH: Final = 1430
-_T_SPELL: Final = 377
-"""T-states of spelling out one character of the stored line."""
+_T_BEGIN: Final = 530
+"""T-states of EDIT itself, beside spelling out the line."""
+_T_NUMBER: Final = 5085
+"""T-states of turning the line's number into digits."""
 
 
 class _Mode(Enum):
@@ -87,10 +89,11 @@ class Edit(Activity):
             raise BasicError(Code.UL)
         basic.control.dot = self._number
         self._line = bytearray(cruncher.spell(text))
-        basic.host.clock.now += _T_SPELL * len(self._line)
+        basic.host.clock.now += _T_BEGIN + costs.spelling(text)
         self._again(basic)
 
     def _again(self, basic: Interpreter) -> None:
+        basic.host.clock.now += _T_NUMBER
         basic.print_text(b"%d " % self._number)
         basic.host.console.show_cursor(True)
         self._place = 0

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
-from trs80arm.basic import cruncher
+from trs80arm.basic import costs, cruncher
 from trs80arm.basic.activity import Activity
 from trs80arm.basic.dialogue import line_range, wait
 from trs80arm.basic.dialogue.home import return_to_command
@@ -19,16 +19,11 @@ if TYPE_CHECKING:
     from trs80arm.basic.interpreter import Interpreter
 
 _NEWLINE = 13
-_T_LINE: Final = 3290
+_T_LINE: Final = 5670
 """T-states of finding a line and turning its number into digits."""
 _T_CHARACTER: Final = 41
 """T-states of the loop that prints a line, per character."""
-_T_STORED: Final = 198
-"""T-states of copying one stored character that is no token."""
-_T_TOKEN: Final = 962
-_T_WORD: Final = 117
-"""T-states of finding a token's word, and of each word that is passed on the way to it."""
-_T_DELETE: Final = 2100
+_T_DELETE: Final = 6600
 
 
 class Listing(Activity):
@@ -84,9 +79,7 @@ class Listing(Activity):
         clock = basic.host.clock
         text = basic.program.text(number) or b""
         basic.control.dot = number
-        clock.now += _T_LINE + sum(
-            _T_STORED if code < 128 else _T_TOKEN + _T_WORD * (code - 128) for code in text
-        )
+        clock.now += _T_LINE + costs.spelling(text)
         put = basic.host.printer.put if self._printer else basic.host.console.put
         for code in b"%d " % number + cruncher.spell(text):
             clock.now += _T_CHARACTER

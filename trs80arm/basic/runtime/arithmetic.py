@@ -1,7 +1,8 @@
 """Arithmetic at run time whose time depends on the numbers.
 
-Operations on doubles charge what their bits cost the Z-80. The functions have been charged as for
-a usual argument; where the ROM has less to do some of it is given back.
+Operations on doubles charge what their bits cost the Z-80, functions what their argument costs.
+Operations on singles have been charged as for usual operands; where the ROM leaves at once, some of
+it is given back.
 """
 
 from __future__ import annotations
@@ -37,46 +38,56 @@ class Arithmetic(Part):
 
     def sin(self, x: float) -> float:
         """SIN."""
-        self._clock.now -= costs.EASY.get(("SIN", x), 0)
-        return functions.sin(x)
+        result = functions.sin(x)
+        self._clock.now += costs.TRANSCENDENTAL["SIN"] - costs.EASY.get(("SIN", x), 0)
+        return result
 
     def cos(self, x: float) -> float:
         """COS."""
-        self._clock.now -= costs.EASY.get(("COS", x), 0)
-        return functions.cos(x)
+        result = functions.cos(x)
+        self._clock.now += costs.TRANSCENDENTAL["COS"] - costs.EASY.get(("COS", x), 0)
+        return result
 
     def tan(self, x: float) -> float:
         """TAN; division by zero."""
-        self._clock.now -= costs.EASY.get(("TAN", x), 0)
-        return functions.tan(x)
+        result = functions.tan(x)
+        self._clock.now += costs.TRANSCENDENTAL["TAN"] - costs.EASY.get(("TAN", x), 0)
+        return result
 
     def atn(self, x: float) -> float:
         """ATN."""
-        self._clock.now -= costs.EASY.get(("ATN", x), 0)
-        return functions.atn(x)
+        result = functions.atn(x)
+        self._clock.now += costs.TRANSCENDENTAL["ATN"] - costs.EASY.get(("ATN", x), 0)
+        return result
 
     def log(self, x: float) -> float:
         """LOG; FC."""
-        self._clock.now -= costs.EASY.get(("LOG", x), 0)
-        return functions.log(x)
+        result = functions.log(x)
+        self._clock.now += costs.TRANSCENDENTAL["LOG"] - costs.EASY.get(("LOG", x), 0)
+        return result
 
     def exp(self, x: float) -> float:
         """EXP; OV."""
-        self._clock.now -= costs.EASY.get(("EXP", x), 0)
-        return functions.exp(x)
+        result = functions.exp(x)
+        self._clock.now += costs.TRANSCENDENTAL["EXP"] - costs.EASY.get(("EXP", x), 0)
+        return result
 
     def sqr(self, x: float) -> float:
         """SQR; FC."""
-        self._clock.now -= costs.EASY.get(("SQR", x), 0)
-        return functions.sqr(x)
+        result = functions.sqr(x)
+        self._clock.now += costs.TRANSCENDENTAL["SQR"] - costs.EASY.get(("SQR", x), 0)
+        return result
 
     def power(self, base: float, exponent: float) -> float:
         """`base [ exponent`; division by zero, FC, OV."""
+        result = functions.power(base, exponent)
+        total = costs.TRANSCENDENTAL["POWER"]
         if not exponent:
-            self._clock.now -= costs.POWER_BY_ZERO
+            total -= costs.POWER_BY_ZERO
         elif base in (0.0, 1.0):
-            self._clock.now -= costs.POWER_OF_ONE if base else costs.POWER_OF_ZERO
-        return functions.power(base, exponent)
+            total -= costs.POWER_OF_ONE if base else costs.POWER_OF_ZERO
+        self._clock.now += total
+        return result
 
     # -- singles: generated code calls these only where the short way does not do ----------------
 
@@ -88,6 +99,6 @@ class Arithmetic(Part):
 
     def div(self, a: float, b: float) -> float:
         """A quotient of singles; division by zero, OV."""
-        if not a:
+        if not a or not b:
             self._clock.now -= costs.QUOTIENT_OF_ZERO
         return single.div(a, b)

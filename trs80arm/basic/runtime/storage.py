@@ -61,12 +61,11 @@ class Storage(Part):
         string = self._strings.new(text)
         self._strings.assign(target, string, self._basic.program.start)
 
-    def free_memory(self, in_use: int) -> int | float:
-        """MEM, with so many bytes of the stack in use by the expression."""
-        free = self._basic.room.free() - room.MEM_DEPTH - in_use
-        return free if free < 32768 else float(free)
+    def free_memory(self, in_use: int) -> float:
+        """MEM, a single, with so many bytes of the stack in use by the expression."""
+        return float(self._basic.room.free() - room.MEM_DEPTH - in_use)
 
-    def free_after(self, _argument: object, in_use: int) -> int | float:
+    def free_after(self, _argument: object, in_use: int) -> float:
         """FRE of a number."""
         return self.free_memory(in_use)
 

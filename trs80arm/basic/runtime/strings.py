@@ -115,10 +115,10 @@ class StringFunctions(Part):
             key = self._console.scan()
         return self._strings.new(bytes((key,))) if key else list(NO_STRING)
 
-    def free_strings(self, string: Descriptor) -> float | int:
+    def free_strings(self, string: Descriptor) -> float:
         """FRE of a string: collect, and count the free string space."""
         self._strings.free(string)
-        return self._strings.free_bytes()
+        return float(self._strings.free_bytes())
 
     def text_at(self, length: int, address: int) -> bytes:
         """Characters of the program text."""
