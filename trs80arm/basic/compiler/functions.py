@@ -60,7 +60,9 @@ class FunctionCompiler(ExpressionCompiler):
             return Expression("inkey()", STRING)
         if code == tokens.MEM:
             return Expression(f"free_memory({self.stack_bytes})", SINGLE)
-        return Expression("error_line()" if code == tokens.ERL else "error_code()", NUMBER)
+        if code == tokens.ERL:
+            return Expression("error_line()", SINGLE)
+        return Expression("error_code()", NUMBER)
 
     def _varptr(self) -> Expression:
         self.reader.advance()

@@ -132,10 +132,9 @@ class Flow(Part):
         """ERR."""
         return self._control.error
 
-    def error_line(self) -> int | float:
-        """ERL."""
-        line = self._control.error_line
-        return line if line < 32768 else float(line)
+    def error_line(self) -> float:
+        """ERL, a single."""
+        return float(self._control.error_line)
 
     def end_handling(self) -> None:
         """RESUME begins: RW unless an error is being handled."""
