@@ -309,9 +309,7 @@ class Rig:
         self._record("set_bench", bench)
         works = self._works
         works.driver.reset()
-        works.arm = MiniMover(self.settings.arm, copy.deepcopy(bench))
-        works.card.plug = works.arm
-        works.card.write_latch(Latch.AUXILIARY, works.card.latches[Latch.AUXILIARY])
+        works.arm.set_bench(copy.deepcopy(bench))
         self._zero()
 
     def _zero(self) -> None:
