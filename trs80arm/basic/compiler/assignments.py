@@ -72,7 +72,7 @@ class AssignmentCompiler(FunctionCompiler):
             self.plain = False
             self.out.emit(f"assign({target.text}, {value.text})")
             return
-        self.out.cost += costs.store(target.kind, value.kind)
+        self.out.cost += costs.store(target.kind, value.held)
         self.out.emit(f"{target.text} = {self.to_kind(value, target.kind)}")
 
     def let(self) -> None:

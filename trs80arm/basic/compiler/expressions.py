@@ -150,7 +150,7 @@ class ExpressionCompiler(ValueCompiler):
             test = self._string_relation(left, right, relation)
         else:
             kind = wider(left.kind, right.kind)
-            self.out.cost += costs.binary("compare", left.kind, right.kind)
+            self.out.cost += costs.binary("compare", left.held, right.held)
             if kind == DOUBLE:
                 test = f"double_compare({self.to_double(left)}, {self.to_double(right)})"
                 test = f"{test} {relation} 0"
@@ -224,8 +224,9 @@ class ExpressionCompiler(ValueCompiler):
         }[operator]
         if kind == NUMBER and operator == tokens.DIVIDE:
             kind = SINGLE
-        self.out.cost += costs.binary(name, left.kind, right.kind)
-        if name == "mul" and kind == SINGLE and right.constant:
+        self.out.cost += costs.binary(name, left.held, right.held)
+        held = {left.held, right.held} - {INTEGER, NUMBER}
+        if name == "mul" and kind == SINGLE and right.constant and held:
             self.out.cost += number_costs.product_by(float(right.constant))
         if kind == DOUBLE:
             self.out.allow(costs.MOST_OF_CALL)
@@ -236,7 +237,8 @@ class ExpressionCompiler(ValueCompiler):
             text = f"integer_{name}({left.text}, {right.text})"
         else:
             text = f"any_{name}({left.text}, {right.text})"
-        return Expression(text, kind)
+        whole = kind == SINGLE and name != "div" and not held
+        return Expression(text, kind, whole=whole)
 
     # -- operands -----------------------------------------------------------------------------
 
@@ -288,7 +290,9 @@ class ExpressionCompiler(ValueCompiler):
         condition = value.condition
         if condition is not None and not is_closed(condition):
             condition = f"({condition})"
-        return Expression(text, value.kind, condition, value.constant, value.simple)
+        return Expression(
+            text, value.kind, condition, value.constant, value.simple, whole=value.whole
+        )
 
     def _nested(self, precedence: int) -> Expression:
         """The operand of a sign or a NOT."""
@@ -389,7 +393,7 @@ class ExpressionCompiler(ValueCompiler):
             self.deepen(room.SUBSCRIPT)
             value = self.number()
             self.deepen(-room.SUBSCRIPT)
-            self.out.cost += costs.SUBSCRIPT + costs.CONVERT.get(value.kind, 0)
+            self.out.cost += costs.SUBSCRIPT + costs.CONVERT.get(value.held, 0)
             values.append(value)
             self.pending.append(f"subscript({value.text})")
             if self.reader.code != 0x2C:

@@ -175,7 +175,7 @@ class FunctionCompiler(ExpressionCompiler):
         if name == "CHR$":
             return Expression(f"chr_({self.to_byte(value)})", STRING)
         if name == "STR$":
-            return Expression(f"str_({value.text})", STRING)
+            return Expression(f"str_({value.shown})", STRING)
         if name == "SGN":
             return Expression(f"sign({value.text})", INTEGER)
         if name == "CINT":
@@ -189,10 +189,10 @@ class FunctionCompiler(ExpressionCompiler):
         if value.kind == INTEGER and name in ("INT", "FIX"):
             return value
         if value.kind == SINGLE and name == "INT":
-            return Expression(f"({value.text} // 1.0)", SINGLE)
+            return Expression(f"({value.text} // 1.0)", SINGLE, whole=True)
         if value.kind == SINGLE:
             function = {"INT": "single_floor", "FIX": "fix", "ABS": "abs"}[name]
-            return Expression(f"{function}({value.text})", SINGLE)
+            return Expression(f"{function}({value.text})", SINGLE, whole=name != "ABS")
         function = {"INT": "any_floor", "FIX": "fix", "ABS": "absolute"}[name]
         kind = value.kind
         if kind == INTEGER:

@@ -82,7 +82,7 @@ class OutputCompiler(FlowCompiler):
             out.charge()
             out.emit(f"print_string({value.text})")
             return
-        text = out.keep(value.text)
+        text = out.keep(value.shown)
         out.charge()
         out.emit(f"print_number({text})")
 

@@ -59,6 +59,7 @@ class Expression:
         condition: the same as a Python truth value, where it is a comparison.
         constant: the value where it is known.
         simple: whether the text may be written twice without being computed twice.
+        whole: a single here, but the ROM holds an integer where the value fits into one (INT).
     """
 
     text: str
@@ -66,6 +67,17 @@ class Expression:
     condition: str | None = None
     constant: int | float | None = None
     simple: bool = False
+    whole: bool = False
+
+    @property
+    def held(self) -> str:
+        """The kind that the ROM holds, by which operations take their time."""
+        return INTEGER if self.whole else self.kind
+
+    @property
+    def shown(self) -> str:
+        """The text for PRINT and STR$, which take less time for integers."""
+        return f"narrow({self.text})" if self.whole else self.text
 
 
 def wider(left: str, right: str) -> str:
@@ -162,7 +174,7 @@ class ValueCompiler:
             return value.text
         if value.constant is not None and -32768 <= value.constant < 32768:
             return str(int(value.constant // 1))
-        self.out.cost += costs.CONVERT[value.kind]
+        self.out.cost += costs.CONVERT.get(value.held, 0)
         return f"floor({value.text})"
 
     def to_byte(self, value: Expression) -> str:
@@ -171,7 +183,7 @@ class ValueCompiler:
             return str(int(value.constant))
         if value.kind == INTEGER:
             return f"byte({value.text})"
-        self.out.cost += costs.CONVERT[value.kind]
+        self.out.cost += costs.CONVERT.get(value.held, 0)
         return f"byte(floor({value.text}))"
 
     def as_float(self, value: Expression) -> str:

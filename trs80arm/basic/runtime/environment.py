@@ -53,6 +53,11 @@ def bad(value: object, dim: int) -> int:
     return number
 
 
+def narrow(value: float) -> int | float:
+    """A whole single as an integer if it fits into one."""
+    return int(value) if -32768.0 <= value < 32768.0 else value
+
+
 def always(_left: object, _right: object) -> bool:
     """The relation `<=>`."""
     return True
@@ -93,6 +98,7 @@ class Runtime:
             "subscript": subscript,
             "bad": bad,
             "always": always,
+            "narrow": narrow,
             "floor": integer.floor_to_integer,
             "to_single": convert.to_single,
             "to_double": convert.to_double,
