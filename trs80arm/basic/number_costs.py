@@ -17,7 +17,6 @@ from trs80arm.basic.numbers.double import Double
 from trs80arm.basic.numbers.registers import Register
 
 _BLANKS = b" \t\n"
-_MINUS = b"-\xce"
 _SIGNS = b"+-\xcd\xce"
 
 
@@ -141,6 +140,8 @@ def _digit(register: Register, digit: int, steps: Steps) -> tuple[Register, int]
     if not digit:
         return ten, total + steps.zero
     distance = abs(ten[0] - new[0])
+    if distance > bits:
+        return ten, total + steps.zero
     total += steps.shift_byte * (distance // 8) + steps.shift * (distance % 8)
     return registers.add(ten, new, bits), total
 
@@ -150,9 +151,9 @@ def _scaled(register: Register, places: int, steps: Steps) -> int:
     total = 0
     bits = steps.bits
     for _ in range(places):
+        total += steps.times_ten + (steps.carry if _carries(register[1], bits) else 0)
         if register[0] > 250:
             break
-        total += steps.times_ten + (steps.carry if _carries(register[1], bits) else 0)
         register = registers.times_ten(register, bits)
     for _ in range(-places):
         if not register[0]:
@@ -169,12 +170,12 @@ def literal(text: bytes, is_double: bool = False) -> int:
     """T-states to convert the number that a text begins with, as often as it is read.
 
     Args:
-        text: its characters and nothing behind them, tokens of signs included.
+        text: its characters, tokens of signs included; what stands behind them does not count.
         is_double: whether the conversion begins in double precision (VAL; READ and INPUT into a
             double).
     """
     code = text.translate(None, _BLANKS).upper()
-    total = CHARACTER * len(code)
+    total = 0
     whole = 0
     steps: Steps | None = DOUBLE if is_double else None
     register = registers.ZERO
@@ -193,6 +194,8 @@ def literal(text: bytes, is_double: bool = False) -> int:
                 elif steps is SINGLE and single.from_register(register) >= 1000000.0:
                     steps, register = DOUBLE, (register[0], register[1] << 32)
                     total += BECOMES_DOUBLE
+                if register[0] > 250:
+                    return total
                 register, more = _digit(register, character - 0x30, steps)
                 total += more
             decimals += point
@@ -212,13 +215,17 @@ def literal(text: bytes, is_double: bool = False) -> int:
     exponent = 0
     if sign and sign in b"ED":
         total += EXPONENT
-        number = code[place + 1 :]
-        below = bool(number) and number[0] in _MINUS
-        figures = number.lstrip(_SIGNS)
-        exponent = min(int(figures), 99) if figures.isdigit() else 0
+        place += 1
+        below = code[place : place + 1] in (b"-", b"\xce")
+        if code[place : place + 1] and code[place] in _SIGNS:
+            place += 1
+        while place < len(code) and 0x30 <= code[place] <= 0x39:
+            exponent = min(exponent * 10 + code[place] - 0x30, 99)
+            place += 1
         exponent = -exponent if below else exponent
     if sign and sign in b"D#" and steps is SINGLE:
         steps, register = DOUBLE, (register[0], register[1] << 32)
+    total += CHARACTER * min(place + 1, len(code))
     return total + _scaled(register, exponent - decimals, steps)
 
 

@@ -336,6 +336,7 @@ class ExpressionCompiler(ValueCompiler):
         try:
             value, end = literal.scan(reader.text, start)
         except BasicError as error:
+            self.out.cost += number_costs.literal(reader.text[start:])
             raise self.mistake(error.code) from None
         reader.position = end
         self.out.cost += costs.constant(reader.text[start:end], value)
