@@ -120,15 +120,19 @@ class OutputCompiler(FlowCompiler):
 
         def items() -> None:
             out.emit("data = b''")
-            separator = "b''"
+            newline = True
             while not self.reader.at_end:
-                if self.reader.code in (0x2C, 0x3B):
+                newline = self.reader.code not in (0x2C, 0x3B)
+                if not newline:
+                    if self.reader.code == 0x2C:
+                        out.emit("data += b','")
                     self.reader.advance()
                     continue
                 value = self.expression()
                 function = "tape_string" if value.kind == STRING else "tape_number"
-                out.emit(f"data += {separator} + {function}({value.text})")
-                separator = "b','"
+                out.emit(f"data += {function}({value.text})")
+            if newline:
+                out.emit("data += b'\\r'")
 
         self.tape_data(items)
         out.emit(f"begin_tape_print(data, {self.reader.address})")

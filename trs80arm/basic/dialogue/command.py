@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
 __all__ = ["CommandLevel", "return_to_command"]
 
+_PORT: Final = 0xFF
+_PORT_FLAG: Final = 0x403D
+_NO_MOTOR: Final = 0xFB
 _SYNTAX_ERROR: Final = (Code.SN - 1) * 2
 """What 409AH holds after an SN error."""
 _T_READY: Final = 2400
@@ -38,6 +41,7 @@ class CommandLevel(Home):
         """Print READY, or a prompt, and ask for a line."""
         if self._ready:
             basic.newline_if_needed()
+            self._switch_recorder_off(basic)
             basic.host.clock.now += _T_READY
             basic.print_text(b"READY\r")
             self._ready = False
@@ -60,6 +64,13 @@ class CommandLevel(Home):
             # An error in storing the line, as any, leads to READY.
             self._ready = True
             self._ready = basic.enter_line(result.text)
+
+    @staticmethod
+    def _switch_recorder_off(basic: Interpreter) -> None:
+        """The flag of 403DH without the motor's bit goes to the port (01F8H), at each READY."""
+        value = basic.memory.ram[_PORT_FLAG] & _NO_MOTOR
+        basic.memory.ram[_PORT_FLAG] = value
+        basic.host.ports.write(_PORT, value)
 
     def _edit_after_syntax_error(self, basic: Interpreter) -> None:
         """EDIT on its line when the last error was SN, also one that a program has trapped."""

@@ -74,11 +74,9 @@ class PrintTape(Writing):
     """`PRINT#-1` or `-2`.
 
     Args:
-        data: the items as PRINT shows them, with commas between, or what went wrong with them.
+        data: the items as PRINT shows them with the list's commas, and a carriage return unless
+            the list ends in a separator, or what went wrong with them.
     """
-
-    def __init__(self, data: bytes | BasicError) -> None:
-        super().__init__(data if isinstance(data, BasicError) else data + bytes((_RETURN,)))
 
 
 class Csave(Activity):
