@@ -1,7 +1,8 @@
 """How much the machine's arithmetic costs beside Python's own, as ratios within one run.
 
-Run it as `python -m benchmarks.number_speed`. A ratio compares the time of an operation of the machine
-with that of a call that adds two Python floats, measured in turns, so that the host hardly matters.
+Run it as `python -m benchmarks.number_speed`. A ratio compares the time of an operation of the
+machine with that of a call that adds two Python floats, measured in turns, so that the host hardly
+matters.
 """
 
 from __future__ import annotations
