@@ -17,6 +17,7 @@ from pathlib import Path
 
 import pytest
 
+from trs80arm.files import load_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.ui import recording
 
@@ -257,6 +258,39 @@ def test_a_fault_leaves_the_terminal_as_it_was_and_keeps_the_program(tmp_path: P
         assert one.is_as_it_was()
         assert b"RuntimeError" in one.output
         assert b"forced" in one.output
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_told_to_end_it_keeps_the_program_and_leaves_the_terminal_as_it_was(
+    tmp_path: Path, number: signal.Signals
+) -> None:
+    with terminal(tmp_path) as one:
+        one.type("10 END\r")
+        one.wait_for("at READY")
+        one.read(1.0)
+        os.kill(one.process.pid, number)
+        assert one.leave() == 128 + number
+        assert one.is_as_it_was()
+        (kept,) = (tmp_path / "state").glob("recovered-*.bas")
+        assert load_program(kept) == [(10, b"\x80")]
+        assert str(kept) in re.sub(r"\s", "", one.output.decode())
+
+
+def test_when_the_terminal_is_closed_it_keeps_the_program_and_ends(tmp_path: Path) -> None:
+    one = Terminal(tmp_path, [], reports=False)
+    one.wait_for("at READY")
+    one.type("10 END\r")
+    one.read(1.5)
+    os.close(one.slave)
+    os.close(one.master)
+    try:
+        # A shell tells its children so, when its terminal goes.
+        os.kill(one.process.pid, signal.SIGHUP)
+        assert one.process.wait(PATIENCE) == 128 + signal.SIGHUP
+    finally:
+        one.process.kill()
+    (kept,) = (tmp_path / "state").glob("recovered-*.bas")
+    assert load_program(kept) == [(10, b"\x80")]
 
 
 def test_suspended_and_back_the_terminal_is_the_shells_in_between(tmp_path: Path) -> None:

@@ -6,7 +6,10 @@ give it a session and a clock of its own.
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
 import os
+import signal
 import sys
 
 from trs80arm.arm.bench import BenchError
@@ -23,6 +26,12 @@ from trs80arm.ui.session import Session
 
 USAGE_ERROR = 2
 CRASHED = 3
+SIGNALLED = 128
+"""With the number of the signal added: the exit code of a program that was told to end."""
+ENDING = [
+    signal.Signals[name] for name in ("SIGTERM", "SIGHUP") if name in signal.Signals.__members__
+]
+"""Told to end, or the terminal was closed: the program goes, but what is unsaved is kept."""
 UNUSABLE = (OSError, BenchError, FileFormatError, recording.RecordingError, ValueError)
 
 
@@ -37,6 +46,11 @@ class Trs80Arm(MachineCommands):
     def on_ready(self) -> None:
         """Say what was loaded, run it, or play, as the options want."""
         options = self.options
+        if self._ticking:
+            for number in ENDING:
+                # Windows has no such handlers.
+                with contextlib.suppress(NotImplementedError):
+                    asyncio.get_running_loop().add_signal_handler(number, self._told_to_end, number)
         if options.demo:
             self.action_demo()
         elif self.session.playing:
@@ -45,6 +59,12 @@ class Trs80Arm(MachineCommands):
             self.loaded(self.session.path)
             if options.run:
                 self.action_run_program()
+
+    def _told_to_end(self, number: signal.Signals) -> None:
+        """A signal: keep what is unsaved, give the terminal back, end."""
+        self.keep_copy()
+        self.session.close()
+        self.exit(SIGNALLED + number)
 
     def action_demo(self) -> None:
         """Play the demonstration."""
@@ -85,7 +105,8 @@ def run_terminal(options: TerminalOptions) -> int:
 
     Returns:
         The exit code: 0, 2 when a file of the options cannot be used or there is no terminal, told
-        in one line on standard error, 3 after a fault of the program.
+        in one line on standard error, 3 after a fault of the program, 128 and the number of the
+        signal that ended it.
     """
     if options.plain:
         from trs80arm.ui.plain import run_plain
@@ -104,15 +125,21 @@ def run_terminal(options: TerminalOptions) -> int:
     if result is None:
         # Textual has restored the terminal and shown what went wrong.
         app.keep_copy()
-        if app.copy_path.is_file():
-            print(f"trs80arm: the program in memory is kept in {app.copy_path}", file=sys.stderr)
-        if app.lesson_copy_path.is_file():
-            kept = app.lesson_copy_path
-            print(
-                f"trs80arm: the positions taught are kept as a program in {kept}", file=sys.stderr
-            )
-        return CRASHED
+        result = CRASHED
+    # The terminal may have been closed.
+    with contextlib.suppress(OSError):
+        _tell_of_copies(app)
     return result
+
+
+def _tell_of_copies(app: Trs80Arm) -> None:
+    """Where that is kept which is not saved; nothing after an ordinary end."""
+    for what, path in (
+        ("the program in memory is kept", app.copy_path),
+        ("the positions taught are kept as a program", app.lesson_copy_path),
+    ):
+        if path.is_file():
+            print(f"trs80arm: {what} in {path}", file=sys.stderr)
 
 
 def _has_terminal() -> bool:

@@ -7,6 +7,7 @@ drawn.
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Callable
 from datetime import datetime
@@ -118,7 +119,7 @@ class Desk(App[int]):
         self.keyboard = self._new_keyboard()
         self.lesson = Lesson()
         self.recent = RecentFiles(state / "recent.json")
-        self.copy_path = state / f"recovered-{datetime.now():%Y%m%d-%H%M%S}.bas"
+        self.copy_path = state / f"recovered-{datetime.now():%Y%m%d-%H%M%S}-{os.getpid()}.bas"
         self.bottom = Bottom.ARM
         self.zoomed: str | None = None
         self.cursor_style = options.cursor
