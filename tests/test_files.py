@@ -138,6 +138,18 @@ def test_what_is_good_of_a_damaged_file_can_be_kept(kind: Kind) -> None:
     assert files.parse_program(damaged, keep_good=True) == lines[:2]
 
 
+def test_good_lines_of_a_text_with_zeros_can_be_kept() -> None:
+    damaged = b"10 A=1\n20 B\0=2\n30 C=3\n\0\0"
+    with pytest.raises(FileFormatError, match="a zero at byte 11"):
+        files.parse_program(damaged)
+    assert files.parse_program(damaged, keep_good=True) == files.parse_program(b"10 A=1\n30 C=3\n")
+
+
+def test_of_a_file_that_is_no_program_at_all_nothing_is_kept() -> None:
+    with pytest.raises(FileFormatError, match="a zero at byte 6"):
+        files.parse_program(b"\x7fELF\x02\x01\0\0\n", keep_good=True)
+
+
 def test_a_cassettes_first_program_is_the_one_that_loads() -> None:
     data = (
         cassette.encode_data(b"5\r")

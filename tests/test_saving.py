@@ -25,8 +25,9 @@ def test_a_failed_save_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.M
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(os, "fsync", full)
-    with pytest.raises(OSError, match="No space"):
+    with pytest.raises(OSError, match="No space") as error:
         write_whole(path, b"NEW")
+    assert error.value.filename == str(path)
     assert path.read_bytes() == b"OLD"
     assert os.listdir(tmp_path) == ["a.bas"]
 
@@ -53,3 +54,12 @@ def test_a_folder_that_is_not_there_is_told_by_the_files_own_name(tmp_path: Path
     with pytest.raises(FileNotFoundError) as error:
         write_whole(path, b"NEW")
     assert error.value.filename == str(path)
+
+
+def test_a_folder_in_the_files_place_is_told_by_the_files_own_name(tmp_path: Path) -> None:
+    path = tmp_path / "a.bas"
+    path.mkdir()
+    with pytest.raises(IsADirectoryError) as error:
+        write_whole(path, b"NEW")
+    assert error.value.filename == str(path)
+    assert os.listdir(tmp_path) == ["a.bas"]

@@ -188,6 +188,9 @@ def _from_run_to_end(
 
 def _verdict(rig: Rig, options: BatchOptions, waiting: Waiting) -> int:
     """Say on standard error what the output does not show, and give the exit code."""
+    for device, fault in (("cassette", rig.tape.fault), ("printer", rig.printer.fault)):
+        if fault is not None:
+            print(f"trs80arm: {device}: {fault}", file=sys.stderr)
     outcome = rig.outcome
     if outcome is not None and outcome.kind is Kind.ERROR:
         return 1

@@ -72,7 +72,15 @@ def parse_program(data: bytes, *, keep_good: bool = False) -> list[ProgramLine]:
     """
     if not data:
         return []
-    match kind_of(data):
+    try:
+        kind = kind_of(data)
+    except FileFormatError:
+        # A text with a few zeros in it; without a single good line it never was a text.
+        good = program_text.parse(data, keep_good=True) if keep_good else []
+        if not good:
+            raise
+        return good
+    match kind:
         case Kind.CRUNCHED:
             found = cassette.parse_lines(data, 1)
             lines, fault = list(found.lines), found.fault

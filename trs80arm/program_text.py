@@ -165,6 +165,8 @@ def _split(text: str) -> Iterator[tuple[int, str]]:
 
 
 def _parse_line(text: str) -> ProgramLine:
+    if "\0" in text:
+        raise _BadLine("has a zero in it, which ends a line in memory")
     try:
         typed = text.translate(_TYPOGRAPHY).encode("latin-1")
     except UnicodeEncodeError as error:

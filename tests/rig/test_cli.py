@@ -58,6 +58,21 @@ def test_an_input_that_nobody_answers_stops_the_run_and_says_so(tmp_path: Path) 
     assert "--input" in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("option", "statement", "device"),
+    [("--tapes", 'CSAVE "A"', "cassette"), ("--printer", 'LPRINT "A"', "printer")],
+)
+def test_a_device_that_cannot_keep_what_it_was_given_is_told_of(
+    option: str, statement: str, device: str, tmp_path: Path
+) -> None:
+    in_the_way = tmp_path / "file"
+    in_the_way.write_text("")
+    done = run(program(tmp_path, f'10 {statement}\n20 PRINT "ON"\n'), option, in_the_way / "x")
+    assert (done.exit_code, done.stdout) == (0, "ON\n")
+    assert done.stderr.startswith(f"trs80arm: {device}: {in_the_way}")
+    assert done.stderr.count("\n") == 1
+
+
 def test_the_limit_counts_virtual_seconds_from_run(tmp_path: Path) -> None:
     path = program(tmp_path, "10 @STEP 60,1:PRINT 1;:GOTO 10\n")
     done = run(path, "--seconds", 10, "--registers")
