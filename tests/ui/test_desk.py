@@ -15,6 +15,7 @@ from tests.ui.conftest import PROGRAMS, Opener, Sitting
 from trs80arm.basic.activity import Waiting
 from trs80arm.machine.keys import Key
 from trs80arm.options import GlyphSet, KeyMode
+from trs80arm.ui.file_commands import AskToLeave
 from trs80arm.ui.screens.dialog import Ask, AskPath, Choose
 from trs80arm.ui.screens.help import HelpScreen
 from trs80arm.ui.screens.open import OpenScreen
@@ -251,6 +252,43 @@ def test_asked_to_leave_twice_it_leaves_and_keeps_a_copy(sit_down: Opener) -> No
             await sitting.pilot.pause()
         assert sitting.app.return_value == 0
         assert sitting.app.copy_path.is_file()
+
+    run(work())
+
+
+def test_where_no_copy_can_be_kept_asking_twice_does_not_leave(
+    sit_down: Opener, tmp_path: Path
+) -> None:
+    async def work() -> None:
+        (tmp_path / "state").write_text("a file where a folder should be")
+        async with sit_down() as sitting:
+            await sitting.type_line('10 PRINT "MINE"')
+            await sitting.press("ctrl+c", "ctrl+c")
+            await sitting.settle()
+            assert isinstance(sitting.app.screen, AskToLeave)
+            assert "No recovery copy" in str(next(iter(sitting.app._notifications)).message)
+
+    run(work())
+
+
+def test_a_file_that_is_not_the_programs_own_is_not_replaced_without_asking(
+    sit_down: Opener, tmp_path: Path
+) -> None:
+    async def work() -> None:
+        other = tmp_path / "program.bas"
+        other.write_text("10 REM SOMETHING ELSE\n")
+        async with sit_down() as sitting:
+            await sitting.type_line('10 PRINT "MINE"')
+            await sitting.press("f3", "enter")
+            await sitting.settle()
+            assert "SOMETHING ELSE" in other.read_text()
+            await sitting.press("enter")
+            await sitting.settle()
+            assert "MINE" in other.read_text()
+            await sitting.type_line('10 PRINT "AGAIN"')
+            await sitting.press("f3", "enter")
+            await sitting.settle()
+            assert "AGAIN" in other.read_text()
 
     run(work())
 

@@ -30,6 +30,8 @@ class AskToLeave(Ask):
 class FileCommands(ViewCommands):
     """Open, save, paste, copy, record, replay, leave."""
 
+    _told_of_no_copy = False
+
     def on_ready(self) -> None:
         """Keep a recovery copy from time to time, and tell of one that is left over."""
         if self._ticking:
@@ -119,7 +121,8 @@ class FileCommands(ViewCommands):
             if path is not None and self._save(path):
                 afterwards()
 
-        self.push_screen(AskPath("Save the program", hint, proposal, to_write=True), save)
+        own = self.session.path
+        self.push_screen(AskPath("Save the program", hint, proposal, to_write=True, own=own), save)
 
     def _save(self, path: Path) -> bool:
         try:
@@ -242,13 +245,23 @@ class FileCommands(ViewCommands):
 
     # -- leaving ----------------------------------------------------------------------------------
 
-    def keep_copy(self) -> None:
-        """Keep a copy of an unsaved program for the case of a crash."""
+    def keep_copy(self) -> bool:
+        """Keep a copy of what is unsaved for the case of a crash; say so once if that cannot be.
+
+        Returns:
+            Whether all is kept that is unsaved.
+        """
         try:
             self.session.keep_copy(self.copy_path)
             self._keep_lesson()
-        except (OSError, FileFormatError):
-            return
+        except (OSError, FileFormatError) as error:
+            if not self._told_of_no_copy and self.is_running:
+                self._told_of_no_copy = True
+                why = getattr(error, "strerror", None) or error
+                self.say(f"No recovery copy in {self.copy_path.parent}: {why}", error=True)
+            return False
+        self._told_of_no_copy = False
+        return True
 
     @property
     def lesson_copy_path(self) -> Path:
@@ -266,8 +279,10 @@ class FileCommands(ViewCommands):
     def action_leave(self) -> None:
         """Leave; ask if something is unsaved, but when asked while asking, leave at once."""
         if isinstance(self.screen, AskToLeave):
-            self.keep_copy()
-            self.exit(0)
+            self._told_of_no_copy = False
+            if self.keep_copy():
+                self.session.close()
+                self.exit(0)
             return
         if self.session.unsaved:
             loss, rescue = "The program in memory is not saved.", Choice("save", "Save")

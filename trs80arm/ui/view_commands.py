@@ -124,7 +124,8 @@ class ViewCommands(Desk):
         try:
             remember(self.options.settings_file, key, value)
         except OSError as error:
-            self.say(f"Not remembered: {error.strerror or error}", error=True)
+            file = self.options.settings_file
+            self.say(f"Not remembered in {file}: {error.strerror or error}", error=True)
 
     def action_settings(self) -> None:
         """What is set."""

@@ -141,14 +141,24 @@ class AskPath(Dialog[Path]):
         hint: what kind of file it will be.
         proposal: the name to begin with.
         to_write: whether the file will be written: one that exists is asked about.
+        own: the file that may be replaced without a question.
     """
 
-    def __init__(self, title: str, hint: str, proposal: Path | str, *, to_write: bool) -> None:
+    def __init__(
+        self,
+        title: str,
+        hint: str,
+        proposal: Path | str,
+        *,
+        to_write: bool,
+        own: Path | None = None,
+    ) -> None:
         super().__init__()
         self._title = title
         self._hint = hint
         self._proposal = str(proposal)
         self._to_write = to_write
+        self._own = own
         self._warned = ""
 
     def compose(self) -> ComposeResult:
@@ -178,7 +188,7 @@ class AskPath(Dialog[Path]):
             return "" if path.is_file() else f"There is no file {path}."
         if not path.parent.is_dir():
             return f"There is no folder {path.parent}."
-        if path.exists() and text not in (self._warned, self._proposal):
+        if path.exists() and path != self._own and text != self._warned:
             self._warned = text
             return f"{path.name} exists. Enter again replaces it."
         return ""
