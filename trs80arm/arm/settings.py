@@ -7,7 +7,28 @@ the model; what they do settle is a named constant in `geometry` or `motors`. `M
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+
+_RANGES: dict[str, tuple[float, float]] = {
+    "speed_margin": (0.1, 100),
+    "pull_out_lag": (1, 4),
+    "pad_friction": (0, 10),
+    "table_friction": (0.01, 10),
+    "push_limit": (0, 100),
+    "grip_slide": (0, 1),
+    "touch": (0, 0.25),
+    "base_front": (0, 4),
+    "base_rear": (0, 10),
+    "base_width": (1, 10),
+    "base_height": (0, 4),
+    "body_radius": (0, 3),
+    "body_top": (0, 7),
+    "finger_length": (0.1, 3.5),
+    "pad_length": (0.1, 3.5),
+    "events_kept": (1, 1_000_000),
+}
+"""From where to where each setting is that of an arm of this sort."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +62,9 @@ class ArmSettings:
         finger_length: fingertip to finger root along the hand (facts 7: a 1.700 in link).
         pad_length: the part of a finger, from its tip, that can grip.
         events_kept: number of events that the arm remembers.
+
+    Raises:
+        ValueError: a value that no arm of this sort could have; the message has the range.
     """
 
     speed_margin: float = 1.15
@@ -59,3 +83,9 @@ class ArmSettings:
     finger_length: float = 1.7
     pad_length: float = 0.6
     events_kept: int = 2000
+
+    def __post_init__(self) -> None:
+        for name, (low, high) in _RANGES.items():
+            value = getattr(self, name)
+            if not (math.isfinite(value) and low <= value <= high):
+                raise ValueError(f"{name} must be {low:g} to {high:g}, not {value:g}")
