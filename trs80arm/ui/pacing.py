@@ -14,9 +14,9 @@ from trs80arm.basic.activity import Waiting
 TICK = 1 / 60
 """Seconds of the wall between two calls of the timer."""
 BUDGET = 0.004
-"""Seconds of the wall that one call may use at a chosen speed."""
-FLAT_OUT_BUDGET = 0.007
-"""The same when the machine is to go as fast as it can."""
+"""Seconds of the wall that one call may use at the machine's own speed."""
+FAST_BUDGET = 0.007
+"""The same when the machine is to go faster, or as fast as it can."""
 SLICE = 0.004
 """Virtual seconds in one slice at the start; slices grow and shrink with what they cost."""
 LONGEST_SLICE = 0.25
@@ -72,6 +72,10 @@ class Pacer:
         self._last = wall()
         self._measured = (self._last, machine.time)
 
+    @property
+    def _budget(self) -> float:
+        return BUDGET if self.speed == 1 else FAST_BUDGET
+
     def set_speed(self, speed: float | None) -> None:
         """Go at another speed from now on; nothing is owed from before."""
         self.speed = speed
@@ -99,7 +103,7 @@ class Pacer:
             self._flat_out(now, passed)
         else:
             self._target += passed * self.speed
-            self._pay(now + BUDGET)
+            self._pay(now + self._budget)
             # What cannot be made up soon is dropped; the achieved speed tells it.
             self._target = max(self._target, self.machine.time - MOST_OWED)
             self._target = min(self._target, self.machine.time + MOST_OWED * self.speed)
@@ -109,7 +113,7 @@ class Pacer:
         """As fast as can be while it works; while it waits for a person, at a person's speed."""
         machine = self.machine
         self._target = machine.time + passed
-        end = now + FLAT_OUT_BUDGET
+        end = now + self._budget
         while machine.waiting is Waiting.NOTHING or machine.typing:
             self._one_slice(self._slice)
             if self._wall() >= end:
@@ -128,7 +132,7 @@ class Pacer:
         self.machine.run_for(seconds)
         cost = self._wall() - began
         # Long slices are cheaper: a motion of many steps is computed as one array.
-        budget = FLAT_OUT_BUDGET if self.speed is None else BUDGET
+        budget = self._budget
         if cost > budget * 0.75:
             self._slice = max(self._slice / 2, SHORTEST_SLICE)
         elif cost < budget * 0.4 and seconds >= self._slice:
