@@ -131,6 +131,7 @@ def run_program(options: BatchOptions, out: TextIO | None = None) -> int:
 
 
 def _run(options: BatchOptions, stream: TextIO) -> int:
+    _check_traces(options)
     lines = load_program(options.program)
     bench = options.bench or bench_beside(options.program)
     sets = [parse_holds(holds) for holds in options.sets]
@@ -152,6 +153,15 @@ def _run(options: BatchOptions, stream: TextIO) -> int:
         print(*(f"{value + 0.0:.4f}" for value in values), file=stream)
     stream.flush()
     return _verdict(rig, options, waiting)
+
+
+def _check_traces(options: BatchOptions) -> None:
+    """Refuse traces of which one would be lost or has nothing to be written to."""
+    if options.trace_pose is None:
+        if options.trace_rate is not None:
+            raise UnusableError("--trace-rate is for --trace-pose FILE, which is not given")
+    elif options.trace and options.trace.resolve() == options.trace_pose.resolve():
+        raise UnusableError(f"{options.trace}: --trace and --trace-pose need a file each")
 
 
 def _from_run_to_end(

@@ -124,6 +124,17 @@ def test_a_file_that_is_no_program_is_refused_in_one_line(tmp_path: Path) -> Non
     assert len(done.stderr.splitlines()) == 1
 
 
+def test_traces_that_would_be_lost_are_refused_in_one_line(tmp_path: Path) -> None:
+    path, trace = program(tmp_path, "10 @STEP 50,5\n"), tmp_path / "trace.csv"
+    for arguments in (["--trace-rate", 10], ["--trace", trace, "--trace-pose", trace]):
+        done = run(path, *arguments)
+        assert done.exit_code == 2
+        assert done.stderr.startswith("trs80arm: ")
+        assert "--trace-pose" in done.stderr
+        assert done.stderr.count("\n") == 1
+    assert not trace.exists()
+
+
 def test_convert_there_and_back_keeps_the_program(tmp_path: Path) -> None:
     runner = CliRunner()
     source = PROGRAMS / "table4.bas"
