@@ -299,7 +299,8 @@ def test_suspended_and_back_the_terminal_is_the_shells_in_between(tmp_path: Path
         one.send("\x1b[122;5u\x1b[122;5:3u", 1.5)
         assert one.is_as_it_was()
         os.kill(one.process.pid, signal.SIGCONT)
-        one.wait_for("READY")
+        # All of the tube, not only what has changed since.
+        one.wait_for("MEMORY SIZE?")
         one.read(0.5)
         one.send("\x1b[21~")
         assert one.leave() == 0
@@ -314,6 +315,7 @@ def test_suspended_and_back_the_terminal_is_the_shells_in_between(tmp_path: Path
         (["--bench", "nowhere.toml"], "nowhere.toml"),
         (["--replay", "bad.bas"], "bad.bas: "),
         (["--record", "/nowhere/x"], "/nowhere/x: No such file or directory"),
+        (["--theme", "puce"], "there is no theme 'puce'"),
         (["--speed", "3"], "must be one of 1, 2, 5, 20"),
     ],
 )

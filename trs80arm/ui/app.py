@@ -23,6 +23,7 @@ from trs80arm.ui.file_commands import PLAYING
 from trs80arm.ui.machine_commands import MachineCommands
 from trs80arm.ui.places import state_folder
 from trs80arm.ui.session import Session
+from trs80arm.ui.themes import THEMES
 
 USAGE_ERROR = 2
 CRASHED = 3
@@ -121,6 +122,14 @@ def run_terminal(options: TerminalOptions) -> int:
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
     app = Trs80Arm(session, options, state_folder())
+    if options.theme not in app.available_themes:
+        own = ", ".join(theme.name for theme in THEMES)
+        print(
+            f"trs80arm: theme: there is no theme {options.theme!r}; there are {own} "
+            "and those of Textual",
+            file=sys.stderr,
+        )
+        return USAGE_ERROR
     result = app.run()
     if result is None:
         # Textual has restored the terminal and shown what went wrong.

@@ -215,8 +215,12 @@ class Desk(App[int]):
         self.keyboard.let_go()
 
     def _resumed(self, _: App[int]) -> None:
-        """Back from the shell: the time between was nobody's."""
+        """Back from the shell: the time between was nobody's, and the screen is empty."""
         self.pacer.forgive()
+        for screen in self.screen_stack:
+            screen.refresh(layout=True)
+            for widget in screen.walk_children(Widget):
+                widget.refresh()
 
     def use_glyphs(self, chosen: GlyphSet) -> None:
         """Draw graphics with another set; ASCII goes for everything."""

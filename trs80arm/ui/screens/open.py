@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar
 
+from rich.text import Text
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
@@ -89,7 +90,9 @@ class OpenScreen(Dialog[Path]):
                 options.add_option(Option(shelf.title, disabled=True))
                 self._paths.append(Path())
             for path in files:
-                options.add_option(Option(f"  {path.name}"))
+                options.add_option(
+                    Option(Text(f"  {path.name}", no_wrap=True, overflow="ellipsis"))
+                )
                 self._paths.append(path)
         first = next((n for n, path in enumerate(self._paths) if path != Path()), None)
         options.highlighted = first
