@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from textual import events
-from textual.widgets import Input
+from textual.widgets import Input, OptionList
 
 from tests.ui.conftest import PROGRAMS, Opener, Sitting
 from trs80arm.basic.activity import Waiting
@@ -318,6 +318,21 @@ def test_the_speed_is_chosen_from_a_list(sit_down: Opener) -> None:
             before = sitting.app.session.time
             await sitting.pass_time(1)
             assert sitting.app.session.time - before == pytest.approx(5.0, rel=0.05)
+
+    run(work())
+
+
+def test_the_bench_that_stands_is_marked_in_the_list(
+    sit_down: Opener, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def work() -> None:
+        monkeypatch.chdir(PROGRAMS.parent)
+        async with sit_down(program=Path("programs/table4.bas")) as sitting:
+            await sitting.press("ctrl+b")
+            await sitting.settle()
+            options = sitting.app.screen.query_one(OptionList)
+            marked = [str(row.prompt) for row in options.options if str(row.prompt)[0] == "*"]
+            assert [row.split()[1] for row in marked] == ["table4"]
 
     run(work())
 

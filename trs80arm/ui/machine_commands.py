@@ -101,7 +101,8 @@ class MachineCommands(FileCommands):
         choices = [Choice("", STANDARD_BENCH, "a table and one part at (8, 0)")]
         for path in self._benches():
             choices.append(Choice(str(path), path.stem, str(path.parent)))
-        now = str(self.session.bench_path or "")
+        standing = self.session.bench_path
+        now = str(standing.resolve()) if standing else ""
         self.push_screen(Choose("Bench", choices, now), self._chosen_bench)
 
     def _benches(self) -> list[Path]:

@@ -132,6 +132,7 @@ class ViewCommands(Desk):
         rig = self.session.rig.settings
         tables: dict[str, dict[str, Any]] = {
             "terminal": {
+                "speed": "max" if self.pacer.speed is None else f"{self.pacer.speed:g}",
                 "keys": self.keyboard.mode.value,
                 "glyphs": self.tube.glyph_set.value,
                 "theme": self.theme,
