@@ -10,6 +10,7 @@ from trs80arm.arm import Bench
 from trs80arm.arm.benchfile import parse
 from trs80arm.arm.minimover import Pose
 from trs80arm.files import load_program
+from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.settings import load
 
 SENSORS = """
@@ -116,3 +117,21 @@ def test_ghosts_are_keys_to_peek_and_to_manual_mode_where_they_are_switched_on()
         counted.append(rig.registers[3])
     assert counted[0] == 0
     assert counted[1] < -100  # R is at the fourth corner
+
+
+def test_a_tape_is_searched_in_the_same_time_however_it_is_sliced() -> None:
+    ends = []
+    for step in (60 * T_STATES_PER_SECOND, T_STATES_PER_SECOND // 60):
+        rig = Rig()
+        rig.type('10 REM A\rCSAVE "A"\rNEW\r20 REM B\rCSAVE "B"\rNEW\r')
+        rig.run_until_waiting(600)
+        rig.tape.rewind()
+        printed: list[int] = []
+        rig.listen(lambda code, is_echo, printed=printed, rig=rig: printed.append(rig.clock.now))
+        rig.type('CLOAD "B"\r')
+        target = rig.clock.now + 60 * T_STATES_PER_SECOND
+        while rig.clock.now < target:
+            rig.run_to(min(target, rig.clock.now + step))
+        assert [number for number, _ in rig.basic.program.lines()] == [20]
+        ends.append(printed)
+    assert ends[0] == ends[1]

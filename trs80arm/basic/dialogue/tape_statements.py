@@ -114,8 +114,10 @@ class Reading(Activity):
             tape.start_reading()
             self._playing = True
         while clock.now < clock.limit and self._playing:
+            silent = False
             if not self._found:
                 self._found = tape.find_sync()
+                silent = not self._found
                 clock.now += _T_BYTE * LEADER if self._found else 0
                 if self._found:
                     self.found(basic)
@@ -126,7 +128,7 @@ class Reading(Activity):
                     self._found = False
                 else:
                     self.byte(basic, value)
-            look = wait.look_for_break if self._found else wait.next_key
+            look = wait.next_key if silent else wait.look_for_break
             if self._playing and look(basic) == wait.BREAK:
                 self.stop(basic)
                 self.broken_off(basic)
