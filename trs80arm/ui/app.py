@@ -11,6 +11,7 @@ import contextlib
 import os
 import signal
 import sys
+import threading
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.batch import bench_beside
@@ -29,6 +30,8 @@ USAGE_ERROR = 2
 CRASHED = 3
 SIGNALLED = 128
 """With the number of the signal added: the exit code of a program that was told to end."""
+GRACE = 2.0
+"""Seconds in which a program that was told to end gives the terminal back."""
 ENDING = [
     signal.Signals[name] for name in ("SIGTERM", "SIGHUP") if name in signal.Signals.__members__
 ]
@@ -65,6 +68,11 @@ class Trs80Arm(MachineCommands):
         """A signal: keep what is unsaved, give the terminal back, end."""
         self.keep_copy()
         self.session.close()
+        # Of a terminal that is gone nothing can be given back, and the writes that wait for it
+        # would keep the program for ever.
+        last = threading.Timer(GRACE, os._exit, (SIGNALLED + number,))
+        last.daemon = True
+        last.start()
         self.exit(SIGNALLED + number)
 
     def action_demo(self) -> None:
