@@ -17,6 +17,7 @@ from trs80arm.basic.activity import Waiting
 from trs80arm.basic.interpreter import Kind
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
+from trs80arm.machine.video import FIRST_GRAPHIC, sextant
 from trs80arm.operator import Hold, Operator, ScriptError, parse_holds
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.trace import PoseTrace, Trace, TraceError
@@ -91,7 +92,7 @@ class Teletype:
         elif 32 <= code < 128:
             self._write(chr(code))
         elif 128 <= code < 192:
-            self._write(sextant(code - 128))
+            self._write(sextant(code - FIRST_GRAPHIC))
         elif code >= 192:
             self._write(" " * (code - 192))
 
@@ -104,14 +105,6 @@ class Teletype:
         if self._column:
             self._write("\n")
         self._stream.flush()
-
-
-def sextant(pattern: int) -> str:
-    """The Unicode character of a 2x3 graphics block, 0 to 63, in the machine's own bit order."""
-    special = {0: " ", 21: "\u258c", 42: "\u2590", 63: "\u2588"}
-    if pattern in special:
-        return special[pattern]
-    return chr(0x1FB00 + pattern - 1 - (pattern > 21) - (pattern > 42))
 
 
 def run_program(options: BatchOptions, out: TextIO | None = None) -> int:

@@ -7,8 +7,9 @@ import unicodedata
 import pytest
 from rich.cells import cell_len
 
+from trs80arm.machine.video import sextant
 from trs80arm.options import GlyphSet
-from trs80arm.ui.glyphs import GLYPHS, braille, choose, sextant
+from trs80arm.ui.glyphs import GLYPHS, braille, choose
 
 PATTERNS = range(64)
 SETS = list(GLYPHS)

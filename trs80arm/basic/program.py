@@ -99,12 +99,6 @@ class Program:
             return addresses[place]
         return None
 
-    def number_from(self, number: int) -> int | None:
-        """The first line number that is not smaller; None behind the last line."""
-        numbers = self._walk()[1]
-        place = bisect.bisect_left(numbers, number)
-        return numbers[place] if place < len(numbers) else None
-
     def place(self, number: int) -> int:
         """How many lines the ROM passes before it stops at a number: the first not smaller."""
         numbers = self._walk()[1]
@@ -198,10 +192,6 @@ class Program:
         ram[address : address + 2] = b"\0\0"
         self.end = address + 2
         self.changed()
-
-    def size_with(self, lines: Iterable[tuple[int, bytes]]) -> int:
-        """The bytes that a program of these lines takes, its final zeros included."""
-        return 2 + sum(5 + len(text) for _, text in lines)
 
     def _replace(self, start: int, stop: int, new: bytes) -> None:
         """Put `new` where `start <= address < stop` was, and mend the links, as 1AF8H does."""

@@ -41,6 +41,14 @@ def glyph(code: int) -> str:
     return _ARROWS.get(code) or _GRAPHICS.get(code) or chr(code)
 
 
+def sextant(pattern: int) -> str:
+    """The Unicode character of a 2x3 block pattern, 0 to 63: the machine's own order of bits."""
+    special = {0: " ", 21: "▌", 42: "▐", 63: "█"}
+    if pattern in special:
+        return special[pattern]
+    return chr(0x1FB00 + pattern - 1 - (pattern > 21) - (pattern > 42))
+
+
 class Video:
     """The 1024 cells, and the switch for 32 characters a line.
 

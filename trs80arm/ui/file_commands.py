@@ -84,7 +84,7 @@ class FileCommands(ViewCommands):
         self.say(f"{path.name}{with_bench} loaded: F5 or RUN runs it.")
 
     def _load_recovered(self, path: Path) -> None:
-        """Load a copy that a bad end has left; it goes when this session has a copy of its own."""
+        """Load a copy that a bad end has left; it goes when this run has a copy of its own."""
         try:
             self.session.load_bytes(path.read_bytes())
         except (FileFormatError, OSError) as error:

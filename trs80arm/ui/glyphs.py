@@ -11,20 +11,12 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from trs80arm.machine.video import FIRST_GRAPHIC, glyph
+from trs80arm.machine.video import FIRST_GRAPHIC, glyph, sextant
 from trs80arm.options import GlyphSet
 
 PATTERNS = 64
 _ASCII_ARROWS = {0x5B: "^", 0x5C: "v", 0x5D: "<", 0x5E: ">"}
 """Small letters do not occur on the tube, so the small v can only be the arrow."""
-
-
-def sextant(pattern: int) -> str:
-    """The Unicode character of a 2x3 block pattern, 0 to 63."""
-    special = {0: " ", 21: "▌", 42: "▐", 63: "█"}
-    if pattern in special:
-        return special[pattern]
-    return chr(0x1FB00 + pattern - 1 - (pattern > 21) - (pattern > 42))
 
 
 def braille(pattern: int) -> str:
