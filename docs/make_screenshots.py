@@ -123,8 +123,9 @@ def action(name: str) -> Scene:
 
 async def shoot(name: str, size: tuple[int, int], scene: Scene, **options: Any) -> None:
     """Make one picture."""
+    from trs80arm.desk.opening import open_session
     from trs80arm.options import TerminalOptions
-    from trs80arm.ui.app import Trs80Arm, open_session
+    from trs80arm.ui.app import Trs80Arm
 
     wall = Wall()
     chosen = TerminalOptions(**options)

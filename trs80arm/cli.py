@@ -153,6 +153,10 @@ def demo(**given: Any) -> None:
 
 def _open_terminal(given: dict[str, Any], **more: Any) -> NoReturn:
     options = _terminal_options(given, **more)
+    if options.plain:
+        from trs80arm.plain import run_plain
+
+        sys.exit(run_plain(options))
     from trs80arm.ui.app import run_terminal
 
     sys.exit(run_terminal(options))

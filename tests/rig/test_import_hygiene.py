@@ -35,3 +35,20 @@ def test_help_answers_without_textual_or_numpy(arguments: list[str]) -> None:
         f"cli.main({arguments!r}, prog_name='trs80arm', standalone_mode=False)"
     )
     assert modules.isdisjoint({"textual", "numpy", "matplotlib"})
+
+
+def test_the_line_mode_starts_without_textual() -> None:
+    modules = loaded_after(
+        "import io, os, sys\n"
+        "sys.stdin, real = io.StringIO('PRINT 1+1\\n'), sys.stdout\n"
+        "sys.stdout = io.StringIO()\n"
+        "from trs80arm.cli import cli\n"
+        "try:\n"
+        "    cli.main(['terminal', '--plain', '--speed', 'max'], prog_name='trs80arm')\n"
+        "except SystemExit as end:\n"
+        "    assert not end.code, end.code\n"
+        "text, sys.stdout = sys.stdout.getvalue(), real\n"
+        "assert ' 2' in text, text"
+    )
+    assert "trs80arm.plain" in modules
+    assert modules.isdisjoint({"textual", "trs80arm.ui"})

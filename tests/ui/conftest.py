@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tests.own_places import own_places
+from trs80arm.desk.opening import open_session
 from trs80arm.options import TerminalOptions
-from trs80arm.ui.app import Trs80Arm, open_session
+from trs80arm.ui.app import Trs80Arm
+
+__all__ = ["own_places", "sit_down"]
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 FRAME = 1 / 60
@@ -71,18 +75,6 @@ class Sitting:
 
 
 Opener = Callable[..., AbstractAsyncContextManager[Sitting]]
-
-
-@pytest.fixture(autouse=True)
-def _own_places(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """No test sees or touches the files of whoever runs it."""
-    monkeypatch.setenv("TRS80ARM_STATE", str(tmp_path / "state"))
-    monkeypatch.setenv("TRS80ARM_CONFIG", str(tmp_path / "settings.toml"))
-    monkeypatch.setenv("LANG", "C.UTF-8")
-    for name in ("LC_ALL", "LC_CTYPE", "TERM_PROGRAM", "NO_COLOR"):
-        monkeypatch.delenv(name, raising=False)
-    monkeypatch.chdir(tmp_path)
-    return
 
 
 @pytest.fixture

@@ -6,16 +6,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.ui import samples
-from tests.ui.golden_text import check_golden
+from tests.drawing import samples
+from tests.goldens import check_golden
 from trs80arm.arm.shapes import upright
-from trs80arm.ui.arm_view import ArmView
-from trs80arm.ui.readings import Kind, Posture, Readings, Thing
-from trs80arm.ui.rows import Ink, text_of
-from trs80arm.ui.scene import Extras, Joint, skeleton
-from trs80arm.ui.side_view import SideView, angles_text
-from trs80arm.ui.top_scene import top_scene
-from trs80arm.ui.top_view import TopView
+from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
+from trs80arm.drawing.rows import Ink, text_of
+from trs80arm.drawing.scene import Extras, Joint, skeleton
+from trs80arm.drawing.top_scene import top_scene
+from trs80arm.ui.panels.arm_view import ArmView
+from trs80arm.ui.panels.side_view import SideView, angles_text
+from trs80arm.ui.panels.top_view import TopView
 
 SIZES = [(76, 28), (50, 18), (40, 12), (16, 8), (46, 6)]
 

@@ -3,11 +3,12 @@ from __future__ import annotations
 import pytest
 from textual.app import App
 
-from tests.ui import samples
-from tests.ui.golden_text import check_golden, screen_text
+from tests.drawing import samples
+from tests.goldens import check_golden
 from tests.ui.piloted import piloted
+from tests.ui.screen_text import screen_text
 from trs80arm.arm.geometry import START_POSE
-from trs80arm.ui.readings import Readings
+from trs80arm.drawing.readings import Readings
 from trs80arm.ui.screens.hand_move import HandMoveScreen, MoveJoint, MoveTo
 
 

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trs80arm.machine.keys import Key
-from trs80arm.ui.held_keys import GLANCE, HOLD, LIFT, HeldKeys
+from trs80arm.ui.keys.held_keys import GLANCE, HOLD, LIFT, HeldKeys
 
 FRAME = 1 / 60
 Seen = list[tuple[float, Key, bool]]

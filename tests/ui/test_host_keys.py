@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from trs80arm.machine.keys import Key
-from trs80arm.ui.host_keys import trs80_keys
+from trs80arm.ui.keys.host_keys import trs80_keys
 
 
 @pytest.mark.parametrize(

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from tests.ui.conftest import Opener
-from tests.ui.golden_text import screen_text
 from tests.ui.piloted import piloted
-from trs80arm.ui.file_commands import AskToLeave
-from trs80arm.ui.places import recovered_copies
+from tests.ui.screen_text import screen_text
+from trs80arm.desk.places import recovered_copies
+from trs80arm.ui.commands.files import AskToLeave
 from trs80arm.ui.screens.teach import TeachScreen
 
 

@@ -5,10 +5,10 @@ from typing import Any
 from textual.app import App, ComposeResult
 from textual.geometry import Region
 
-from tests.ui import samples
-from tests.ui.golden_text import screen_text
+from tests.drawing import samples
 from tests.ui.piloted import piloted
-from trs80arm.ui.registers_panel import RegistersPanel
+from tests.ui.screen_text import screen_text
+from trs80arm.ui.panels.registers import RegistersPanel
 
 
 class Watched(RegistersPanel):

@@ -3,19 +3,19 @@ from __future__ import annotations
 import pytest
 from textual.events import MouseScrollDown, MouseScrollUp
 
-from tests.ui import samples
-from tests.ui.golden_text import check_golden
+from tests.drawing import samples
+from tests.goldens import check_golden
 from trs80arm.basic.activity import Waiting
+from trs80arm.drawing.rows import Ink, text_of
 from trs80arm.machine.driver import Mode
-from trs80arm.ui.coils_panel import CoilsPanel
-from trs80arm.ui.events_log import EventsLog, clock_text, collapsed
-from trs80arm.ui.panel import Panel
-from trs80arm.ui.pose_panel import PosePanel
-from trs80arm.ui.registers_panel import RegistersPanel
-from trs80arm.ui.rows import Ink, text_of
-from trs80arm.ui.side_view import SideView
-from trs80arm.ui.status_line import Pace, StatusLine, doing_text
-from trs80arm.ui.top_view import TopView
+from trs80arm.ui.panels.coils import CoilsPanel
+from trs80arm.ui.panels.events import EventsLog, clock_text, collapsed
+from trs80arm.ui.panels.panel import Panel
+from trs80arm.ui.panels.pose import PosePanel
+from trs80arm.ui.panels.registers import RegistersPanel
+from trs80arm.ui.panels.side_view import SideView
+from trs80arm.ui.panels.status import Pace, StatusLine, doing_text
+from trs80arm.ui.panels.top_view import TopView
 
 PANELS = [RegistersPanel, PosePanel, CoilsPanel, EventsLog]
 

@@ -17,9 +17,9 @@ from pathlib import Path
 
 import pytest
 
+from trs80arm.desk import recording
 from trs80arm.files import load_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
-from trs80arm.ui import recording
 
 PATIENCE = 40.0
 """Seconds of the wall after which something that should come has not come."""

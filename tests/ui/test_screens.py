@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 from textual.app import App
 
+from tests.goldens import check_golden
 from tests.ui.conftest import PROGRAMS, Opener
-from tests.ui.golden_text import check_golden
-from tests.ui.golden_text import screen_text as text_of
+from tests.ui.screen_text import screen_text as text_of
 from trs80arm.options import ArmStyle, GlyphSet
 from trs80arm.ui.themes import THEMES
 
@@ -80,7 +80,7 @@ def test_the_switched_panels(sit_down: Opener, width: int, height: int, bottom: 
 
 @pytest.mark.parametrize("theme", [theme.name for theme in THEMES])
 def test_every_theme_has_its_colours(sit_down: Opener, theme: str) -> None:
-    from tests.ui.golden_text import screen_colours
+    from tests.ui.screen_text import screen_colours
 
     async def work() -> None:
         async with sit_down(80, 24, theme=theme) as sitting:

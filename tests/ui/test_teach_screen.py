@@ -6,13 +6,14 @@ import pytest
 from textual.app import App
 from textual.widgets import Input, OptionList
 
-from tests.ui import samples
-from tests.ui.golden_text import check_golden, screen_text
+from tests.desk.test_teach import pick_and_place
+from tests.drawing import samples
+from tests.goldens import check_golden
 from tests.ui.piloted import piloted
-from tests.ui.test_teach import pick_and_place
-from trs80arm.ui.readings import Readings
+from tests.ui.screen_text import screen_text
+from trs80arm.desk.teach import Lesson
+from trs80arm.drawing.readings import Readings
 from trs80arm.ui.screens.teach import TeachResult, TeachScreen
-from trs80arm.ui.teach import Lesson
 
 
 class Desk(App[None]):

@@ -7,7 +7,7 @@ from rich.style import Style
 
 from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
-from trs80arm.ui.rows import Ink
+from trs80arm.drawing.rows import Ink
 from trs80arm.ui.themes import THEMES
 
 LEGIBLE = 4.5

@@ -14,19 +14,16 @@ import sys
 import threading
 
 from trs80arm.arm.bench import BenchError
-from trs80arm.batch import bench_beside
+from trs80arm.desk.demo import Demo
+from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, one_line, open_session
+from trs80arm.desk.places import state_folder
 from trs80arm.files import FileFormatError
 from trs80arm.options import TerminalOptions
-from trs80arm.ui import recording
-from trs80arm.ui.commands import Palette, bindings
-from trs80arm.ui.demo import Demo
-from trs80arm.ui.file_commands import PLAYING
-from trs80arm.ui.machine_commands import MachineCommands
-from trs80arm.ui.places import state_folder
-from trs80arm.ui.session import Session
+from trs80arm.ui.commands.files import PLAYING
+from trs80arm.ui.commands.machine import MachineCommands
+from trs80arm.ui.commands.table import Palette, bindings
 from trs80arm.ui.themes import THEMES
 
-USAGE_ERROR = 2
 CRASHED = 3
 SIGNALLED = 128
 """With the number of the signal added: the exit code of a program that was told to end."""
@@ -36,7 +33,6 @@ ENDING = [
     signal.Signals[name] for name in ("SIGTERM", "SIGHUP") if name in signal.Signals.__members__
 ]
 """Told to end, or the terminal was closed: the program goes, but what is unsaved is kept."""
-UNUSABLE = (OSError, BenchError, FileFormatError, recording.RecordingError, ValueError)
 
 
 class Trs80Arm(MachineCommands):
@@ -117,10 +113,6 @@ def run_terminal(options: TerminalOptions) -> int:
         in one line on standard error, 3 after a fault of the program, 128 and the number of the
         signal that ended it.
     """
-    if options.plain:
-        from trs80arm.ui.plain import run_plain
-
-        return run_plain(options)
     if not _has_terminal():
         print("trs80arm: this is no terminal; --plain works without one", file=sys.stderr)
         return USAGE_ERROR
@@ -165,33 +157,3 @@ def _has_terminal() -> bool:
         return True
     streams = (sys.__stdin__, sys.__stderr__)
     return all(stream is not None and stream.isatty() for stream in streams)
-
-
-def open_session(options: TerminalOptions) -> Session:
-    """The desk as the options want it: machine, bench, program; a recording kept, or played.
-
-    Raises:
-        OSError: a file cannot be read or written.
-        BenchError: the bench file is none.
-        FileFormatError: the program file is none.
-        RecordingError: the recording is none.
-        ValueError: a fitting of the machine cannot be.
-    """
-    program, bench = options.program, options.bench
-    if bench is None and program is not None:
-        bench = bench_beside(program)
-    started_with = (program, options.replay, options.demo or None, options.plain or None)
-    greeting = all(choice is None for choice in started_with)
-    session = Session(options.rig, bench, options.record, greeting=greeting)
-    if options.replay is not None:
-        session.play(recording.load(options.replay))
-    elif program is not None:
-        session.load(program)
-    return session
-
-
-def one_line(error: Exception) -> str:
-    """What went wrong, in one line for standard error."""
-    if isinstance(error, OSError) and error.filename:
-        return f"{error.filename}: {error.strerror}"
-    return str(error).splitlines()[0] if str(error) else type(error).__name__

@@ -22,31 +22,31 @@ from textual.screen import Screen
 from textual.widget import Widget
 from textual.widgets import Static
 
+from trs80arm.desk.pacing import TICK, Pacer
+from trs80arm.desk.places import RecentFiles
+from trs80arm.desk.session import Session
+from trs80arm.desk.teach import Lesson
+from trs80arm.drawing.glyphs import choose
+from trs80arm.drawing.readings import Readings
 from trs80arm.machine.display import COVERED, CURSOR
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, TerminalOptions
 from trs80arm.ui import layout
-from trs80arm.ui.coils_panel import CoilsPanel
-from trs80arm.ui.command_bar import CommandBar
-from trs80arm.ui.events_log import EventsLog
-from trs80arm.ui.glyphs import choose
-from trs80arm.ui.held_keys import HeldKeys
-from trs80arm.ui.keyboard import Keyboard
+from trs80arm.ui.keys.held_keys import HeldKeys
+from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.layout import Bottom
-from trs80arm.ui.matrix_view import KeyHeld, KeyLatched, KeysLetGo, MatrixView
-from trs80arm.ui.pacing import TICK, Pacer
-from trs80arm.ui.places import RecentFiles
-from trs80arm.ui.pose_panel import PosePanel
-from trs80arm.ui.readings import Readings
-from trs80arm.ui.registers_panel import RegistersPanel
-from trs80arm.ui.session import Session
-from trs80arm.ui.side_view import SideView
-from trs80arm.ui.status_line import Pace, StatusLine
-from trs80arm.ui.teach import Lesson
+from trs80arm.ui.panels.coils import CoilsPanel
+from trs80arm.ui.panels.command_bar import CommandBar
+from trs80arm.ui.panels.events import EventsLog
+from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo, MatrixView
+from trs80arm.ui.panels.pose import PosePanel
+from trs80arm.ui.panels.registers import RegistersPanel
+from trs80arm.ui.panels.side_view import SideView
+from trs80arm.ui.panels.status import Pace, StatusLine
+from trs80arm.ui.panels.top_view import TopView
+from trs80arm.ui.panels.tube import Tube, Typed
 from trs80arm.ui.terminal.driver import choose_driver
 from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
 from trs80arm.ui.themes import THEMES
-from trs80arm.ui.top_view import TopView
-from trs80arm.ui.tube import Tube, Typed
 
 BLINK_SECONDS = 0.5
 NUMBERS_EVERY = 0.1

@@ -18,11 +18,11 @@ from textual.message import Message
 from textual.widgets import Input, Static
 
 from trs80arm.arm.geometry import START_POSE, Pose
-from trs80arm.ui.readings import Readings
-from trs80arm.ui.rows import signed
+from trs80arm.drawing.readings import Readings
+from trs80arm.drawing.rows import signed
+from trs80arm.ui.panels.side_view import SideView
+from trs80arm.ui.panels.top_view import TopView
 from trs80arm.ui.screens.dialog import Dialog
-from trs80arm.ui.side_view import SideView
-from trs80arm.ui.top_view import TopView
 
 FRAMES_PER_SECOND = 15
 JOINTS = ("base", "shoulder", "elbow", "pitch", "roll", "hand")

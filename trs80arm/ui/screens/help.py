@@ -10,8 +10,8 @@ from textual.containers import VerticalScroll
 from textual.widgets import Markdown
 
 from trs80arm.options import KeyMode
-from trs80arm.ui.commands import COMMANDS, spoken
-from trs80arm.ui.host_keys import TABLE
+from trs80arm.ui.commands.table import COMMANDS, spoken
+from trs80arm.ui.keys.host_keys import TABLE
 from trs80arm.ui.screens.dialog import Dialog
 
 LEFT_COLUMN = 18

@@ -8,7 +8,7 @@ from textual.containers import Vertical
 from textual.widgets import RichLog, Static
 
 from trs80arm.options import KeyMode
-from trs80arm.ui.host_keys import trs80_keys
+from trs80arm.ui.keys.host_keys import trs80_keys
 from trs80arm.ui.screens.dialog import Dialog
 
 

@@ -14,9 +14,9 @@ from textual.containers import Horizontal, Vertical
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
+from trs80arm.desk.places import program_files
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.program_text import spell
-from trs80arm.ui.places import program_files
 from trs80arm.ui.screens.dialog import Dialog
 
 PREVIEW_LINES = 40

@@ -13,11 +13,11 @@ from textual.containers import Vertical, VerticalScroll
 from textual.widgets import Footer, Input, OptionList, Static
 
 from trs80arm.arm.geometry import OutOfReach
+from trs80arm.desk.taught_programs import Manner, in_data, in_steps
+from trs80arm.desk.teach import Lesson, Position
+from trs80arm.drawing.readings import Readings
 from trs80arm.saving import write_whole
-from trs80arm.ui.readings import Readings
 from trs80arm.ui.screens.dialog import AskPath, Dialog
-from trs80arm.ui.taught_programs import Manner, in_data, in_steps
-from trs80arm.ui.teach import Lesson, Position
 
 _HEADING = " name    hand        J1    J2    J3    J4    J5    J6     x     y     z pitch  roll"
 

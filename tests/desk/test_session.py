@@ -1,0 +1,100 @@
+"""What is on the desk: a program that may be unsaved, a machine that comes back to READY."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from trs80arm.basic.activity import Waiting
+from trs80arm.desk.session import Session
+from trs80arm.rig import RigSettings
+
+
+def typed(session: Session, *lines: str) -> None:
+    for line in lines:
+        session.rig.type(line + "\r")
+    session.rig.run_until_waiting(30)
+
+
+def test_a_program_is_unsaved_until_it_is_saved_and_again_when_changed(tmp_path: Path) -> None:
+    session = Session()
+    assert not session.unsaved
+    typed(session, "10 PRINT 1")
+    assert session.unsaved
+    session.save(tmp_path / "a.bas")
+    assert not session.unsaved
+    typed(session, "20 PRINT 2")
+    assert session.unsaved
+    typed(session, "20")
+    assert not session.unsaved
+    typed(session, "NEW")
+    assert not session.unsaved
+
+
+def test_a_save_that_fails_leaves_the_program_unsaved(tmp_path: Path) -> None:
+    session = Session()
+    typed(session, "10 PRINT 1")
+    with pytest.raises(OSError, match="No such file"):
+        session.save(tmp_path / "nowhere" / "a.bas")
+    assert session.unsaved
+    assert session.path is None
+
+
+@pytest.mark.parametrize(
+    ("lines", "state"),
+    [
+        (("10 GOTO 10", "RUN"), Waiting.NOTHING),
+        (("10 INPUT A", "RUN"), Waiting.INPUT),
+        (("@SET",), Waiting.SET),
+        (("AUTO",), Waiting.AUTO),
+        (("10 PRINT", "EDIT 10"), Waiting.EDIT),
+        (("@STEP 200,2000",), Waiting.NOTHING),
+    ],
+)
+def test_from_wherever_it_is_the_machine_comes_to_its_prompt(
+    lines: tuple[str, ...], state: Waiting
+) -> None:
+    session = Session()
+    for line in lines:
+        session.rig.type(line + "\r")
+    session.rig.run_for(6)
+    assert session.rig.waiting is state
+    before = session.rig.video.row(0)
+    session.ready()
+    assert session.rig.waiting is Waiting.COMMAND
+    assert session.rig.video.row(0) == before
+
+
+def test_a_motion_that_is_interrupted_keeps_its_registers() -> None:
+    session = Session()
+    session.rig.type("@STEP 100,1000\r")
+    session.rig.run_for(3)
+    session.load_bytes(b"10 REM\n")
+    assert session.rig.registers[0] > 100
+    assert session.rig.joints == session.rig.registers
+
+
+def test_the_copy_for_a_crash_comes_and_goes_with_the_unsaved_program(tmp_path: Path) -> None:
+    session = Session()
+    copy = tmp_path / "state" / "copy.bas"
+    session.keep_copy(copy)
+    assert not copy.exists()
+    typed(session, '10 PRINT "MINE"')
+    session.keep_copy(copy)
+    other = Session()
+    other.load(copy)
+    assert other.program == session.program
+    session.save(tmp_path / "mine.bas")
+    session.keep_copy(copy)
+    assert not copy.exists()
+
+
+def test_switching_off_and_on_forgets_the_program_and_keeps_the_arm() -> None:
+    session = Session(RigSettings(ram_kib=32))
+    typed(session, "10 REM", "@STEP 50,300")
+    pose = session.rig.pose
+    session.reset()
+    assert session.program == []
+    assert session.rig.pose == pose
+    assert session.rig.settings.ram_kib == 32

@@ -1,0 +1,48 @@
+"""Opens a sitting as the command line wants it: the machine, its bench, its program.
+
+The screen and the line mode both begin here, and say in the same line why they cannot.
+"""
+
+from __future__ import annotations
+
+from trs80arm.arm.bench import BenchError
+from trs80arm.batch import bench_beside
+from trs80arm.desk import recording
+from trs80arm.desk.session import Session
+from trs80arm.files import FileFormatError
+from trs80arm.options import TerminalOptions
+
+UNUSABLE = (OSError, BenchError, FileFormatError, recording.RecordingError, ValueError)
+"""What `open_session` raises when a file or an option cannot be used."""
+USAGE_ERROR = 2
+"""The exit code that says so."""
+
+
+def open_session(options: TerminalOptions) -> Session:
+    """The desk as the options want it: machine, bench, program; a recording kept, or played.
+
+    Raises:
+        OSError: a file cannot be read or written.
+        BenchError: the bench file is none.
+        FileFormatError: the program file is none.
+        RecordingError: the recording is none.
+        ValueError: a fitting of the machine cannot be.
+    """
+    program, bench = options.program, options.bench
+    if bench is None and program is not None:
+        bench = bench_beside(program)
+    started_with = (program, options.replay, options.demo or None, options.plain or None)
+    greeting = all(choice is None for choice in started_with)
+    session = Session(options.rig, bench, options.record, greeting=greeting)
+    if options.replay is not None:
+        session.play(recording.load(options.replay))
+    elif program is not None:
+        session.load(program)
+    return session
+
+
+def one_line(error: Exception) -> str:
+    """What went wrong, in one line for standard error."""
+    if isinstance(error, OSError) and error.filename:
+        return f"{error.filename}: {error.strerror}"
+    return str(error).splitlines()[0] if str(error) else type(error).__name__

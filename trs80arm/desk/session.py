@@ -1,0 +1,279 @@
+"""What is on the desk: the machine, where its program came from, what is unsaved, what is played.
+
+The app's commands come here; nothing of it knows Textual. It also is what the pacer paces: while a
+recording plays, the recorded keys go down in it at their own virtual times.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections import deque
+from pathlib import Path
+
+from trs80arm.arm.bench import Bench
+from trs80arm.arm.geometry import Pose
+from trs80arm.basic.activity import Waiting
+from trs80arm.desk.greeting import greet
+from trs80arm.desk.recording import Journal, Recording
+from trs80arm.files import Kind, load_program, parse_program, save_program
+from trs80arm.machine.clock import T_STATES_PER_SECOND
+from trs80arm.rig import Input, Rig, RigSettings
+
+ProgramLines = list[tuple[int, bytes]]
+SMALLEST_STEP = 0.0004
+"""Virtual seconds, a third of the shortest half-step, by which a motion is watched for one step."""
+TRIES = 4
+"""How often the operator tries to get the prompt before the machine is switched off."""
+LEAVING = {Waiting.EDIT: "\x1bQ", Waiting.MEMORY_SIZE: "\r"}
+"""What is typed where BREAK does not help: an insertion is ended, the editor quit."""
+LONGEST_MOTION = 60.0
+"""Virtual seconds for which a motion may go on after BREAK."""
+LONGEST_STEP = 1.0
+"""Virtual seconds after which waiting for a motor's next step is given up."""
+
+
+class Session:
+    """A rig with what a person at it would remember.
+
+    Args:
+        settings: the machine's fittings.
+        bench: the bench file to set up, None for the standard bench.
+        record: a file to which everything is written as it happens.
+        greeting: whether the tube says what to type next.
+
+    Attributes:
+        rig: the machine; another one after a recording was begun.
+        path: the file that the program came from or went to.
+        bench_path: the bench file, None for the standard bench.
+
+    Raises:
+        OSError: the bench cannot be read or the recording not be written.
+        BenchError: the bench file is none.
+    """
+
+    def __init__(
+        self,
+        settings: RigSettings | None = None,
+        bench: Path | None = None,
+        record: Path | None = None,
+        *,
+        greeting: bool = False,
+    ) -> None:
+        self._settings = settings or RigSettings()
+        text = bench.read_text(encoding="utf-8") if bench else None
+        self.bench_path = bench
+        self.path: Path | None = None
+        self._played: deque[Input] = deque()
+        self._play_end = 0
+        rig = Rig(self._settings, _parse(text, bench))
+        if greeting:
+            greet(rig.console)
+        self._use(rig, Journal(rig, text, record, greeting=greeting))
+
+    def _use(self, rig: Rig, journal: Journal) -> None:
+        self.rig = rig
+        self._journal = journal
+        self._safe: ProgramLines = []
+        self.path = None
+
+    # -- time -------------------------------------------------------------------------------------
+
+    @property
+    def time(self) -> float:
+        """Virtual seconds since power-on."""
+        return self.rig.time
+
+    @property
+    def waiting(self) -> Waiting:
+        """What the machine waits for."""
+        return Waiting.NOTHING if self.playing else self.rig.waiting
+
+    @property
+    def typing(self) -> bool:
+        """Whether typed text is still on its way into the machine."""
+        return self.rig.typing
+
+    def run_for(self, seconds: float) -> None:
+        """Let virtual time pass, and do what a recording that plays says meanwhile."""
+        rig = self.rig
+        target = rig.clock.now + round(seconds * T_STATES_PER_SECOND)
+        while self._played and self._played[0].time <= target:
+            done = self._played.popleft()
+            rig.replay([done])
+            self._note_program(done)
+        rig.run_to(target)
+
+    def _note_program(self, done: Input) -> None:
+        if done.action == "load_lines":
+            self._safe = self.program
+
+    def step_motor(self) -> bool:
+        """Go on to the next change of a latch.
+
+        Returns:
+            Whether there was one within `LONGEST_STEP`.
+        """
+        rig = self.rig
+        before = rig.state.coils
+        end = rig.time + LONGEST_STEP
+        while rig.time < end:
+            self.run_for(SMALLEST_STEP)
+            if rig.state.coils != before:
+                return True
+        return False
+
+    def step_statement(self) -> int | None:
+        """Do one statement of the program that runs.
+
+        Returns:
+            The number of the line that is next; None when no program runs.
+        """
+        return self.rig.step_statement()
+
+    # -- the program ------------------------------------------------------------------------------
+
+    @property
+    def program(self) -> ProgramLines:
+        """The program in memory, crunched, line by line."""
+        return list(self.rig.basic.program.lines())
+
+    @property
+    def unsaved(self) -> bool:
+        """Whether the program in memory is neither empty nor what was loaded or saved last."""
+        program = self.program
+        return bool(program) and program != self._safe
+
+    def load(self, path: Path) -> None:
+        """Put a program file into memory.
+
+        Raises:
+            FileFormatError: it is no program; the message begins with its path.
+            OSError: it cannot be read.
+        """
+        lines = load_program(path)
+        self.ready()
+        self.rig.load_lines(lines)
+        self.path = path
+        self._safe = self.program
+
+    def load_bytes(self, data: bytes) -> None:
+        """Put a listing into memory that no file holds yet.
+
+        Raises:
+            FileFormatError: it is no program.
+        """
+        lines = parse_program(data)
+        self.ready()
+        self.rig.load_lines(lines)
+
+    def ready(self) -> None:
+        """Bring the machine back to its prompt as an operator would, or else by switching it off.
+
+        A motion under way comes to its end first.
+        """
+        rig = self.rig
+        rig.stop_typing()
+        for _ in range(TRIES):
+            if rig.waiting is Waiting.COMMAND:
+                return
+            if rig.waiting in LEAVING:
+                rig.type(LEAVING[rig.waiting])
+            else:
+                rig.hold(["BREAK"], 0.1)
+            rig.run_until(lambda rig: rig.waiting is Waiting.COMMAND, LONGEST_MOTION)
+        rig.reset()
+
+    def save(self, path: Path, kind: Kind | None = None) -> None:
+        """Save the program in memory, whole or not at all.
+
+        Raises:
+            FileFormatError: it cannot be written in that kind of file.
+            OSError: the file cannot be written.
+        """
+        save_program(path, self.program, kind)
+        self.path = path
+        self._safe = self.program
+
+    def reset(self) -> None:
+        """Switch the machine off and on."""
+        self.rig.reset()
+        self._safe = []
+        self.path = None
+
+    # -- bench and arm ----------------------------------------------------------------------------
+
+    def set_bench(self, path: Path | None) -> None:
+        """Set up another bench, None for the standard one.
+
+        Raises:
+            OSError: the file cannot be read.
+            BenchError: it is no bench.
+        """
+        text = path.read_text(encoding="utf-8") if path else None
+        bench = _parse(text, path) or Bench.standard()
+        self._journal.bench_text = text
+        self.rig.set_bench(bench)
+        self.bench_path = path
+
+    def move_joint(self, joint: str, value: float) -> None:
+        """Turn a joint by hand (`Rig.move_joint`)."""
+        self.rig.move_joint(joint, value)
+
+    def move_to(self, pose: Pose) -> None:
+        """Put the hand somewhere by hand (`Rig.move_to`)."""
+        self.rig.move_to(pose)
+
+    # -- recordings -------------------------------------------------------------------------------
+
+    @property
+    def playing(self) -> bool:
+        """Whether a recording plays."""
+        return bool(self._played) or self.rig.clock.now < self._play_end
+
+    def save_recording(self, path: Path) -> None:
+        """Write everything that was done since the machine was switched on.
+
+        Raises:
+            OSError: the file cannot be written.
+        """
+        self._journal.save(path)
+
+    def play(self, recording: Recording) -> None:
+        """Put the recorded machine on the desk and let the recording play as time passes."""
+        self._journal.close()
+        rig = recording.rig()
+        self._use(rig, Journal(rig, recording.bench, greeting=recording.greeting))
+        self._played = deque(recording.inputs)
+        self._play_end = recording.end
+
+    def stop_playing(self) -> None:
+        """Leave the rest of a recording out; the machine stays as it is."""
+        self._played.clear()
+        self._play_end = 0
+
+    # -- safety -----------------------------------------------------------------------------------
+
+    def keep_copy(self, path: Path) -> None:
+        """Keep a copy of an unsaved program where a crash does not take it; none if all is saved.
+
+        Raises:
+            OSError: the copy cannot be written.
+        """
+        if self.unsaved:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            save_program(path, self.program, Kind.CRUNCHED)
+        else:
+            self.drop_copy(path)
+
+    def drop_copy(self, path: Path) -> None:
+        """Remove the copy: the program is saved, or its owner gave it up."""
+        with contextlib.suppress(OSError):
+            path.unlink()
+
+    def close(self) -> None:
+        """Clear the desk."""
+        self._journal.close()
+
+
+def _parse(text: str | None, path: Path | None) -> Bench | None:
+    return None if text is None else Bench.from_toml(text, str(path))

@@ -1,0 +1,209 @@
+"""The positions taught in a session: a list that can be named, edited and put in another order.
+
+The article's Table 3 keeps its four positions in the variables A1 to D5. This keeps any number of
+them, with the registers as the machine counted them and the pose as it truly was, and
+`ui/taught_programs.py` makes a program for the real machine of them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from trs80arm.arm.geometry import BASE_SHOULDER_STEPS, ELBOW_STEPS, WRIST_STEPS, Pose
+from trs80arm.drawing.readings import Readings
+
+FORCE_STEPS = 52
+"""Half-steps of the hand for each pound of grip (article, The Hand)."""
+SWITCH_FORCE = 2 / 16
+"""Pounds at which the grip switch closes (article, The Hand)."""
+REGISTER_SPAN = 1 << 16
+SAME_ZERO = 0.004
+"""Radians by which the zeros of two positions may differ: less than a motor's loss of one ring."""
+MOST_NAME = 24
+"""Characters of a name; a listing's REM holds it."""
+
+Counts = tuple[int, int, int, int, int, int]
+
+
+@dataclass(frozen=True)
+class Position:
+    """One position of the arm, as taught.
+
+    Attributes:
+        name: capital letters, as it will stand in the listing.
+        registers: J1 to J6, half-steps from where they were last zero.
+        pose: of the fingertip, as it truly was.
+        grips: whether the hand holds something here; it then closes by `@CLOSE` on arrival.
+        squeeze: half-steps by which it closes on beyond the grip switch.
+        zero: base, upper arm, forearm and wrist gears, radians, where the registers were zero,
+            going by the registers; empty for a position that was not taught.
+    """
+
+    name: str
+    registers: Counts
+    pose: Pose
+    grips: bool = False
+    squeeze: int = 0
+    zero: tuple[float, ...] = ()
+
+
+def steps_between(start: Counts, end: Counts) -> Counts:
+    """The commanded steps from one reading of the registers to another.
+
+    Registers are 16 bits wide and wrap around.
+    """
+    half = REGISTER_SPAN // 2
+    a, b, c, d, e, f = (
+        (stop - begin + half) % REGISTER_SPAN - half for begin, stop in zip(start, end, strict=True)
+    )
+    return a, b, c, d, e, f
+
+
+class Lesson:
+    """The positions taught, in the order in which the arm shall visit them."""
+
+    def __init__(self) -> None:
+        self._positions: list[Position] = []
+        self._written: list[Position] = []
+
+    def __len__(self) -> int:
+        return len(self._positions)
+
+    @property
+    def positions(self) -> Sequence[Position]:
+        """What was taught, in order."""
+        return tuple(self._positions)
+
+    @property
+    def unwritten(self) -> bool:
+        """Whether there are positions of which no program was written."""
+        return bool(self._positions) and self._positions != self._written
+
+    def written(self) -> None:
+        """Say that a program of the positions was written, or put into the machine."""
+        self._written = list(self._positions)
+
+    def add(self, readings: Readings, name: str = "") -> Position:
+        """Teach the position in which the arm is now.
+
+        Args:
+            readings: of the rig.
+            name: what it is called; the next free letter if empty.
+        """
+        beyond = max(0.0, readings.force - SWITCH_FORCE)
+        grips = readings.switch_closed
+        position = Position(
+            name=listing_name(name) or self._free_name(),
+            registers=_six(readings.registers),
+            pose=readings.pose,
+            grips=grips,
+            squeeze=round(beyond * FORCE_STEPS) if grips else 0,
+            zero=_zero(readings),
+        )
+        self.insert(position)
+        return position
+
+    def insert(self, position: Position) -> None:
+        """Put a position at the end of the list."""
+        self._positions.append(position)
+
+    def rename(self, place: int, name: str) -> None:
+        """Call a position something else; an empty name changes nothing."""
+        cleaned = listing_name(name)
+        if cleaned:
+            self._positions[place] = replace(self._positions[place], name=cleaned)
+
+    def teach_again(self, place: int, readings: Readings) -> None:
+        """Put the position in which the arm is now in the place of an older one; the name stays."""
+        name = self._positions[place].name
+        self._positions[place] = self.add(readings, name)
+        self._positions.pop()
+
+    def set_registers(self, place: int, registers: Sequence[int]) -> None:
+        """Change the register values of a position.
+
+        The pose stays what it was when the position was taught.
+
+        Raises:
+            ValueError: they are not six numbers of 16 bits.
+        """
+        half = REGISTER_SPAN // 2
+        if len(registers) != 6 or not all(-half <= value < half for value in registers):
+            raise ValueError("six numbers from -32768 to 32767 are needed")
+        self._positions[place] = replace(self._positions[place], registers=_six(registers))
+
+    def set_grip(self, place: int, grips: bool, squeeze: int = 0) -> None:
+        """Say whether the hand closes at a position, and how many steps beyond the switch."""
+        self._positions[place] = replace(
+            self._positions[place], grips=grips, squeeze=max(0, squeeze) if grips else 0
+        )
+
+    def move(self, place: int, by: int) -> int:
+        """Move a position earlier (negative) or later in the list.
+
+        Returns:
+            Where it is now.
+        """
+        target = min(max(place + by, 0), len(self._positions) - 1)
+        self._positions.insert(target, self._positions.pop(place))
+        return target
+
+    def remove(self, place: int) -> None:
+        """Take a position off the list."""
+        del self._positions[place]
+
+    def clear(self) -> None:
+        """Forget all positions."""
+        self._positions.clear()
+
+    def strays(self) -> list[str]:
+        """The names of positions whose registers count from elsewhere than the first one's.
+
+        Their differences lead nowhere: there was a `@RESET` in between, or a motor had slipped, or
+        the arm was moved by hand.
+        """
+        taught = [position for position in self._positions if position.zero]
+        return [
+            position.name
+            for position in taught
+            if any(
+                abs(here - there) > SAME_ZERO
+                for here, there in zip(position.zero, taught[0].zero, strict=True)
+            )
+        ]
+
+    def _free_name(self) -> str:
+        names = {position.name for position in self._positions}
+        count = 0
+        while (name := _letters(count)) in names:
+            count += 1
+        return name
+
+
+def _zero(readings: Readings) -> tuple[float, ...]:
+    angles, counts = readings.posture.angles, readings.registers
+    return (
+        angles.base - counts[0] / BASE_SHOULDER_STEPS,
+        angles.shoulder + counts[1] / BASE_SHOULDER_STEPS,
+        angles.elbow - counts[2] / ELBOW_STEPS,
+        angles.left_gear + counts[3] / WRIST_STEPS,
+        angles.right_gear - counts[4] / WRIST_STEPS,
+    )
+
+
+def listing_name(text: str) -> str:
+    """A name as a listing of the machine can hold it: capitals, figures and plain signs."""
+    return re.sub(r"[^ -!#-9;-Z]", "", text.upper()).strip()[:MOST_NAME]
+
+
+def _letters(count: int) -> str:
+    """A to Z, then A1 to Z1, A2 and so on."""
+    turn, letter = divmod(count, 26)
+    return chr(ord("A") + letter) + (str(turn) if turn else "")
+
+
+def _six(values: Sequence[int]) -> Counts:
+    a, b, c, d, e, f = values
+    return a, b, c, d, e, f

@@ -1,0 +1,1 @@
+"""A picture of a rig as rows of text: scenes, canvases, readings. No Textual."""

@@ -1,0 +1,179 @@
+"""What there is to draw of the arm and its bench, in inches and without any screen.
+
+A scene is shapes in a plane. `ui/side_scene.py` makes that of the plane in which the arm stands,
+`ui/top_scene.py` that of the table from above; the views fit a window to it and draw it on a canvas
+(`ui/viewport.py`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from math import cos, radians, sin
+from typing import TypeAlias
+
+from trs80arm.arm.geometry import forward
+from trs80arm.arm.settings import ArmSettings
+from trs80arm.arm.shapes import Box
+from trs80arm.drawing.canvas_ascii import Point
+from trs80arm.drawing.readings import Kind, Posture
+from trs80arm.drawing.rows import Ink
+
+PALM_HALF_WIDTH = 0.76
+"""Half the distance of the fingers' roots, inches: they are parallel at 1.52 (arm facts, 7)."""
+FINGER_LENGTH = ArmSettings().finger_length
+"""Fingertip to finger root along the hand, inches."""
+QUARTER = radians(90)
+
+Bounds: TypeAlias = tuple[float, float, float, float]
+"""Left, bottom, right and top, inches."""
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """A straight line, or two rails `width` inches apart where the scale has room for them.
+
+    A dotted stroke is a row of single marks that never covers anything.
+    """
+
+    start: Point
+    end: Point
+    ink: Ink
+    width: float = 0.0
+    dotted: bool = False
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A joint or another single place, marked by a glyph; a small one is never drawn as a disc."""
+
+    place: Point
+    ink: Ink
+    glyph: str = "o"
+    small: bool = False
+
+
+@dataclass(frozen=True)
+class Block:
+    """An upright box between two corners; `fill` is its glyph inside, `_` leaves it hollow."""
+
+    corner: Point
+    opposite: Point
+    ink: Ink
+    fill: str
+
+
+@dataclass(frozen=True)
+class Trace:
+    """Single points, marked by the first glyph in a cell's upper half and the second below."""
+
+    points: tuple[Point, ...]
+    ink: Ink
+    glyphs: str
+
+
+Shape: TypeAlias = Stroke | Joint | Block | Trace
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Shapes from the back to the front, and what a window must show of them.
+
+    Attributes:
+        shapes: in inches, y upwards.
+        bounds: what belongs into the picture.
+        focus: what a closer look is centred on: the middle of the hand.
+    """
+
+    shapes: tuple[Shape, ...]
+    bounds: Bounds
+    focus: Point
+
+
+@dataclass(frozen=True)
+class TrailPoint:
+    """Where the fingertip was: in the arm's plane of that moment, and seen from above."""
+
+    side: Point
+    top: Point
+
+
+@dataclass(frozen=True)
+class Extras:
+    """What is drawn on request: the envelope of the fingertip, and where it has been."""
+
+    envelope: bool = False
+    trail: Sequence[TrailPoint] = ()
+
+
+PLAINLY = Extras()
+"""Nothing on request."""
+
+FILL = {
+    Kind.PART: "#",
+    Kind.FEEDER: "=",
+    Kind.TRAY: "_",
+    Kind.OBSTACLE: "X",
+    Kind.TURNTABLE: "@",
+    Kind.SENSOR: "?",
+}
+"""The glyph of each kind of thing."""
+INK = {kind: Ink.PART if kind is Kind.PART else Ink.FURNITURE for kind in Kind}
+"""The ink of each kind of thing."""
+
+
+def along(start: Point, angle: float, length: float) -> Point:
+    """The point `length` inches from `start` at an angle, in radians, from the x axis."""
+    return start[0] + length * cos(angle), start[1] + length * sin(angle)
+
+
+def skeleton(posture: Posture) -> tuple[Point, Point, Point, Point]:
+    """Shoulder, elbow, wrist and fingertip in the arm's plane, inches."""
+    points = forward(posture.angles)
+    c, s = cos(posture.angles.base), sin(posture.angles.base)
+
+    def beside(place: tuple[float, float, float]) -> Point:
+        return place[0] * c + place[1] * s, place[2]
+
+    return (
+        beside(points.shoulder),
+        beside(points.elbow),
+        beside(points.wrist),
+        beside(points.fingertip),
+    )
+
+
+def trail_point(posture: Posture) -> TrailPoint:
+    """The fingertip of a posture, for a trail."""
+    x, y, _ = forward(posture.angles).fingertip
+    return TrailPoint(skeleton(posture)[3], (x, y))
+
+
+def turned(place: Sequence[float], base: float) -> Point:
+    """A place on the table as distance along the arm's plane and distance to its left."""
+    c, s = cos(base), sin(base)
+    return place[0] * c + place[1] * s, place[1] * c - place[0] * s
+
+
+def half_along(box: Box, angle: float) -> float:
+    """Half of what a box covers along a level direction, inches."""
+    c, s = cos(angle), sin(angle)
+    return sum(
+        half * abs(axis[0] * c + axis[1] * s) for half, axis in zip(box.half, box.axes, strict=True)
+    )
+
+
+def around(points: Iterable[Point]) -> Bounds:
+    """The bounds that hold all points."""
+    xs, ys = zip(*points, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def corners_of(bounds: Bounds) -> tuple[Point, Point]:
+    """The lower left and the upper right corner of bounds."""
+    return bounds[:2], bounds[2:]
+
+
+def middle(a: Point, b: Point) -> Point:
+    """The point half way between two."""
+    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2

@@ -1,0 +1,181 @@
+"""The arm from the side: the plane in which it stands, with what stands in and beside it.
+
+x is the distance from the base's axis along the arm, y the height above the table, in inches. The
+plane turns with the base.
+"""
+
+from __future__ import annotations
+
+from math import degrees, radians
+
+from trs80arm.arm.geometry import (
+    ELBOW_LIMITS,
+    HAND_LENGTH,
+    LINK,
+    SHOULDER_HEIGHT,
+    SHOULDER_LIMITS,
+)
+from trs80arm.arm.settings import ArmSettings
+from trs80arm.drawing.canvas_ascii import Point
+from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
+from trs80arm.drawing.rows import Ink
+from trs80arm.drawing.scene import (
+    FILL,
+    FINGER_LENGTH,
+    INK,
+    PALM_HALF_WIDTH,
+    PLAINLY,
+    QUARTER,
+    Block,
+    Extras,
+    Joint,
+    Scene,
+    Shape,
+    Stroke,
+    Trace,
+    along,
+    around,
+    corners_of,
+    half_along,
+    middle,
+    skeleton,
+    turned,
+)
+
+UPPER_ARM_DEPTH = 1.5
+FOREARM_DEPTH = 1.1
+"""Height of the links' side plates, inches. Not on record; drawn so where there is room."""
+NEAR = 0.6
+"""How far beside the arm's plane a thing may stand and still be drawn as in it, inches."""
+
+
+def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
+    """The plane in which the arm stands, seen from its right.
+
+    The hand is drawn turned so that its opening can be seen; the top view shows its roll. Things
+    that stand beside the plane are faint and filled with `:`.
+    """
+    posture, fittings = readings.posture, readings.fittings
+    base = posture.angles.base
+    points = skeleton(posture)
+    inside = [thing for thing in readings.things if _in_the_plane(thing, base)]
+    beside = [thing for thing in readings.things if not _in_the_plane(thing, base)]
+    # What stands further away, on the arm's left, is drawn first.
+    beside.sort(key=lambda thing: -turned(thing.box.center, base)[1])
+    bounds = around(
+        [(-fittings.base_rear - 0.4, -0.5), (12.5, 12.5), *points]
+        + [corner for thing in inside for corner in _side_corners(thing, base)]
+    )
+    shapes: list[Shape] = []
+    if extras.envelope:
+        outline = side_envelope()
+        bounds = around([*corners_of(bounds), *outline])
+        shapes.append(Trace(outline, Ink.FAINT, "++"))
+    shapes += [Block(*_side_corners(thing, base), Ink.FAINT, ":") for thing in beside]
+    shapes += _pedestal(base, fittings)
+    shapes.append(Stroke((-99.0, 0.0), (99.0, 0.0), Ink.FURNITURE))
+    shapes += [_side_block(thing, base) for thing in inside if not thing.held]
+    shapes.append(Trace(tuple(point.side for point in extras.trail), Ink.TRAIL, "`,"))
+    if readings.believed:
+        shapes += _side_ghost(readings.believed)
+    shapes += [_side_block(thing, base) for thing in inside if thing.held]
+    shapes += _side_arm(posture)
+    # However small the picture is, a part in the hand can be seen.
+    shapes += [
+        Joint((turned(thing.box.center, base)[0], thing.box.center[2]), Ink.PART, "#", small=True)
+        for thing in inside
+        if thing.held
+    ]
+    return Scene(tuple(shapes), bounds, middle(points[2], points[3]))
+
+
+def _pedestal(base: float, fittings: ArmSettings) -> list[Shape]:
+    """The base plate, which stays, and the body on it, which turns with the arm."""
+    half = fittings.base_width / 2
+    corners = [
+        turned((x, y), base)[0]
+        for x in (-fittings.base_rear, fittings.base_front)
+        for y in (-half, half)
+    ]
+    radius, top, height = fittings.body_radius, fittings.base_height, SHOULDER_HEIGHT
+    left, right = min(corners), max(corners)
+    return [
+        Stroke((left, 0.0), (left, top), Ink.FURNITURE),
+        Stroke((right, 0.0), (right, top), Ink.FURNITURE),
+        Stroke((left, top), (right, top), Ink.FURNITURE),
+        Stroke((-radius, top), (-radius * 0.6, height), Ink.FURNITURE),
+        Stroke((radius, top), (radius * 0.6, height), Ink.FURNITURE),
+    ]
+
+
+def _side_arm(posture: Posture) -> list[Shape]:
+    shoulder, elbow, wrist, _ = skeleton(posture)
+    return [
+        Stroke(shoulder, elbow, Ink.ARM, UPPER_ARM_DEPTH),
+        Stroke(elbow, wrist, Ink.ARM, FOREARM_DEPTH),
+        *_hand(wrist, posture, dotted=False),
+        Joint(shoulder, Ink.ARM, "O"),
+        Joint(elbow, Ink.ARM),
+        Joint(wrist, Ink.HAND),
+    ]
+
+
+def _side_ghost(posture: Posture) -> list[Shape]:
+    shoulder, elbow, wrist, _ = skeleton(posture)
+    return [
+        Stroke(shoulder, elbow, Ink.GHOST, dotted=True),
+        Stroke(elbow, wrist, Ink.GHOST, dotted=True),
+        *_hand(wrist, posture, dotted=True),
+    ]
+
+
+def _hand(wrist: Point, posture: Posture, dotted: bool) -> list[Shape]:
+    """The hand in its own plane: palm, cross-piece, and two fingers that show the opening."""
+    ink = Ink.GHOST if dotted else Ink.HAND
+    pitch = posture.angles.pitch
+    left = pitch + QUARTER
+    palm = along(wrist, pitch, HAND_LENGTH - FINGER_LENGTH)
+    tip = along(wrist, pitch, HAND_LENGTH)
+    roots = [along(palm, left, side * PALM_HALF_WIDTH) for side in (-1, 1)]
+    ends = [along(tip, left, side * posture.opening / 2) for side in (-1, 1)]
+    return [
+        Stroke(wrist, palm, ink, dotted=dotted),
+        Stroke(roots[0], roots[1], ink, dotted=dotted),
+        Stroke(roots[0], ends[0], ink, dotted=dotted),
+        Stroke(roots[1], ends[1], ink, dotted=dotted),
+    ]
+
+
+def _in_the_plane(thing: Thing, base: float) -> bool:
+    ahead, across = turned(thing.box.center, base)
+    return thing.held or (ahead > 0 and abs(across) <= half_along(thing.box, base + QUARTER) + NEAR)
+
+
+def _side_corners(thing: Thing, base: float) -> tuple[Point, Point]:
+    box = thing.box
+    ahead, _ = turned(box.center, base)
+    half = box.half[0] if thing.kind is Kind.TURNTABLE else half_along(box, base)
+    return (ahead - half, box.bottom), (ahead + half, box.top)
+
+
+def _side_block(thing: Thing, base: float) -> Shape:
+    return Block(*_side_corners(thing, base), INK[thing.kind], FILL[thing.kind])
+
+
+def side_envelope() -> tuple[Point, ...]:
+    """The outline that the fingertip can reach in the arm's plane with the hand straight."""
+    low, high = (round(degrees(limit)) for limit in SHOULDER_LIMITS)
+    fold = round(-degrees(ELBOW_LIMITS[0]))
+    postures = (
+        [(shoulder, 0) for shoulder in range(low, high + 1, 4)]
+        + [(high, bend) for bend in range(0, fold, 7)]
+        + [(shoulder, fold) for shoulder in range(high, low, -12)]
+        + [(low, bend) for bend in range(0, fold, 7)]
+    )
+    points: list[Point] = []
+    for shoulder, bend in postures:
+        elbow = along((0.0, SHOULDER_HEIGHT), radians(shoulder), LINK)
+        tip = along(elbow, radians(shoulder - bend), LINK + HAND_LENGTH)
+        if tip[1] > 0:
+            points.append(tip)
+    return tuple(points)

@@ -1,0 +1,178 @@
+"""The window through which a view looks at a scene: inches to cells, zoom, and drawing.
+
+A fitted window grows when the arm leaves it and never shrinks by itself, so that the picture stands
+still while the arm moves. A closer look follows the hand in whole cells.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import ceil, hypot
+
+from trs80arm.drawing.canvas_ascii import Canvas, Point
+from trs80arm.drawing.scene import Block, Bounds, Joint, Scene, Stroke, Trace
+
+ASPECT = 2.0
+"""How many times higher than wide a terminal's cell is."""
+ZOOMS = (0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 4.5)
+"""The steps of the zoom, as multiples of the fitted scale."""
+FIT = ZOOMS.index(1.0)
+GROWTH = 2.5
+"""Steps by which a fitted window grows, inches: the scale changes seldom while the arm rises."""
+RAILS_FROM = 0.95
+"""Rows of the canvas that a link must be deep to be drawn as two rails."""
+ROUND_FROM = 1.4
+"""Rows an inch from which joints are drawn as discs."""
+RAIL_INSET = 0.4
+"""How far rails end before the joints, as a share of their distance, so that they do not cross."""
+
+
+@dataclass(frozen=True)
+class Window:
+    """A part of the plane, in cells.
+
+    Attributes:
+        left: inches at the left edge of the canvas.
+        top: inches at its upper edge.
+        scale: rows an inch; columns are twice as many.
+    """
+
+    left: float
+    top: float
+    scale: float
+
+    def cell(self, point: Point) -> Point:
+        """A point of the plane in cells from the upper left corner."""
+        return (
+            (point[0] - self.left) * self.scale * ASPECT,
+            (self.top - point[1]) * self.scale,
+        )
+
+
+class Viewport:
+    """The window of one view.
+
+    Attributes:
+        zoom: index into `ZOOMS`.
+    """
+
+    def __init__(self) -> None:
+        self.zoom = FIT
+        self._bounds: Bounds | None = None
+        self._window: tuple[int, int, int, Bounds, Window] | None = None
+
+    def fit(self) -> None:
+        """Show everything, as large as it will go."""
+        self.zoom = FIT
+        self.forget()
+
+    def forget(self) -> None:
+        """Forget how far the arm has been; the zoom stays."""
+        self._bounds = None
+        self._window = None
+
+    def window(self, scene: Scene, width: int, height: int) -> Window:
+        """The window on a scene for a canvas of `width` x `height` cells."""
+        bounds = self._bounds = _union(self._bounds, scene.bounds)
+        known = self._window
+        if known and known[:4] == (width, height, self.zoom, bounds):
+            window = known[4]
+        else:
+            window = _fitted(bounds, width, height, ZOOMS[self.zoom])
+            if self.zoom > FIT:
+                window = _centred(window, scene.focus, width, height)
+        if self.zoom > FIT:
+            window = _following(window, scene.focus, width, height)
+        self._window = (width, height, self.zoom, bounds, window)
+        return window
+
+
+def _union(known: Bounds | None, new: Bounds) -> Bounds:
+    """What must be seen now and what had to be seen before, by whole steps to the right and up."""
+    new = (new[0], new[1], GROWTH * ceil(new[2] / GROWTH), GROWTH * ceil(new[3] / GROWTH))
+    if known is None:
+        return new
+    return (
+        min(known[0], new[0]),
+        min(known[1], new[1]),
+        max(known[2], new[2]),
+        max(known[3], new[3]),
+    )
+
+
+def _fitted(bounds: Bounds, width: int, height: int, zoom: float) -> Window:
+    left, bottom, right, top = bounds
+    scale = zoom * min(width / ASPECT / (right - left), height / (top - bottom))
+    # Whatever room is left over goes above and on both sides: the table stays at the bottom.
+    spare = width / ASPECT / scale - (right - left)
+    return Window(left - spare / 2, bottom + height / scale, scale)
+
+
+def _centred(window: Window, focus: Point, width: int, height: int) -> Window:
+    scale = window.scale
+    return replace(
+        window,
+        left=focus[0] - width / ASPECT / scale / 2,
+        top=focus[1] + height / scale / 2,
+    )
+
+
+def _following(window: Window, focus: Point, width: int, height: int) -> Window:
+    """The window moved, by whole cells, so that the focus is in its middle half."""
+    x, y = window.cell(focus)
+    right = _overshoot(x, width)
+    down = _overshoot(y, height)
+    scale = window.scale
+    return replace(window, left=window.left + right / scale / ASPECT, top=window.top - down / scale)
+
+
+def _overshoot(place: float, size: int) -> int:
+    low, high = size / 4, size * 3 / 4
+    if place < low:
+        return -int(low - place + 1)
+    return int(place - high + 1) if place > high else 0
+
+
+def draw(scene: Scene, window: Window, canvas: Canvas) -> None:
+    """Draw a scene's shapes on a canvas, back to front."""
+    for shape in scene.shapes:
+        match shape:
+            case Stroke():
+                _stroke(shape, window, canvas)
+            case Joint(place, ink, glyph, small):
+                round_it = window.scale > ROUND_FROM and not small
+                canvas.joint(window.cell(place), ink, glyph, round_it=round_it)
+            case Block(corner, opposite, ink, fill):
+                canvas.box(window.cell(corner), window.cell(opposite), ink, fill)
+            case Trace(points, ink, glyphs):
+                canvas.dots(map(window.cell, points), ink, glyphs)
+
+
+def _stroke(stroke: Stroke, window: Window, canvas: Canvas) -> None:
+    start, end = stroke.start, stroke.end
+    if stroke.dotted:
+        _dots(window.cell(start), window.cell(end), stroke, canvas)
+        return
+    if stroke.width * window.scale < RAILS_FROM:
+        canvas.line(window.cell(start), window.cell(end), stroke.ink)
+        return
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    length = hypot(dx, dy) or 1.0
+    across = (-dy / length * stroke.width / 2, dx / length * stroke.width / 2)
+    inset = RAIL_INSET * stroke.width / length
+    start = (start[0] + dx * inset, start[1] + dy * inset)
+    end = (end[0] - dx * inset, end[1] - dy * inset)
+    for side in (-1, 1):
+        canvas.line(
+            window.cell((start[0] + side * across[0], start[1] + side * across[1])),
+            window.cell((end[0] + side * across[0], end[1] + side * across[1])),
+            stroke.ink,
+        )
+
+
+def _dots(start: Point, end: Point, stroke: Stroke, canvas: Canvas) -> None:
+    """One mark for each row, or each second column, that the stroke passes."""
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    count = max(1, round(max(abs(dx) / 2, abs(dy))))
+    points = ((start[0] + dx * n / count, start[1] + dy * n / count) for n in range(count + 1))
+    canvas.dots(points, stroke.ink, "::")

@@ -1,0 +1,94 @@
+"""The interface card's lamps: four coils a motor, the auxiliary output, the input nibble."""
+
+from __future__ import annotations
+
+from trs80arm.drawing.readings import Readings
+from trs80arm.drawing.rows import Ink, Row, Span
+from trs80arm.ui.panels.panel import Panel
+from trs80arm.ui.panels.registers import JOINTS
+
+_WIDE = 34
+_SPACED = 40
+_VERY_WIDE = 52
+_LAMPS = ("●", "○")
+_ASCII_LAMPS = ("*", ".")
+
+
+class CoilsPanel(Panel):
+    """A lamp for every bit that goes down the cable or comes up it."""
+
+    HELP = """
+## Coils
+
+A lamp for each of the four coils of each motor, phi 1 to phi 4, as the card's latches hold them:
+`●` carries current, `○` does not (`*` and `.` in ASCII). A motor turns by one half-step with each
+row of the article's Figure 8. Below are the auxiliary output and the input nibble: `g`, the grip
+switch, then the three free inputs, lit when closed or answering.
+"""
+
+    def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
+        super().__init__(id=id, classes=classes)
+        self._ascii = False
+
+    @property
+    def ascii(self) -> bool:
+        """Whether lamps are `*` and `.` instead of circles."""
+        return self._ascii
+
+    @ascii.setter
+    def ascii(self, value: bool) -> None:
+        self._ascii = value
+        self.redraw()
+
+    def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
+        """A row a latch, with what the motors and the hand do below or beside."""
+        wide = width >= _WIDE
+        gap = "" if wide and width < _SPACED else " "
+        names = [f"J{joint + 1} {name}" for joint, name in enumerate(JOINTS)] + ["auxiliary"]
+        rows: list[Row] = [
+            (_label(name, wide), *self._lamps(nibble, gap))
+            for name, nibble in zip(names, readings.coils, strict=True)
+        ]
+        rows.append(
+            (_label("input g123" if wide else "in", wide), *self._lamps(_answers(readings), gap))
+        )
+        motors = _state("motors", "ON" if readings.motors_on else "off", readings.motors_on)
+        grip = _state(
+            "grip", "closed" if readings.switch_closed else "open", readings.switch_closed
+        )
+        holds = _state("holds", readings.held or "nothing", readings.held is not None)
+        if wide:
+            beside = [motors, grip, holds]
+            if height < len(rows) and width >= _VERY_WIDE:
+                beside += rows[6:]
+                del rows[6:]
+            for place, state in enumerate(beside):
+                rows[place] = (*rows[place], ("  ", Ink.PLAIN), *state)
+        else:
+            rows += [motors, grip] if height > len(rows) + 1 else [motors]
+        if height > len(rows):
+            phases = f"1{gap}2{gap}3{gap}4"
+            rows.insert(0, ((f"{'phi':{15 if wide else 4}}{phases}", Ink.LABEL),))
+        return rows
+
+    def _lamps(self, nibble: int, gap: str) -> list[Span]:
+        """Four lamps, phi 1 first."""
+        on, off = _ASCII_LAMPS if self._ascii else _LAMPS
+        spans: list[Span] = []
+        for bit in (3, 2, 1, 0):
+            lit = nibble >> bit & 1
+            spans.append(((on if lit else off) + gap, Ink.LAMP_ON if lit else Ink.LAMP_OFF))
+        return spans
+
+
+def _answers(readings: Readings) -> int:
+    """The input nibble as lamps, the grip switch first: inputs idle at 1 and answer with 0."""
+    return sum((~readings.inputs >> bit & 1) << 3 - bit for bit in range(4))
+
+
+def _label(name: str, wide: bool) -> Span:
+    return (f"{name:15}" if wide else f"{name[:3].strip():4}", Ink.LABEL)
+
+
+def _state(name: str, value: str, remarkable: bool) -> Row:
+    return ((f"{name} ", Ink.LABEL), (value, Ink.STRONG if remarkable else Ink.PLAIN))

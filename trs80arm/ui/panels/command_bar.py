@@ -1,0 +1,80 @@
+"""The bottom line: the commands that have a function key, as many as fit, to read and to click."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rich.segment import Segment
+from textual import events
+from textual.strip import Strip
+from textual.widget import Widget
+
+from trs80arm.ui.commands.table import COMMANDS, Command
+
+LESS_IMPORTANT = ("step_statement", "zoom", "teach")
+"""What goes first where the line is short: it is in the palette and in the help as well."""
+
+
+@dataclass(frozen=True)
+class _Place:
+    command: Command
+    key: str
+    start: int
+    stop: int
+
+
+class CommandBar(Widget):
+    """The function keys and what they do."""
+
+    ALLOW_SELECT = False
+    COMPONENT_CLASSES = {"bar--key", "bar--word"}  # noqa: RUF012
+    DEFAULT_CSS = """
+    CommandBar { height: 1; background: $panel; }
+    CommandBar .bar--key { color: $accent; background: $panel; text-style: bold; }
+    CommandBar .bar--word { color: $foreground; background: $panel; }
+    """
+
+    def places(self, width: int) -> Sequence[_Place]:
+        """The commands that fit into a line of a width, in the order of their keys."""
+        shown = sorted(
+            (command for command in COMMANDS if command.footer), key=lambda c: _number(c)
+        )
+        for action in ("", *reversed(LESS_IMPORTANT)):
+            shown = [command for command in shown if command.action != action]
+            places = _laid_out(shown)
+            if places[-1].stop <= width:
+                return places
+        return [place for place in places if place.stop <= width]
+
+    def render_line(self, y: int) -> Strip:
+        """The line."""
+        width, ground = self.size.width, self.rich_style
+        key_style = self.get_component_rich_style("bar--key")
+        word_style = self.get_component_rich_style("bar--word")
+        segments: list[Segment] = []
+        for place in self.places(width):
+            segments.append(Segment(place.key, key_style))
+            segments.append(Segment(f" {place.command.footer} ", word_style))
+        return Strip(segments).adjust_cell_length(width, ground)
+
+    async def on_click(self, event: events.Click) -> None:
+        """Do what was clicked."""
+        for place in self.places(self.size.width):
+            if place.start <= event.x < place.stop:
+                await self.app.run_action(place.command.action)
+
+
+def _number(command: Command) -> int:
+    return int(command.keys.partition(",")[0][1:])
+
+
+def _laid_out(commands: Sequence[Command]) -> list[_Place]:
+    places: list[_Place] = []
+    at = 0
+    for command in commands:
+        key = command.keys.partition(",")[0].upper()
+        stop = at + len(key) + len(command.footer) + 2
+        places.append(_Place(command, key, at, stop))
+        at = stop
+    return places

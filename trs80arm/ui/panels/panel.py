@@ -1,0 +1,117 @@
+"""The widget under every panel and view beside the tube: rows of text, drawn line by line.
+
+A panel is fed `Readings` by `show`, at whatever rate the program likes. It makes its rows anew,
+compares them with those on the screen and asks for the lines that differ, no more. It keeps no rig
+and no clock.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from rich.segment import Segment
+from rich.style import Style
+from textual.events import Resize
+from textual.geometry import Region
+from textual.strip import Strip
+from textual.widget import Widget
+
+from trs80arm.drawing.readings import Readings
+from trs80arm.drawing.rows import Ink, Row, fitted
+
+_BLANK: Row = ()
+
+
+def _component(ink: Ink) -> str:
+    return f"panel--{ink.value}"
+
+
+class Panel(Widget, can_focus=False):
+    """A widget of text rows in inks; subclasses say in `draw` what the rows are."""
+
+    COMPONENT_CLASSES: ClassVar[set[str]] = {_component(ink) for ink in Ink}
+    DEFAULT_CSS = """
+    Panel {
+        & > .panel--faint { color: $text-muted; }
+        & > .panel--label { color: $text-muted; }
+        & > .panel--strong { color: $text; text-style: bold; }
+        & > .panel--arm { color: $text-primary; text-style: bold; }
+        & > .panel--hand { color: $text-accent; text-style: bold; }
+        & > .panel--part { color: $text-warning; }
+        & > .panel--furniture { color: $text-secondary; }
+        & > .panel--ghost { color: $text-error; }
+        & > .panel--trail { color: $text-success; }
+        & > .panel--alarm { color: $text-error; text-style: bold; }
+        & > .panel--lamp-on { color: $text-warning; text-style: bold; }
+        & > .panel--lamp-off { color: $text-muted; }
+    }
+    """
+    HELP = ""
+    """What the panel shows, in Markdown, for the help screen."""
+
+    def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
+        super().__init__(id=id, classes=classes)
+        self._readings: Readings | None = None
+        self._rows: list[Row] = []
+        self._strips: dict[Row, Strip] = {}
+        self._known_styles: dict[Ink, Style] = {}
+
+    def show(self, readings: Readings) -> None:
+        """Show these readings."""
+        self._readings = readings
+        self.redraw()
+
+    def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
+        """The rows for a panel of `width` x `height` cells; missing ones are blank."""
+        raise TypeError(f"{type(self).__name__} does not say how it is drawn")
+
+    def redraw(self) -> None:
+        """Draw the last readings again and refresh the rows that differ from the screen's."""
+        width, height = self.size
+        if self._readings is None or not width or not height:
+            return
+        rows = [fitted(row, width) for row in self.draw(self._readings, width, height)[:height]]
+        rows += [fitted(_BLANK, width)] * (height - len(rows))
+        old, self._rows = self._rows, rows
+        if len(old) != height:
+            self.refresh()
+            return
+        changed = [y for y in range(height) if rows[y] != old[y]]
+        if 2 * len(changed) > height:
+            self.refresh()
+        elif changed:
+            self.refresh(*(Region(0, y, width, 1) for y in changed))
+
+    def on_resize(self, event: Resize) -> None:
+        """Draw anew for the new size."""
+        self._rows = []
+        self._strips.clear()
+        self.redraw()
+
+    def notify_style_update(self) -> None:
+        """The theme changed: the colours of all strips are void."""
+        self._strips.clear()
+        self._known_styles.clear()
+        super().notify_style_update()
+
+    def render_line(self, y: int) -> Strip:
+        """One line of the panel."""
+        width = self.size.width
+        if y >= len(self._rows):
+            return Strip.blank(width, self.rich_style)
+        row = self._rows[y]
+        strip = self._strips.get(row)
+        if strip is None:
+            if len(self._strips) > 4 * len(self._rows):
+                self._strips.clear()
+            strip = Strip([Segment(text, self._style(ink)) for text, ink in row], width)
+            self._strips[row] = strip
+        return strip
+
+    def _style(self, ink: Ink) -> Style:
+        style = self._known_styles.get(ink)
+        if style is None:
+            plain = ink is Ink.PLAIN
+            style = self.rich_style if plain else self.get_component_rich_style(_component(ink))
+            self._known_styles[ink] = style
+        return style

@@ -1,0 +1,117 @@
+"""The one line under everything: virtual clock, speed, keys, what the machine waits for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from trs80arm.basic.activity import Waiting
+from trs80arm.drawing.readings import Readings
+from trs80arm.drawing.rows import Ink, Row, Span
+from trs80arm.machine.driver import Mode
+from trs80arm.ui.panels.events import clock_text
+from trs80arm.ui.panels.panel import Panel
+
+_WAITING = {
+    Waiting.NOTHING: "running",
+    Waiting.MEMORY_SIZE: "MEMORY SIZE?",
+    Waiting.COMMAND: "at READY",
+    Waiting.AUTO: "AUTO: BREAK ends it",
+    Waiting.INPUT: "waits at INPUT",
+    Waiting.EDIT: "in EDIT",
+    Waiting.PAUSE: "stopped by SHIFT @: any key goes on",
+    Waiting.SET: "@SET: keys move the arm, 0 ends it",
+    Waiting.SYSTEM: "SYSTEM",
+}
+_MOTION = {Mode.STEP: "@STEP", Mode.CLOSE: "@CLOSE", Mode.SET: "@SET"}
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How fast the machine is asked to run, and does.
+
+    Attributes:
+        speed: virtual seconds a second of the wall; None for flat out.
+        achieved: the same as it really is.
+        paused: whether time stands still.
+    """
+
+    speed: float | None = 1.0
+    achieved: float = 1.0
+    paused: bool = False
+
+    def text(self) -> str:
+        """In few words."""
+        if self.paused:
+            return "PAUSED"
+        if self.speed is None:
+            return f"flat out x{self.achieved:.0f}"
+        percent = round(100 * self.achieved / self.speed)
+        return f"x{self.speed:g} {percent}%"
+
+
+class StatusLine(Panel):
+    """Clock, speed and what is achieved of it, key mode, waiting state, and a notice."""
+
+    HELP = """
+## Status line
+
+The machine's own time since it was switched on; the speed that was asked for and how much of it is
+achieved; how keys are read (`events`: real press and release; `repeat`: your terminal does not
+report releases, so a tap jogs and a held key runs; `latch`: a key goes down at the first press and
+up at the second); and what the machine is doing or waiting for.
+"""
+
+    def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
+        super().__init__(id=id, classes=classes)
+        self._pace = Pace()
+        self._keys = ""
+        self._notice = ""
+
+    def show(
+        self, readings: Readings, pace: Pace | None = None, keys: str = "", notice: str = ""
+    ) -> None:
+        """Show these readings with the program's own state.
+
+        Args:
+            readings: of the rig.
+            pace: how fast it runs.
+            keys: how keys are read.
+            notice: a message that takes the place of the machine's state for now.
+        """
+        self._pace = pace or self._pace
+        self._keys, self._notice = keys, notice
+        super().show(readings)
+
+    def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
+        """The one row; what matters less is left out first."""
+        clock: Span = (clock_text(readings.time)[:-1], Ink.STRONG)
+        pace: Span = (self._pace.text(), Ink.ALARM if self._pace.paused else Ink.PLAIN)
+        keys: Span = (f"keys: {self._keys}" if self._keys else "", Ink.PLAIN)
+        motors: Span = (
+            "motors ON" if readings.motors_on else "motors off",
+            Ink.STRONG if readings.motors_on else Ink.PLAIN,
+        )
+        doing: Span = (self._notice or doing_text(readings), Ink.STRONG)
+        slipped: Span = ("! steps lost" if readings.believed else "", Ink.ALARM)
+        for chosen in (
+            [clock, pace, keys, motors, slipped, doing],
+            [clock, pace, keys, slipped, doing],
+            [clock, pace, slipped, doing],
+            [clock, slipped, doing],
+            [doing],
+        ):
+            parts = [span for span in chosen if span[0]]
+            if sum(len(text) for text, _ in parts) + 2 * (len(parts) - 1) <= width:
+                break
+        row: list[Span] = []
+        for span in parts:
+            row += [("  ", Ink.PLAIN), span] if row else [span]
+        return [tuple(row)]
+
+
+def doing_text(readings: Readings) -> str:
+    """What the machine does or waits for."""
+    motion = _MOTION.get(readings.mode)
+    if readings.waiting is Waiting.NOTHING and motion:
+        return f"running {motion}"
+    return _WAITING[readings.waiting]

@@ -1,0 +1,156 @@
+"""The TRS-80's tube: 64 x 16 cells, drawn row by row from the video memory.
+
+The machine's screen is told which rows changed; only these are drawn again. The widget is what has
+the keyboard: the plain keys that it gets it hands to whoever owns it, as messages.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from rich.segment import Segment
+from textual import events
+from textual.geometry import Region, Size
+from textual.message import Message
+from textual.strip import Strip
+from textual.widget import Widget
+
+from trs80arm.drawing.glyphs import GLYPHS
+from trs80arm.machine.video import COLUMNS, ROWS
+from trs80arm.options import GlyphSet
+from trs80arm.ui.keys.host_keys import trs80_keys
+
+MANY_ROWS = ROWS // 2
+"""From this many changed rows on the whole widget is drawn at once."""
+
+
+class Picture(Protocol):
+    """The video memory as the tube needs it."""
+
+    wide: bool
+
+    def take_dirty(self) -> list[int]:
+        """The rows that changed since the last call."""
+
+    def row(self, number: int) -> bytes:
+        """The 64 codes of a row."""
+
+
+class Typed(Message):
+    """A plain key was pressed while the tube had the keyboard."""
+
+    def __init__(self, name: str, text: str | None) -> None:
+        super().__init__()
+        self.name = name
+        self.text = text
+
+
+class Tube(Widget, can_focus=True):
+    """The screen of the TRS-80."""
+
+    HELP = """
+    # The tube
+
+    The TRS-80's screen: 16 lines of 64 characters, or 32 wide ones, with blocks of 2x3 for
+    graphics. Every plain key goes to the TRS-80 while the tube has the keyboard.
+    """
+    ALLOW_SELECT = False
+    DEFAULT_CSS = """
+    Tube { width: 64; height: 16; color: $tube; background: $tube-background; }
+    """
+
+    def __init__(self, *, id: str | None = None) -> None:
+        super().__init__(id=id)
+        self._rows = [b" " * COLUMNS] * ROWS
+        self._wide = False
+        self._glyphs = GlyphSet.SEXTANT
+        self._strips: dict[tuple[bytes, bool], Strip] = {}
+        self._cursor: int | None = None
+        self._cursor_hidden = False
+
+    @property
+    def glyph_set(self) -> GlyphSet:
+        """The set that graphics are drawn with."""
+        return self._glyphs
+
+    @glyph_set.setter
+    def glyph_set(self, chosen: GlyphSet) -> None:
+        self._glyphs = chosen
+        self._strips.clear()
+        self.refresh()
+
+    @property
+    def text(self) -> str:
+        """What the tube shows, as sixteen lines."""
+        return "\n".join(self._text(row).rstrip() for row in range(ROWS))
+
+    def show(self, picture: Picture, cursor: int | None, *, cursor_hidden: bool = False) -> None:
+        """Draw what changed.
+
+        Args:
+            picture: the video memory.
+            cursor: the cell, 0 to 1023, where the ROM's cursor stands; None when it is off.
+            cursor_hidden: whether a blinking cursor is in its dark half.
+        """
+        dirty = set(picture.take_dirty())
+        if picture.wide is not self._wide:
+            self._wide = picture.wide
+            dirty = set(range(ROWS))
+        if (cursor, cursor_hidden) != (self._cursor, self._cursor_hidden):
+            dirty |= {at // COLUMNS for at in (cursor, self._cursor) if at is not None}
+            self._cursor, self._cursor_hidden = cursor, cursor_hidden
+        changed = [row for row in sorted(dirty) if self._take(row, picture.row(row))]
+        if len(changed) > MANY_ROWS:
+            self.refresh()
+        elif changed:
+            self.refresh(*(Region(0, row, COLUMNS, 1) for row in changed))
+
+    def _take(self, row: int, codes: bytes) -> bool:
+        cursor = self._cursor
+        if self._cursor_hidden and cursor is not None and cursor // COLUMNS == row:
+            column = cursor % COLUMNS
+            codes = codes[:column] + b" " + codes[column + 1 :]
+        if codes == self._rows[row] and (codes, self._wide) in self._strips:
+            return False
+        self._rows[row] = codes
+        return True
+
+    def _text(self, row: int) -> str:
+        return GLYPHS[self._glyphs].row(self._rows[row], wide=self._wide)
+
+    def notify_style_update(self) -> None:
+        """Forget the strips drawn in the old colours."""
+        self._strips.clear()
+        super().notify_style_update()
+
+    def get_content_width(self, container: Size, viewport: Size) -> int:
+        """The 64 columns."""
+        return COLUMNS
+
+    def get_content_height(self, container: Size, viewport: Size, width: int) -> int:
+        """The 16 rows."""
+        return ROWS
+
+    def render_line(self, y: int) -> Strip:
+        """One row in one style."""
+        if not 0 <= y < ROWS:
+            return Strip.blank(self.size.width, self.rich_style)
+        key = (self._rows[y], self._wide)
+        strip = self._strips.get(key)
+        if strip is None:
+            if len(self._strips) > 256:
+                self._strips.clear()
+            strip = Strip([Segment(self._text(y), self.rich_style)], COLUMNS)
+            self._strips[key] = strip
+        return strip.adjust_cell_length(self.size.width, self.rich_style)
+
+    def check_consume_key(self, key: str, character: str | None) -> bool:
+        """Whether the machine eats a key, so that the footer does not promise it to others."""
+        return trs80_keys(key, character) is not None
+
+    def on_key(self, event: events.Key) -> None:
+        """Hand a plain key on; everything else goes its way to the program's commands."""
+        if self.check_consume_key(event.key, event.character):
+            event.stop()
+            event.prevent_default()
+            self.post_message(Typed(event.key, event.character))
