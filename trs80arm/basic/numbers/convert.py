@@ -121,16 +121,16 @@ def absolute(a: Number) -> Number:
 def int_(a: Number) -> Number:
     """INT: the largest whole number that is not above `a`; TM.
 
-    It keeps the type, but a double that has come to fit into an integer is one (asked of the ROM:
-    `INT(1#)/3` prints .333333, `INT(40000#)/3` prints sixteen digits).
+    It keeps the type, but a double below 32768 in magnitude, and -32768 itself, goes the way of
+    CINT and is an integer (asked of the ROM: `INT(1#)/3` prints .333333, `INT(40000#)/3` prints
+    sixteen digits, `INT(28.9999999#)` is 29 and `INT(32767.9999999#)` ?OV).
     """
     if isinstance(a, float):
         return single.floor(a)
     if isinstance(a, int):
         return a
     if isinstance(a, Double):
-        whole = double.floored(a)
-        return whole if -32768 <= whole <= 32767 else double.floor(a)
+        return integer.floor_to_integer(a) if double.is_small(a) else double.floor(a)
     raise BasicError(Code.TM)
 
 

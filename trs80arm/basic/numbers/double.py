@@ -12,6 +12,10 @@ from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import registers, single
 
 BITS = 56
+WHOLE: Final = 128 + BITS
+"""The exponent from which on a double has no fraction."""
+BELOW_TOP_BYTE: Final = (1 << BITS - 8) - 1
+"""The bits of the mantissa's six lower bytes."""
 
 
 class Double:
@@ -41,6 +45,7 @@ class Double:
 
 
 ZERO = Double(0, 0)
+MINUS_32768 = Double(128 + 16, -1 << BITS - 1)
 
 
 def add(a: Double, b: Double) -> Double:
@@ -94,17 +99,30 @@ def compare(a: Double, b: Double) -> int:
 
 
 def floor(a: Double) -> Double:
-    """The largest whole double that is not above `a` (INT)."""
-    shift = 184 - a.exponent
+    """INT of a double outside the integers: the largest whole double that is not above `a`.
+
+    Below zero the ROM takes one from the magnitude, drops the fraction and adds one again, and the
+    borrow does not reach the top byte: INT(-44800#) is -45056.
+    """
+    shift = WHOLE - a.exponent
     if shift <= 0 or not a.exponent:
         return a
-    return from_int(a.mantissa >> shift)
+    if a.mantissa > 0:
+        return from_int(a.mantissa >> shift)
+    magnitude = -a.mantissa
+    less_one = magnitude - 1 if magnitude & BELOW_TOP_BYTE else magnitude | BELOW_TOP_BYTE
+    return from_int(-(less_one >> shift) - 1)
 
 
 def floored(a: Double) -> int:
     """The largest whole number that is not above `a`, as a Python int."""
-    shift = 184 - a.exponent
+    shift = WHOLE - a.exponent
     return a.mantissa >> shift if shift > 0 else a.mantissa << -shift
+
+
+def is_small(a: Double) -> bool:
+    """Whether the magnitude is below 32768, or `a` is -32768: what INT makes an integer of."""
+    return a.exponent < MINUS_32768.exponent or a == MINUS_32768
 
 
 def from_int(number: int) -> Double:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from trs80arm.basic.errors import BasicError, Code
-from trs80arm.basic.numbers.single import add, div, mul, negate, round_away, sub
+from trs80arm.basic.numbers.single import BITS, add, div, mul, negate, round_away, sub
 
 TWO_PI = round_away(2.0 * math.pi)
 HALF_PI = round_away(math.pi / 2.0)
@@ -156,7 +156,17 @@ def power(base: float, exponent: float) -> float:
     if exponent != math.floor(exponent):
         raise BasicError(Code.FC)
     result = exp(mul(exponent, log(-base)))
-    return negate(result) if math.fmod(exponent, 2.0) else result
+    return negate(result) if _odd_low_bit(exponent) else result
+
+
+def _odd_low_bit(whole: float) -> bool:
+    """Whether the ROM takes a whole exponent for odd.
+
+    It looks at the lowest bit of the 24 that its INT leaves, which from 2 to the 24th on are the
+    mantissa: (-1)[1E10 is -1.
+    """
+    shift = max(0, math.frexp(whole)[1] - BITS)
+    return math.fmod(math.ldexp(whole, -shift), 2.0) != 0.0
 
 
 def sqr(x: float) -> float:

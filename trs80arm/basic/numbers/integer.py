@@ -39,12 +39,14 @@ def negate(a: int) -> int | float:
 def floor_to_integer(value: int | float | Double) -> int:
     """A number rounded down to an integer, as CINT, AND, PEEK, subscripts and so on do.
 
+    A double becomes a single first, rounded half away: CINT(28.9999999#) is 29.
+
     Raises:
         BasicError: OV unless -32768 <= value < 32768; -32768.4 is out (facts, thing 3).
     """
     if type(value) is int:
         return value
-    number = double.floored(value) if isinstance(value, Double) else math.floor(value)
+    number = math.floor(double.to_single(value) if isinstance(value, Double) else value)
     if -32769 < number < 32768:
         return number
     raise BasicError(Code.OV)
