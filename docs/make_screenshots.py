@@ -149,7 +149,7 @@ async def main() -> None:
     await shoot("start", (120, 40), start)
     await shoot("small", (80, 24), start)
     await shoot("table4", (120, 40), table4, program=program)
-    await shoot("braille", (120, 40), table4, program=program, arm_style=ArmStyle.BRAILLE)
+    await shoot("braille", (120, 40), table4, program=program, arm=ArmStyle.BRAILLE)
     await shoot("manual", (120, 40), manual)
     await shoot("slipped", (120, 40), slipped, theme="amber")
     await shoot("by-hand", (100, 30), by_hand)

@@ -222,12 +222,3 @@ def test_convert_writes_the_kind_of_the_target(tmp_path: Path) -> None:
     assert files.kind_of(target.read_bytes()) is Kind.CRUNCHED
     files.convert(target, tmp_path / "b.txt")
     assert (tmp_path / "b.txt").read_text() == "10 PRINT 1\n20 END\n"
-
-
-def test_recovery_copies_hold_every_program_and_replace_none(tmp_path: Path) -> None:
-    odd = [(10, b"A\rB\x1a")]
-    first = files.save_recovery(tmp_path / "recovered", odd)
-    second = files.save_recovery(tmp_path / "recovered", [(20, b"B")])
-    assert first != second
-    assert files.load_program(first) == odd
-    assert files.load_program(second) == [(20, b"B")]

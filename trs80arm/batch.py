@@ -12,21 +12,20 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TextIO
 
-from trs80arm.arm.bench import Bench, BenchError
+from trs80arm.arm.bench import BenchError
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.interpreter import Kind
+from trs80arm.benches import BenchFile, bench_beside
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
-from trs80arm.machine.video import FIRST_GRAPHIC, sextant
 from trs80arm.operator import Hold, Operator, ScriptError, parse_holds
+from trs80arm.reasons import one_line
 from trs80arm.rig import Rig, RigSettings
+from trs80arm.teletype import ENTER, Teletype
 from trs80arm.trace import PoseTrace, Trace, TraceError
 
 DEFAULT_SECONDS = 3600.0
 """Virtual seconds after which an unattended run ends when no limit is given."""
-
-
-ENTER = 13
 
 
 class UnusableError(Exception):
@@ -51,62 +50,6 @@ class BatchOptions:
     rig: RigSettings = field(default_factory=RigSettings)
 
 
-def bench_beside(program: Path) -> Path | None:
-    """The bench file that is named like a program and stands beside it, if there is one."""
-    path = program.with_suffix(".toml")
-    return path if path.is_file() else None
-
-
-def load_bench(path: Path) -> Bench:
-    """Read a bench file.
-
-    Raises:
-        UnusableError: it cannot be read or says something that a bench cannot have.
-    """
-    try:
-        return Bench.load(path)
-    except BenchError as error:
-        raise UnusableError(str(error)) from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise UnusableError(f"{path}: {reason(error)}") from None
-
-
-def reason(error: OSError | UnicodeDecodeError) -> str:
-    """Why a file could not be read, without the numbers and names of the system call."""
-    if isinstance(error, UnicodeDecodeError):
-        return f"not text: byte {error.start} is {error.object[error.start]:#04x}"
-    return error.strerror or str(error)
-
-
-class Teletype:
-    """The program's output as plain text: what the display is sent, line by line."""
-
-    def __init__(self, stream: TextIO) -> None:
-        self._stream = stream
-        self._column = 0
-
-    def __call__(self, code: int) -> None:
-        """Print one character; the operator's own typing is printed too, as on a teletype."""
-        if code in (10, ENTER):
-            self._write("\n")
-        elif 32 <= code < 128:
-            self._write(chr(code))
-        elif 128 <= code < 192:
-            self._write(sextant(code - FIRST_GRAPHIC))
-        elif code >= 192:
-            self._write(" " * (code - 192))
-
-    def _write(self, text: str) -> None:
-        self._stream.write(text)
-        self._column = 0 if text == "\n" else self._column + len(text)
-
-    def end_line(self) -> None:
-        """Go to the start of a line, unless there already."""
-        if self._column:
-            self._write("\n")
-        self._stream.flush()
-
-
 def run_program(options: BatchOptions, out: TextIO | None = None) -> int:
     """Run a program as the options say, printing to `out` (standard output by default).
 
@@ -116,10 +59,8 @@ def run_program(options: BatchOptions, out: TextIO | None = None) -> int:
     stream = out or sys.stdout
     try:
         return _run(options, stream)
-    except (UnusableError, ScriptError, FileFormatError, TraceError) as error:
-        print(f"trs80arm: {error}", file=sys.stderr)
-    except OSError as error:
-        print(f"trs80arm: {error.filename}: {reason(error)}", file=sys.stderr)
+    except (UnusableError, ScriptError, FileFormatError, BenchError, TraceError, OSError) as error:
+        print(f"trs80arm: {one_line(error)}", file=sys.stderr)
     return 2
 
 
@@ -128,7 +69,7 @@ def _run(options: BatchOptions, stream: TextIO) -> int:
     lines = load_program(options.program)
     bench = options.bench or bench_beside(options.program)
     sets = [parse_holds(holds) for holds in options.sets]
-    rig = Rig(options.rig, load_bench(bench) if bench else None)
+    rig = Rig(options.rig, BenchFile.read(bench).bench if bench else None)
     rig.load_lines(lines)
     with ExitStack() as traces:
         if options.trace:

@@ -227,7 +227,7 @@ def run(**given: Any) -> None:
 def convert(source: Path, target: Path, keep_good: bool) -> None:
     """Convert a program file: text, crunched (.bas) or cassette (.cas), by TARGET's suffix."""
     from trs80arm import files
-    from trs80arm.batch import reason
+    from trs80arm.reasons import reason
 
     try:
         count = files.convert(source, target, keep_good=keep_good)
@@ -248,7 +248,7 @@ def figure(name: str, output: Path | None, width: int | None) -> None:
 
     from trs80arm.arm.figures import FigureError
     from trs80arm.article import draw
-    from trs80arm.batch import reason
+    from trs80arm.reasons import reason
 
     try:
         drawn = draw(name)

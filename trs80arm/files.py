@@ -25,7 +25,6 @@ __all__ = [
     "load_program",
     "parse_program",
     "save_program",
-    "save_recovery",
 ]
 
 CRUNCHED_MARK = 0xFF
@@ -159,23 +158,6 @@ def convert(source: Path, target: Path, *, keep_good: bool = False) -> int:
     lines = load_program(source, keep_good=keep_good)
     save_program(target, lines, _SUFFIXES.get(target.suffix.lower(), Kind.TEXT))
     return len(lines)
-
-
-def save_recovery(folder: Path, lines: Iterable[ProgramLine], name: str = "program") -> Path:
-    """Save a copy of a program that its user could not save, beside older ones.
-
-    Returns:
-        The new file, crunched, for so it holds every program; an older copy is never replaced.
-
-    Raises:
-        OSError: it cannot be written.
-    """
-    folder.mkdir(parents=True, exist_ok=True)
-    number = 1
-    while (path := folder / f"{name}-{number}.recovered.bas").exists():
-        number += 1
-    save_program(path, lines, Kind.CRUNCHED)
-    return path
 
 
 _SUFFIXES = {".bas": Kind.CRUNCHED, ".cas": Kind.CASSETTE}

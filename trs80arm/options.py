@@ -7,15 +7,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
+from enum import Enum, StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from trs80arm.rig import RigSettings
-
-SPEEDS: tuple[float | None, ...] = (1.0, 2.0, 5.0, 20.0, None)
-"""Virtual seconds per second of the wall; None is as fast as this computer can."""
 
 
 class KeyMode(StrEnum):
@@ -55,9 +52,57 @@ class CursorStyle(StrEnum):
     STEADY = "steady"
 
 
+class Speed(Enum):
+    """Virtual seconds per second of the wall."""
+
+    ONE = "1"
+    TWO = "2"
+    FIVE = "5"
+    TWENTY = "20"
+    FLAT_OUT = "max"
+
+    @property
+    def factor(self) -> float | None:
+        """The number; None for flat out."""
+        return None if self is Speed.FLAT_OUT else float(self.value)
+
+
 @dataclass(frozen=True)
-class TerminalOptions:
-    """How the terminal program is to start."""
+class TerminalSettings:
+    """The table `[terminal]`.
+
+    Attributes:
+        speed: "1", "2", "5", "20" or "max".
+        keys: "auto", "events", "repeat" or "latch".
+        glyphs: "auto", "sextant", "braille", "quadrant" or "ascii".
+        theme: "green", "white", "amber", "contrast", "paper", or any theme of Textual.
+        arm: "ascii" or "braille".
+        cursor: "blink" or "steady".
+        fps: the most frames a second, 1 to 60.
+        tap_ms, repeat_ms: how long the timer holds a key after a press and after a repeat.
+    """
+
+    speed: Speed = Speed.ONE
+    keys: KeyMode = KeyMode.AUTO
+    glyphs: GlyphSet = GlyphSet.AUTO
+    theme: str = "green"
+    arm: ArmStyle = ArmStyle.ASCII
+    cursor: CursorStyle = CursorStyle.BLINK
+    fps: int = 30
+    tap_ms: int = 100
+    repeat_ms: int = 120
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.fps <= 60:
+            raise ValueError(f"fps must be 1 to 60, not {self.fps}")
+        for name in ("tap_ms", "repeat_ms"):
+            if not 10 <= getattr(self, name) <= 2000:
+                raise ValueError(f"{name} must be 10 to 2000, not {getattr(self, name)}")
+
+
+@dataclass(frozen=True)
+class TerminalOptions(TerminalSettings):
+    """How the terminal program is to start: its settings, and what it is to open."""
 
     program: Path | None = None
     """A program file to load."""
@@ -65,19 +110,6 @@ class TerminalOptions:
     """Whether to type RUN at once."""
     bench: Path | None = None
     """A bench file (TOML); None takes the one named like the program, if there is one."""
-    speed: float | None = 1.0
-    """Virtual seconds per second of the wall; None is flat out."""
-    keys: KeyMode = KeyMode.AUTO
-    glyphs: GlyphSet = GlyphSet.AUTO
-    theme: str = "green"
-    arm_style: ArmStyle = ArmStyle.ASCII
-    cursor: CursorStyle = CursorStyle.BLINK
-    fps: int = 30
-    """The most frames a second that are drawn."""
-    tap_ms: int = 100
-    """How long a key is held after a press, where the terminal reports no releases."""
-    repeat_ms: int = 120
-    """How long it is held after each repeat."""
     plain: bool = False
     """The line mode for screen readers and pipes instead of the full screen."""
     demo: bool = False

@@ -13,16 +13,17 @@ from pathlib import Path
 from typing import TextIO
 
 from trs80arm.basic.activity import Waiting
-from trs80arm.batch import Teletype
-from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, one_line, open_session
+from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.session import Session
 from trs80arm.files import FileFormatError
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.options import TerminalOptions
+from trs80arm.reasons import one_line
+from trs80arm.rig import JOINT_NAMES
+from trs80arm.teletype import Teletype
 
 SLICE = 0.05
 """Virtual seconds between two looks at the wall's clock and at Ctrl+C."""
-JOINTS = ("base", "shoulder", "elbow", "left wrist", "right wrist", "hand")
 HELP = """\
 A line is typed into the TRS-80, with ENTER. Ctrl+C is BREAK. Lines with a point:
 .open FILE   load a program          .save FILE   save the program
@@ -168,7 +169,7 @@ class PlainMode:
 
     def _registers(self) -> None:
         rig = self.session.rig
-        for name, register, true in zip(JOINTS, rig.registers, rig.joints, strict=True):
+        for name, register, true in zip(JOINT_NAMES, rig.registers, rig.joints, strict=True):
             lost = "" if register == true else f", {register - true} lost"
             self._tell(f"{name}: {register}, true {true}{lost}")
 
@@ -203,7 +204,7 @@ def run_plain(options: TerminalOptions) -> int:
     except UNUSABLE as error:
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
-    plain = PlainMode(session, sys.stdout, echo=not sys.stdin.isatty(), speed=options.speed)
+    plain = PlainMode(session, sys.stdout, echo=not sys.stdin.isatty(), speed=options.speed.factor)
     if options.run:
         session.rig.type("RUN\r")
     return plain.talk(_typed_lines(sys.stdin))

@@ -18,10 +18,11 @@ from typing import Any
 
 from trs80arm import files
 from trs80arm.arm.bench import Bench
-from trs80arm.arm.minimover import ArmState, MiniMover, Pose
+from trs80arm.arm.events import MOTOR_NAMES
+from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, MiniMover, Pose
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.interpreter import Interpreter, Outcome
-from trs80arm.machine.card import Card, Latch, Observer
+from trs80arm.machine.card import MOTORS, Card, Latch, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.machine.console import Console
 from trs80arm.machine.driver import Driver, Mode
@@ -32,7 +33,10 @@ from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
 from trs80arm.works import Counts, KeyEvent, RigSettings, Works, assemble
 
-__all__ = ["Input", "Rig", "RigSettings"]
+__all__ = ["JOINT_NAMES", "TURNED_BY_HAND", "Input", "Rig", "RigSettings"]
+
+JOINT_NAMES = MOTOR_NAMES[: len(MOTORS)]
+"""What J1 to J6 are called in the article."""
 
 
 @dataclass(frozen=True)
@@ -415,6 +419,11 @@ class Rig:
     def console(self) -> Console:
         """The ROM's display and keyboard drivers."""
         return self._works.console
+
+    @property
+    def cursor(self) -> int | None:
+        """The cell of the tube, 0 to 1023, where the cursor stands; None while it is off."""
+        return self._works.console.cursor_shown
 
     @property
     def held(self) -> frozenset[Key]:

@@ -13,13 +13,12 @@ import tomllib
 import typing
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
-from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from platformdirs import user_config_path
 
-from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, TerminalOptions
+from trs80arm.options import TerminalOptions, TerminalSettings
 from trs80arm.plain_values import SettingsError as SettingsError
 from trs80arm.plain_values import fit, keys_of
 from trs80arm.saving import write_whole
@@ -33,54 +32,6 @@ PREFIX = "TRS80ARM"
 SHORT = ("terminal", "machine")
 """The tables whose keys need not name their table in the environment and in `--option`."""
 FILE_NAME = "settings.toml"
-
-
-class Speed(Enum):
-    """Virtual seconds per second of the wall."""
-
-    ONE = "1"
-    TWO = "2"
-    FIVE = "5"
-    TWENTY = "20"
-    FLAT_OUT = "max"
-
-    @property
-    def factor(self) -> float | None:
-        """The number; None for flat out."""
-        return None if self is Speed.FLAT_OUT else float(self.value)
-
-
-@dataclass(frozen=True)
-class TerminalSettings:
-    """The table `[terminal]`.
-
-    Attributes:
-        speed: "1", "2", "5", "20" or "max".
-        keys: "auto", "events", "repeat" or "latch".
-        glyphs: "auto", "sextant", "braille", "quadrant" or "ascii".
-        theme: "green", "white", "amber", "contrast", "paper", or any theme of Textual.
-        arm: "ascii" or "braille".
-        cursor: "blink" or "steady".
-        fps: the most frames a second, 1 to 60.
-        tap_ms, repeat_ms: how long the timer holds a key after a press and after a repeat.
-    """
-
-    speed: Speed = Speed.ONE
-    keys: KeyMode = KeyMode.AUTO
-    glyphs: GlyphSet = GlyphSet.AUTO
-    theme: str = "green"
-    arm: ArmStyle = ArmStyle.ASCII
-    cursor: CursorStyle = CursorStyle.BLINK
-    fps: int = 30
-    tap_ms: int = 100
-    repeat_ms: int = 120
-
-    def __post_init__(self) -> None:
-        if not 1 <= self.fps <= 60:
-            raise ValueError(f"fps must be 1 to 60, not {self.fps}")
-        for name in ("tap_ms", "repeat_ms"):
-            if not 10 <= getattr(self, name) <= 2000:
-                raise ValueError(f"{name} must be 10 to 2000, not {getattr(self, name)}")
 
 
 @dataclass(frozen=True)
@@ -145,21 +96,8 @@ class Settings:
             path: the settings file, where choices made in the program are remembered.
             more: the other fields of `TerminalOptions`.
         """
-        terminal = self.terminal
-        values: dict[str, Any] = {
-            "speed": terminal.speed.factor,
-            "keys": terminal.keys,
-            "glyphs": terminal.glyphs,
-            "theme": terminal.theme,
-            "arm_style": terminal.arm,
-            "cursor": terminal.cursor,
-            "fps": terminal.fps,
-            "tap_ms": terminal.tap_ms,
-            "repeat_ms": terminal.repeat_ms,
-            "rig": self.rig(),
-            "settings_file": path,
-        }
-        return TerminalOptions(**(values | more))
+        chosen = {field.name: getattr(self.terminal, field.name) for field in fields(self.terminal)}
+        return TerminalOptions(**chosen, rig=self.rig(), settings_file=path, **more)
 
 
 def tables() -> dict[str, type]:

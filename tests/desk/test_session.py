@@ -98,3 +98,40 @@ def test_switching_off_and_on_forgets_the_program_and_keeps_the_arm() -> None:
     assert session.program == []
     assert session.rig.pose == pose
     assert session.rig.settings.ram_kib == 32
+
+
+def test_a_motor_step_at_the_prompt_gives_up_after_a_second() -> None:
+    session = Session()
+    before = session.time
+    assert not session.step_motor()
+    assert session.time == pytest.approx(before + 1, abs=0.1)
+
+
+def test_a_motor_step_of_a_motion_is_one_tick() -> None:
+    session = Session()
+    session.rig.type("@STEP 1000,20\r")
+    session.rig.run_until(lambda rig: rig.registers[0] > 0)
+    session.step_motor()
+    for _ in range(3):
+        before = session.rig.registers[0], session.time
+        assert session.step_motor()
+        assert session.rig.registers[0] == before[0] + 1
+        assert session.time == pytest.approx(before[1] + 0.0312, abs=1e-5)
+
+
+def test_a_motor_step_that_a_program_makes_with_out_is_found() -> None:
+    session = Session()
+    session.rig.load_text("10 OUT 152,8\n20 FOR I=1 TO 50:NEXT\n30 OUT 152,12\n40 GOTO 40\n")
+    session.rig.type("RUN\r")
+    patterns = []
+    while session.step_motor():
+        patterns.append(session.rig.state.coils[0])
+    assert patterns == [8, 12]
+
+
+def test_a_motor_step_that_is_still_being_typed_is_found() -> None:
+    session = Session()
+    session.rig.type("@STEP 0,9\r")
+    session.run_for(0.7)
+    assert session.step_motor()
+    assert session.rig.registers[0] == 1

@@ -123,7 +123,7 @@ def test_a_press_and_release_between_two_frames_is_seen() -> None:
 
 
 def test_the_timer_holds_a_tap_for_a_tenth_and_a_repeat_a_little_longer() -> None:
-    held = HeldKeys(tap_seconds=0.1, repeat_seconds=0.12)
+    held = HeldKeys()
     held.hold_a_while((Key.N1,), wall=0.0)
     assert held.changes(0.0, 0.0, manual=True, ready=True) == [(Key.N1, True)]
     assert held.changes(0.09, 0.09, manual=True, ready=True) == []

@@ -129,7 +129,7 @@ def test_ascii_means_ascii(sit_down: Opener) -> None:
 
 def test_the_arm_in_braille(sit_down: Opener) -> None:
     async def work() -> None:
-        async with sit_down(120, 40, arm_style=ArmStyle.BRAILLE) as sitting:
+        async with sit_down(120, 40, arm=ArmStyle.BRAILLE) as sitting:
             await sitting.settle()
             check_golden("braille-120x40", screen_text(sitting.app))
 

@@ -108,15 +108,23 @@ def load(path: str | Path) -> Bench:
     Raises:
         BenchError: one line, if the file cannot be read or is not a bench.
     """
+    return parse(read(path), str(path))
+
+
+def read(path: str | Path) -> str:
+    """The text of a bench file, not looked at.
+
+    Raises:
+        BenchError: one line, if the file cannot be read or is no text.
+    """
     name = str(path)
     try:
-        text = Path(path).read_text(encoding="utf-8")
+        return Path(path).read_text(encoding="utf-8")
     except UnicodeDecodeError:
         raise BenchError(f"{name}: expected a text file in UTF-8") from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "no such file"
         raise BenchError(f"{name}: cannot be read: {reason}") from None
-    return parse(text, name)
 
 
 def parse(text: str, name: str = "bench") -> Bench:

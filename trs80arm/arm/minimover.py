@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -40,6 +40,8 @@ __all__ = ["ArmState", "InTheWay", "MiniMover", "MotorsOn", "OutOfReach", "Pose"
 
 Ints = Sequence[int] | npt.NDArray[np.int64]
 
+TURNED_BY_HAND = (*(angle.name for angle in fields(JointAngles)), "hand")
+"""What the operator's hands can turn one by one."""
 SHORT = 48
 """Writes in a burst below which a plain loop is quicker than arrays."""
 
@@ -435,10 +437,10 @@ class MiniMover:
         cable = self.drive.cable(self._rotors)
         if joint == "hand":
             cable = self._cable_for(value)
-        elif joint in ("base", "shoulder", "elbow", "pitch", "roll"):
+        elif joint in TURNED_BY_HAND:
             angles = replace(angles, **{joint: math.radians(value)})
         else:
-            raise ValueError(f"no joint {joint}: base, shoulder, elbow, pitch, roll or hand")
+            raise ValueError(f"no joint {joint}: {', '.join(TURNED_BY_HAND[:-1])} or hand")
         self._place(angles, cable)
 
     def move_to(self, pose: Pose) -> None:

@@ -6,7 +6,7 @@ The screen and the line mode both begin here, and say in the same line why they 
 from __future__ import annotations
 
 from trs80arm.arm.bench import BenchError
-from trs80arm.batch import bench_beside
+from trs80arm.benches import bench_beside
 from trs80arm.desk import recording
 from trs80arm.desk.session import Session
 from trs80arm.files import FileFormatError
@@ -39,10 +39,3 @@ def open_session(options: TerminalOptions) -> Session:
     elif program is not None:
         session.load(program)
     return session
-
-
-def one_line(error: Exception) -> str:
-    """What went wrong, in one line for standard error."""
-    if isinstance(error, OSError) and error.filename:
-        return f"{error.filename}: {error.strerror}"
-    return str(error).splitlines()[0] if str(error) else type(error).__name__

@@ -13,6 +13,7 @@ from pathlib import Path
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.geometry import Pose
 from trs80arm.basic.activity import Waiting
+from trs80arm.benches import BenchFile
 from trs80arm.desk.greeting import greet
 from trs80arm.desk.recording import Journal, Recording
 from trs80arm.files import Kind, load_program, parse_program, save_program
@@ -20,14 +21,14 @@ from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.rig import Input, Rig, RigSettings
 
 ProgramLines = list[tuple[int, bytes]]
-SMALLEST_STEP = 0.0004
-"""Virtual seconds, a third of the shortest half-step, by which a motion is watched for one step."""
 TRIES = 4
 """How often the operator tries to get the prompt before the machine is switched off."""
 LEAVING = {Waiting.EDIT: "\x1bQ", Waiting.MEMORY_SIZE: "\r"}
 """What is typed where BREAK does not help: an insertion is ended, the editor quit."""
 LONGEST_MOTION = 60.0
 """Virtual seconds for which a motion may go on after BREAK."""
+GLANCE = 0.0004
+"""Virtual seconds, a third of the shortest half-step, between two looks while keys are typed."""
 LONGEST_STEP = 1.0
 """Virtual seconds after which waiting for a motor's next step is given up."""
 
@@ -47,8 +48,8 @@ class Session:
         bench_path: the bench file, None for the standard bench.
 
     Raises:
-        OSError: the bench cannot be read or the recording not be written.
-        BenchError: the bench file is none.
+        OSError: the recording cannot be written.
+        BenchError: the bench file cannot be read or is none.
     """
 
     def __init__(
@@ -60,15 +61,15 @@ class Session:
         greeting: bool = False,
     ) -> None:
         self._settings = settings or RigSettings()
-        text = bench.read_text(encoding="utf-8") if bench else None
+        file = BenchFile.read(bench) if bench else None
         self.bench_path = bench
         self.path: Path | None = None
         self._played: deque[Input] = deque()
         self._play_end = 0
-        rig = Rig(self._settings, _parse(text, bench))
+        rig = Rig(self._settings, file.bench if file else None)
         if greeting:
             greet(rig.console)
-        self._use(rig, Journal(rig, text, record, greeting=greeting))
+        self._use(rig, Journal(rig, file.text if file else None, record, greeting=greeting))
 
     def _use(self, rig: Rig, journal: Journal) -> None:
         self.rig = rig
@@ -95,8 +96,10 @@ class Session:
 
     def run_for(self, seconds: float) -> None:
         """Let virtual time pass, and do what a recording that plays says meanwhile."""
+        self._run_to(self.rig.clock.now + round(seconds * T_STATES_PER_SECOND))
+
+    def _run_to(self, target: int) -> None:
         rig = self.rig
-        target = rig.clock.now + round(seconds * T_STATES_PER_SECOND)
         while self._played and self._played[0].time <= target:
             done = self._played.popleft()
             rig.replay([done])
@@ -115,12 +118,24 @@ class Session:
         """
         rig = self.rig
         before = rig.state.coils
-        end = rig.time + LONGEST_STEP
-        while rig.time < end:
-            self.run_for(SMALLEST_STEP)
+        end = rig.clock.now + round(LONGEST_STEP * T_STATES_PER_SECOND)
+        while rig.clock.now < end:
+            self._run_to(min(end, self._next_step()))
             if rig.state.coils != before:
                 return True
         return False
+
+    def _next_step(self) -> int:
+        """The T-state up to which no latch changes more than once."""
+        rig = self.rig
+        tick = rig.driver.next_tick
+        if tick is not None:
+            return tick + 1
+        if rig.waiting is Waiting.NOTHING:
+            # A program may write to the card by itself: one statement.
+            return rig.clock.now + 1
+        busy = rig.typing or bool(self._played)
+        return rig.clock.now + round((GLANCE if busy else LONGEST_STEP) * T_STATES_PER_SECOND)
 
     def step_statement(self) -> int | None:
         """Do one statement of the program that runs.
@@ -206,13 +221,11 @@ class Session:
         """Set up another bench, None for the standard one.
 
         Raises:
-            OSError: the file cannot be read.
-            BenchError: it is no bench.
+            BenchError: the file cannot be read or is no bench.
         """
-        text = path.read_text(encoding="utf-8") if path else None
-        bench = _parse(text, path) or Bench.standard()
-        self._journal.bench_text = text
-        self.rig.set_bench(bench)
+        file = BenchFile.read(path) if path else None
+        self._journal.bench_text = file.text if file else None
+        self.rig.set_bench(file.bench if file else Bench.standard())
         self.bench_path = path
 
     def move_joint(self, joint: str, value: float) -> None:
@@ -273,7 +286,3 @@ class Session:
     def close(self) -> None:
         """Clear the desk."""
         self._journal.close()
-
-
-def _parse(text: str | None, path: Path | None) -> Bench | None:
-    return None if text is None else Bench.from_toml(text, str(path))

@@ -66,6 +66,11 @@ class Console:
         self.display.cursor = position
 
     @property
+    def cursor_shown(self) -> int | None:
+        """The cell, 0 to 1023, where the cursor's `_` stands; None while it is off."""
+        return self.display.cursor if self.display.cursor_on else None
+
+    @property
     def column(self) -> int:
         """The cursor's column as PRINT, TAB and POS count it, 0 to 63."""
         return self.display.column

@@ -78,6 +78,11 @@ class Display:
         self._ram[COLUMN] = position % COLUMNS
 
     @property
+    def cursor_on(self) -> bool:
+        """Whether the cursor's `_` is shown; the ROM then keeps the character that it covers."""
+        return bool(self._ram[COVERED])
+
+    @property
     def column(self) -> int:
         """The cursor's column as PRINT, TAB and POS count it, 0 to 63."""
         return self._ram[COLUMN] & COLUMNS - 1

@@ -15,10 +15,11 @@ import threading
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.desk.demo import Demo
-from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, one_line, open_session
+from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.places import state_folder
 from trs80arm.files import FileFormatError
 from trs80arm.options import TerminalOptions
+from trs80arm.reasons import one_line
 from trs80arm.ui.commands.files import PLAYING
 from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.table import Palette, bindings

@@ -28,7 +28,6 @@ from trs80arm.desk.session import Session
 from trs80arm.desk.teach import Lesson
 from trs80arm.drawing.glyphs import choose
 from trs80arm.drawing.readings import Readings
-from trs80arm.machine.display import COVERED, CURSOR
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, TerminalOptions
 from trs80arm.ui import layout
 from trs80arm.ui.keys.held_keys import HeldKeys
@@ -115,7 +114,7 @@ class Desk(App[int]):
         self.wall = wall
         super().__init__()
         self._ticking = ticking
-        self.pacer = Pacer(session, wall, options.speed)
+        self.pacer = Pacer(session, wall, options.speed.factor)
         self.keyboard = self._new_keyboard()
         self.lesson = Lesson()
         self.recent = RecentFiles(state / "recent.json")
@@ -123,7 +122,7 @@ class Desk(App[int]):
         self.bottom = Bottom.ARM
         self.zoomed: str | None = None
         self.cursor_style = options.cursor
-        self.arm_style = options.arm_style
+        self.arm_style = options.arm
         self._remembered_theme = options.theme
         self._notice = ""
         self._notice_until = 0.0
@@ -273,7 +272,7 @@ class Desk(App[int]):
         """Draw what differs from what is shown."""
         now = self.wall() if now is None else now
         rig = self.session.rig
-        cursor = self._cursor_cell()
+        cursor = rig.cursor
         hidden = self.cursor_style is CursorStyle.BLINK and int(now / BLINK_SECONDS) % 2 == 1
         self.tube.show(rig.video, cursor, cursor_hidden=hidden)
         if cursor is not None and self.focused is self.tube:
@@ -295,12 +294,6 @@ class Desk(App[int]):
                 keys=self.keyboard.in_use.value,
                 notice=self._notice if now < self._notice_until else "",
             )
-
-    def _cursor_cell(self) -> int | None:
-        ram = self.session.rig.memory.ram
-        if not ram[COVERED]:
-            return None
-        return (ram[CURSOR] | ram[CURSOR + 1] << 8) & 0x3FF
 
     def _point_terminal_at(self, cell: int) -> None:
         """Let the terminal's own cursor follow, for braille displays and input methods."""

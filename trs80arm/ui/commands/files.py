@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from trs80arm.arm.bench import BenchError
-from trs80arm.batch import bench_beside
+from trs80arm.benches import bench_beside
 from trs80arm.bundled import programs_folder
 from trs80arm.desk import recording
 from trs80arm.desk.places import program_files, recovered_copies
@@ -72,8 +72,8 @@ class FileCommands(ViewCommands):
         if (bench := bench_beside(path)) and bench != self.session.bench_path:
             try:
                 self.session.set_bench(bench)
-            except (OSError, UnicodeDecodeError, BenchError) as error:
-                self.say(f"{bench.name}: {error}", error=True)
+            except BenchError as error:
+                self.say(str(error), error=True)
                 return
         self.loaded(path)
 

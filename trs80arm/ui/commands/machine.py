@@ -10,8 +10,7 @@ from trs80arm.arm.geometry import OutOfReach
 from trs80arm.arm.minimover import InTheWay, MotorsOn
 from trs80arm.bundled import programs_folder
 from trs80arm.machine.keys import Key
-from trs80arm.options import KeyMode
-from trs80arm.settings import Speed
+from trs80arm.options import KeyMode, Speed
 from trs80arm.ui.commands.files import FileCommands
 from trs80arm.ui.screens.dialog import Choice, Choose
 from trs80arm.ui.screens.hand_move import HandMoveScreen, MoveJoint, MoveTo
@@ -128,8 +127,6 @@ class MachineCommands(FileCommands):
             self.session.set_bench(path)
         except BenchError as error:
             self.say(str(error), error=True)
-        except (OSError, UnicodeDecodeError) as error:
-            self.say(f"{path}: {error}", error=True)
         else:
             self.say(f"Bench: {path.stem if path else STANDARD_BENCH}.")
 

@@ -12,6 +12,7 @@ from collections.abc import Hashable
 from dataclasses import dataclass, field
 
 from trs80arm.machine.keys import Key
+from trs80arm.options import TerminalSettings
 
 HOLD = 0.060
 """Virtual seconds for which a typed key is down at least: the debounce pause is 51 ms."""
@@ -50,8 +51,8 @@ class HeldKeys:
         repeat_seconds: how long it is held after each repeat.
     """
 
-    tap_seconds: float = 0.100
-    repeat_seconds: float = 0.120
+    tap_seconds: float = TerminalSettings.tap_ms / 1000
+    repeat_seconds: float = TerminalSettings.repeat_ms / 1000
     _queue: deque[_Stroke] = field(default_factory=deque)
     _strokes: list[_Stroke] = field(default_factory=list)
     _timed: dict[Keys, float] = field(default_factory=dict)

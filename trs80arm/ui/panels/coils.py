@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, Span
+from trs80arm.rig import JOINT_NAMES
 from trs80arm.ui.panels.panel import Panel
-from trs80arm.ui.panels.registers import JOINTS
 
 _WIDE = 34
 _SPACED = 40
@@ -44,7 +44,7 @@ switch, then the three free inputs, lit when closed or answering.
         """A row a latch, with what the motors and the hand do below or beside."""
         wide = width >= _WIDE
         gap = "" if wide and width < _SPACED else " "
-        names = [f"J{joint + 1} {name}" for joint, name in enumerate(JOINTS)] + ["auxiliary"]
+        names = [f"J{joint + 1} {name}" for joint, name in enumerate(JOINT_NAMES)] + ["auxiliary"]
         rows: list[Row] = [
             (_label(name, wide), *self._lamps(nibble, gap))
             for name, nibble in zip(names, readings.coils, strict=True)

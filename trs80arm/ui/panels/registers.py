@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from trs80arm.drawing.readings import RING, Readings
 from trs80arm.drawing.rows import Ink, Row
+from trs80arm.rig import JOINT_NAMES
 from trs80arm.ui.panels.panel import Panel
-
-JOINTS = ("base", "shoulder", "elbow", "left wrist", "right wrist", "hand")
-"""What J1 to J6 are called in the article."""
 
 _WIDE = 34
 _ROOMY = 16
@@ -85,7 +83,7 @@ def _wide_row(readings: Readings, joint: int, width: int) -> Row:
     column = _slip_column(width)
     lost = f"{slipped:+{column}d}" if abs(slipped) >= RING else " " * column
     return (
-        (f"J{joint + 1} {JOINTS[joint]:11}", Ink.LABEL),
+        (f"J{joint + 1} {JOINT_NAMES[joint]:11}", Ink.LABEL),
         (f"{register:7d}{true:7d}{lost}{mark}", ink),
     )
 

@@ -20,13 +20,12 @@ from textual.widgets import Input, Static
 from trs80arm.arm.geometry import START_POSE, Pose
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import signed
+from trs80arm.rig import TURNED_BY_HAND
 from trs80arm.ui.panels.side_view import SideView
 from trs80arm.ui.panels.top_view import TopView
 from trs80arm.ui.screens.dialog import Dialog
 
 FRAMES_PER_SECOND = 15
-JOINTS = ("base", "shoulder", "elbow", "pitch", "roll", "hand")
-"""What can be turned by hand, as the arm names them."""
 _SHOWN = {"roll": "roll on arm"}
 """The wrist's own roll; the captions and poses count it with the base's turn taken out."""
 NUDGE = {"hand": 0.1}
@@ -40,7 +39,7 @@ class MoveJoint(Message):
     """Turn one joint by hand.
 
     Attributes:
-        joint: its name in `JOINTS`.
+        joint: its name in `TURNED_BY_HAND`.
         value: where to: degrees, or inches for the hand.
     """
 
@@ -151,7 +150,9 @@ them off.
         self.query_one(SideView).show(readings)
         self.query_one(TopView).show(readings)
         lines = []
-        for place, (joint, value) in enumerate(zip(JOINTS, joint_values(readings), strict=True)):
+        for place, (joint, value) in enumerate(
+            zip(TURNED_BY_HAND, joint_values(readings), strict=True)
+        ):
             mark = ">" if place == self._joint else " "
             unit = "in" if joint == "hand" else "°"
             digits = 2 if joint == "hand" else 1
@@ -162,12 +163,12 @@ them off.
 
     def action_choose(self, by: int) -> None:
         """Another joint."""
-        self._joint = (self._joint + by) % len(JOINTS)
+        self._joint = (self._joint + by) % len(TURNED_BY_HAND)
         self._show()
 
     def action_nudge(self, times: int) -> None:
         """Turn the joint a little."""
-        joint = JOINTS[self._joint]
+        joint = TURNED_BY_HAND[self._joint]
         value = joint_values(self._look())[self._joint] + times * NUDGE.get(joint, 1.0)
         if joint == "hand":
             value = min(max(value, 0.0), 3.0)
@@ -187,7 +188,7 @@ them off.
             self.say("numbers are wanted")
             return
         if len(numbers) == 1:
-            self.app.post_message(MoveJoint(JOINTS[self._joint], numbers[0]))
+            self.app.post_message(MoveJoint(TURNED_BY_HAND[self._joint], numbers[0]))
         elif 3 <= len(numbers) <= len(PLACES):
             now = self._look().pose
             changed = dict(zip(PLACES, numbers, strict=False))

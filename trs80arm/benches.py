@@ -1,0 +1,43 @@
+"""Benches as files beside programs: which one belongs to a program, its text and what it sets up.
+
+A run without a screen and a sitting at the machine read their benches here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from trs80arm.arm import benchfile
+from trs80arm.arm.bench import Bench
+
+
+def bench_beside(program: Path) -> Path | None:
+    """The bench file that is named like a program and stands beside it, if there is one."""
+    path = program.with_suffix(".toml")
+    return path if path.is_file() else None
+
+
+@dataclass(frozen=True)
+class BenchFile:
+    """A bench with the text that it came from, for a recording keeps the text.
+
+    Attributes:
+        path: the file.
+        text: what it said.
+        bench: what that sets up.
+    """
+
+    path: Path
+    text: str
+    bench: Bench
+
+    @classmethod
+    def read(cls, path: Path) -> BenchFile:
+        """Read a bench file.
+
+        Raises:
+            BenchError: it cannot be read or is no bench; one line that begins with its path.
+        """
+        text = benchfile.read(path)
+        return cls(path, text, benchfile.parse(text, str(path)))
