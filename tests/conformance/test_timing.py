@@ -46,3 +46,13 @@ def test_no_group_of_cases_is_far_off(segments: list[Segment]) -> None:
         groups.setdefault(segment.group, []).append(segment.ratio)
     off = {group: median(r) for group, r in groups.items() if not 0.9 <= median(r) <= 1.1}
     assert not off
+
+
+def test_a_byte_on_tape_takes_the_roms_time(segments: list[Segment]) -> None:
+    """The refused CSAVE records 255 zeros and a sync byte and nothing else: 0.01 per cent."""
+    leaders = [segment for segment in segments if segment.case == "tape-csave-no-name"]
+    assert len(leaders) == 2
+    assert all(abs(segment.ratio - 1) < 1e-4 for segment in leaders)
+    recorded = [s for s in segments if s.entry in ('CSAVE "A"', "CLOAD?")]
+    assert recorded
+    assert all(abs(segment.ratio - 1) < 1e-3 for segment in recorded)

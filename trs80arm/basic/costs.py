@@ -368,3 +368,17 @@ def storing(moved: int, lines: int, size: int) -> int:
         size: bytes of the program.
     """
     return STORE_LINE + STORE_BYTE * moved + LINK_LINE * lines + LINK_BYTE * size
+
+
+# -- the cassette ---------------------------------------------------------------------------------
+_TAPE_BYTE: Final = 28_677
+"""A byte of eight zeros at 500 baud: the instructions of the routine at 264H, called and left."""
+_TAPE_ONE: Final = 13
+"""What a one takes less than a zero: a second pulse in place of the pause."""
+_TAPE_TURN: Final = 13
+"""One turn of the loop around it."""
+
+
+def tape_byte(value: int) -> int:
+    """One byte, 0 to 255, recorded or played."""
+    return _TAPE_BYTE - _TAPE_ONE * value.bit_count() + _TAPE_TURN

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
-from trs80arm.basic import cruncher
+from trs80arm.basic import costs, cruncher
 from trs80arm.basic.activity import Activity, Waiting
 from trs80arm.basic.dialogue import line_range, wait
 from trs80arm.basic.dialogue.home import return_to_command
@@ -25,8 +25,6 @@ ENTRY: Final = 0x40DF
 
 _NAME_MARK, _BLOCK_MARK, _END_MARK = 0x55, 0x3C, 0x78
 _NAME_LENGTH = 6
-_T_BYTE: Final = 28_500
-"""T-states of one byte at 500 baud."""
 
 
 class SystemCommand(Activity):
@@ -92,8 +90,9 @@ class SystemTape(Activity):
             return_to_command(basic)
 
     def _read(self, basic: Interpreter) -> int | None:
-        basic.host.clock.now += _T_BYTE
-        return basic.host.tape.read()
+        value = basic.host.tape.read()
+        basic.host.clock.now += costs.tape_byte(value or 0)
+        return value
 
     def _is_name(self, basic: Interpreter) -> bool:
         return bytes(self._read(basic) or 0 for _ in range(_NAME_LENGTH)) == self._name

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from trs80arm.basic import costs
 from trs80arm.basic.activity import Activity
 from trs80arm.basic.dialogue import wait
 from trs80arm.basic.dialogue.home import return_to_command
@@ -28,9 +29,7 @@ _END_ZEROS = 3
 _STARS = (0x3C3E, 0x3C3F)
 """The two cells in the corner of the tube: `**` while a program is read, the second one blinks."""
 _STAR, _BLANK = 42, 32
-
-_T_BYTE: Final = 28800
-"""T-states of one byte at 500 baud, recorded or played."""
+_T_LEADER: Final = LEADER * costs.tape_byte(0) + costs.tape_byte(SYNC)
 
 
 class Writing(Activity):
@@ -56,9 +55,10 @@ class Writing(Activity):
         if not self._place:
             tape.start_writing()
         while clock.now < clock.limit and self._place < len(self._data):
-            tape.write(self._data[self._place])
+            value = self._data[self._place]
+            tape.write(value)
             self._place += 1
-            clock.now += _T_BYTE
+            clock.now += costs.tape_byte(value)
             if wait.look_for_break(basic) == wait.BREAK:
                 tape.stop()
                 basic.break_()
@@ -118,12 +118,12 @@ class Reading(Activity):
             if not self._found:
                 self._found = tape.find_sync()
                 silent = not self._found
-                clock.now += _T_BYTE * LEADER if self._found else 0
+                clock.now += _T_LEADER if self._found else 0
                 if self._found:
                     self.found(basic)
             else:
                 value = tape.read()
-                clock.now += _T_BYTE
+                clock.now += costs.tape_byte(value or 0)
                 if value is None:
                     self._found = False
                 else:

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from trs80arm.basic import system_area
+
 if TYPE_CHECKING:
     from trs80arm.basic.interpreter import Interpreter
 
-KEY_LATCH: Final = 0x4099
-"""Where the ROM keeps the last key for INKEY$."""
 BREAK: Final = 1
 SHIFT_AT: Final = 96
 """The code of SHIFT+@, which pauses a program or a listing."""
@@ -52,4 +52,4 @@ def look_for_break(basic: Interpreter) -> int:
 
 def latch(basic: Interpreter, code: int) -> None:
     """Remember a key for INKEY$; 0 forgets it."""
-    basic.host.memory.poke(KEY_LATCH, code)
+    basic.host.memory.poke(system_area.KEY_LATCH, code)
