@@ -8,15 +8,17 @@ the terminal program both come here; nothing of it knows Textual.
 from __future__ import annotations
 
 import os
-import re
 import tomllib
 import typing
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, MutableMapping
 from dataclasses import dataclass, fields
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
+import tomlkit
 from platformdirs import user_config_path
+from tomlkit.exceptions import TOMLKitError
 
 from trs80arm.options import TerminalOptions, TerminalSettings
 from trs80arm.plain_values import SettingsError as SettingsError
@@ -32,6 +34,8 @@ PREFIX = "TRS80ARM"
 SHORT = ("terminal", "machine")
 """The tables whose keys need not name their table in the environment and in `--option`."""
 FILE_NAME = "settings.toml"
+Source = Callable[[], str]
+"""Says where a value came from; asked only when it cannot be, for finding the line takes time."""
 
 
 @dataclass(frozen=True)
@@ -140,17 +144,17 @@ def load(
     """
     content, where = _read(path)
     values: dict[str, dict[str, Any]] = {name: {} for name in tables()}
-    sources: dict[tuple[str, str], str] = {}
+    sources: dict[tuple[str, str], Source] = {}
     for name, key, text, source in _from_flags(defaults):
         values[name][key] = _value(text)
-        sources[name, key] = source
+        sources[name, key] = partial(str, source)
     for name, table in _tables_of(content, where).items():
         for key, value in table.items():
             values[name][key] = value
-            sources[name, key] = _place(where, content, name, key)
+            sources[name, key] = partial(_place, where, content, name, key)
     for name, key, text, source in (*_from_environment(environment), *_from_flags(options)):
         values[name][key] = _value(text)
-        sources[name, key] = source
+        sources[name, key] = partial(str, source)
     made = {name: _checked(name, cls, values[name], sources) for name, cls in tables().items()}
     return Settings(**made)
 
@@ -172,14 +176,14 @@ def _read(path: Path | None) -> tuple[str, Path]:
 def _tables_of(content: str, where: Path) -> dict[str, dict[str, Any]]:
     try:
         parsed = tomllib.loads(content)
-    except tomllib.TOMLDecodeError as error:
-        raise SettingsError(f"{where}: {error}") from None
+    except (ValueError, RecursionError) as error:
+        raise SettingsError(f"{where}: {_one_line(error)}") from None
     for name, table in parsed.items():
-        place = _place(where, content, None, name)
         if name not in tables():
+            place = _place(where, content, None, name)
             raise SettingsError(f"{place}: unknown table; there are {', '.join(tables())}")
         if not isinstance(table, dict):
-            raise SettingsError(f"{place}: must be a table, [{name}]")
+            raise SettingsError(f"{_place(where, content, None, name)}: must be a table, [{name}]")
     return parsed
 
 
@@ -221,23 +225,29 @@ def _value(text: str) -> Any:
     """What a flag or variable says: a TOML value if it is one, else the text itself."""
     try:
         return tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
+    except (ValueError, RecursionError):
         return text
 
 
+def _one_line(error: Exception) -> str:
+    """What is wrong with a TOML text; a line of it may be quoted in the message."""
+    if isinstance(error, RecursionError):
+        return "nested too deeply"
+    return " ".join(str(error).split())
+
+
 def _checked(
-    name: str, cls: type, values: dict[str, Any], sources: Mapping[tuple[str, str], str]
+    name: str, cls: type, values: dict[str, Any], sources: Mapping[tuple[str, str], Source]
 ) -> Any:
     built = {}
     for key, value in values.items():
-        place = sources[name, key]
         try:
             if key not in keys_of(cls):
                 raise SettingsError(f"unknown key; there are {', '.join(sorted(keys_of(cls)))}")
             built[key] = fit(typing.get_type_hints(cls)[key], value)
             cls(**{key: built[key]})
         except (SettingsError, ValueError) as error:
-            raise SettingsError(f"{place}: {error}") from None
+            raise SettingsError(f"{sources[name, key]()}: {error}") from None
     try:
         return cls(**built)
     except ValueError as error:
@@ -245,16 +255,20 @@ def _checked(
 
 
 def _place(where: Path, content: str, table: str | None, key: str) -> str:
-    """`file: line N: table.key`, as far as the key can be found."""
-    inside = None
+    """`file: line N: table.key`: the line on which the key, or the table of that name, begins."""
     named = f"{table}.{key}" if table else key
-    for number, line in enumerate(content.splitlines(), start=1):
-        if header := re.match(r"\s*\[\s*([^\]]+?)\s*\]", line):
-            inside = header[1]
-            if table is None and inside.split(".")[0] == key:
-                return f"{where}: line {number}: {named}"
-        elif inside == table and re.match(rf"\s*\"?{re.escape(key)}\"?\s*[=.]", line):
-            return f"{where}: line {number}: {named}"
+    begin = 1
+    lines = content.splitlines(keepends=True)
+    for end in range(1, len(lines) + 1):
+        try:
+            sofar: Any = tomllib.loads("".join(lines[:end]))
+        except (ValueError, RecursionError):
+            continue  # In the middle of a value of several lines.
+        if table is not None:
+            sofar = sofar.get(table)
+        if isinstance(sofar, dict) and key in sofar:
+            return f"{where}: line {begin}: {named}"
+        begin = end + 1
     return f"{where}: {named}"
 
 
@@ -265,36 +279,32 @@ def remember(path: Path, key: str, value: str | int | bool, table: str = "termin
     """Set one key in the settings file; everything else in it stays as it is, comments too.
 
     Raises:
-        OSError: the file cannot be written; it is then as before.
+        SettingsError: the file is no settings file as it stands; it is then as before.
+        OSError: the file cannot be read or written; it is then as before.
     """
     try:
-        lines = path.read_text(encoding="utf-8").splitlines()
+        # Bytes, for the line ends of the file are to stay.
+        content = path.read_bytes().decode("utf-8")
     except FileNotFoundError:
-        lines = []
+        content = ""
+    except UnicodeDecodeError:
+        raise SettingsError(f"{path}: not a text file") from None
+    changed = _with_entry(path, content, table, key, value)
     path.parent.mkdir(parents=True, exist_ok=True)
-    entry = f"{key} = {_toml(value)}"
-    write_whole(path, ("\n".join(_with_entry(lines, table, key, entry)) + "\n").encode())
+    write_whole(path, changed.encode())
 
 
-def _with_entry(lines: list[str], table: str, key: str, entry: str) -> list[str]:
-    inside = None
-    head: int | None = None
-    for number, line in enumerate(lines):
-        if header := re.match(r"\s*\[\s*([^\]]+?)\s*\]", line):
-            inside = header[1]
-            head = number if inside == table else head
-        elif inside == table and re.match(rf"\s*{re.escape(key)}\s*=", line):
-            return [*lines[:number], entry, *lines[number + 1 :]]
-    if head is None:
-        gap = [""] if lines and lines[-1].strip() else []
-        return [*lines, *gap, f"[{table}]", entry]
-    return [*lines[: head + 1], entry, *lines[head + 1 :]]
-
-
-def _toml(value: str | int | bool) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, int):
-        return str(value)
-    escaped = value.replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{escaped}"'
+def _with_entry(path: Path, content: str, table: str, key: str, value: str | int | bool) -> str:
+    try:
+        document = tomlkit.parse(content)
+        if not isinstance(document.get(table, {}), Mapping):
+            raise SettingsError(f"{path}: {table} must be a table, [{table}]")
+        if table not in document:
+            document[table] = tomlkit.table()
+        cast(MutableMapping[str, Any], document[table])[key] = value
+        changed = tomlkit.dumps(document)
+    except (TOMLKitError, ValueError, RecursionError) as error:
+        raise SettingsError(f"{path}: {_one_line(error)}") from None
+    if "\r\n" in content and "\n" not in content.replace("\r\n", ""):
+        changed = changed.replace("\r\n", "\n").replace("\n", "\r\n")
+    return changed

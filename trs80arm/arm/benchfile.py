@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 import tomllib
 from pathlib import Path
-from typing import Any
 
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.fixtures import (
@@ -31,75 +30,10 @@ from trs80arm.arm.geometry import (
 from trs80arm.arm.limits import beyond_any_stop
 from trs80arm.arm.shapes import Box, Vector, overlap, upright
 from trs80arm.arm.world import World
+from trs80arm.plain_values import SettingsError, Table
 
 FAR = 60.0
 """Farthest that anything may be from the base axis, inches."""
-
-
-class _Table:
-    """One table of the file, whose keys are taken one by one."""
-
-    def __init__(self, source: str, path: str, data: object) -> None:
-        self.source = source
-        self.path = path
-        if not isinstance(data, dict):
-            raise BenchError(f"{source}: {path}: expected a table")
-        self.data: dict[str, Any] = dict(data)
-
-    def fail(self, key: str, expected: str) -> BenchError:
-        where = f"{self.path}.{key}" if self.path else key
-        return BenchError(f"{self.source}: {where}: expected {expected}")
-
-    def number(self, key: str, low: float, high: float, default: float | None = None) -> float:
-        value = self.data.pop(key, default)
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.fail(key, f"a number from {low:g} to {high:g}")
-        if not math.isfinite(value) or not low <= value <= high:
-            raise self.fail(key, f"a number from {low:g} to {high:g}")
-        return float(value)
-
-    def integer(self, key: str, low: int, high: int, default: int | None = None) -> int:
-        value = self.data.pop(key, default)
-        if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
-            raise self.fail(key, f"a whole number from {low} to {high}")
-        return value
-
-    def vector(self, key: str, count: int, low: float, high: float) -> tuple[float, ...]:
-        value = self.data.pop(key, None)
-        expected = f"{count} numbers from {low:g} to {high:g}"
-        if not isinstance(value, list) or len(value) != count:
-            raise self.fail(key, expected)
-        for item in value:
-            if isinstance(item, bool) or not isinstance(item, int | float):
-                raise self.fail(key, expected)
-            if not math.isfinite(item) or not low <= item <= high:
-                raise self.fail(key, expected)
-        return tuple(float(item) for item in value)
-
-    def text(self, key: str, default: str | None = None) -> str:
-        value = self.data.pop(key, default)
-        if not isinstance(value, str) or not value.strip() or not value.isprintable():
-            raise self.fail(key, "a name")
-        return value
-
-    def tables(self, key: str) -> list[_Table]:
-        value = self.data.pop(key, [])
-        if not isinstance(value, list):
-            raise self.fail(key, f"tables, written [[{key}]]")
-        prefix = f"{self.path}.{key}" if self.path else key
-        return [_Table(self.source, f"{prefix}[{i}]", item) for i, item in enumerate(value, 1)]
-
-    def table(self, key: str) -> _Table | None:
-        value = self.data.pop(key, None)
-        if value is None:
-            return None
-        if not isinstance(value, dict):
-            raise self.fail(key, f"a table, written [{key}]")
-        return _Table(self.source, key, value)
-
-    def done(self, known: str) -> None:
-        for key in self.data:
-            raise self.fail(key, f"nothing by that name; the keys here are {known}")
 
 
 def load(path: str | Path) -> Bench:
@@ -139,11 +73,17 @@ def parse(text: str, name: str = "bench") -> Bench:
     """
     try:
         data = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         line = " ".join(str(error).split())
         raise BenchError(f"{name}: expected TOML: {line}") from None
-    top = _Table(name, "", data)
-    bench = Bench(top.text("name", Path(name).stem or "bench"))
+    try:
+        return _bench(Table(name, "", data), Path(name).stem or "bench")
+    except SettingsError as error:
+        raise BenchError(str(error)) from None
+
+
+def _bench(top: Table, name: str) -> Bench:
+    bench = Bench(top.text("name", name))
     _arm(bench, top.table("arm"))
     drive = CableDrive.from_pose(bench.start or START_POSE)
     for item in top.tables("obstacle"):
@@ -185,11 +125,11 @@ def _vector(values: tuple[float, ...]) -> Vector:
     return values[0], values[1], values[2]
 
 
-def _size(item: _Table) -> Vector:
+def _size(item: Table) -> Vector:
     return _vector(item.vector("size", 3, 0.1, FAR))
 
 
-def _arm(bench: Bench, item: _Table | None) -> None:
+def _arm(bench: Bench, item: Table | None) -> None:
     """Where the arm stands when it is switched on."""
     if item is None:
         return
@@ -213,14 +153,14 @@ def _arm(bench: Bench, item: _Table | None) -> None:
     bench.start = pose
 
 
-def _bit(bench: Bench, item: _Table) -> int:
+def _bit(bench: Bench, item: Table) -> int:
     bit = item.integer("bit", 1, 3)
     if any(sensor.bit == bit for sensor in bench.sensors):
         raise item.fail("bit", "an input bit that no other sensor uses")
     return bit
 
 
-def _standing(bench: Bench, item: _Table, key: str, box: Box) -> None:
+def _standing(bench: Bench, item: Table, key: str, box: Box) -> None:
     """Refuse a box in something else."""
     for obstacle in bench.obstacles:
         if overlap(box, obstacle.box):
@@ -230,7 +170,7 @@ def _standing(bench: Bench, item: _Table, key: str, box: Box) -> None:
             raise item.fail(key, f"a free place; it overlaps {part.name}")
 
 
-def _obstacle(bench: Bench, item: _Table) -> None:
+def _obstacle(bench: Bench, item: Table) -> None:
     """[[obstacle]]."""
     name = item.text("name", f"obstacle {len(bench.obstacles) - 1}")
     at = item.vector("at", 2, -FAR, FAR)
@@ -241,7 +181,7 @@ def _obstacle(bench: Bench, item: _Table) -> None:
     bench.obstacles.append(Obstacle(name, box))
 
 
-def _part(bench: Bench, item: _Table) -> None:
+def _part(bench: Bench, item: Table) -> None:
     """[[part]]."""
     name = item.text("name", f"part {len(bench.parts) + 1}")
     if name in bench.parts:
@@ -256,7 +196,7 @@ def _part(bench: Bench, item: _Table) -> None:
     bench.add_part(name, size, weight, x, y, bottom, turn)
 
 
-def _feeder(bench: Bench, item: _Table) -> None:
+def _feeder(bench: Bench, item: Table) -> None:
     """[[feeder]]."""
     name = item.text("name", f"feeder {len(bench.feeders) + 1}")
     x, y = item.vector("at", 2, -FAR, FAR)
@@ -273,7 +213,7 @@ def _feeder(bench: Bench, item: _Table) -> None:
     bench.feeders.append(feeder)
 
 
-def _tray(bench: Bench, item: _Table) -> None:
+def _tray(bench: Bench, item: Table) -> None:
     """[[tray]]."""
     name = item.text("name", f"tray {len(bench.trays) + 1}")
     x, y = item.vector("at", 2, -FAR, FAR)
@@ -282,7 +222,7 @@ def _tray(bench: Bench, item: _Table) -> None:
     bench.trays.append(Tray(name, x, y, width, depth))
 
 
-def _tactile(bench: Bench, item: _Table) -> None:
+def _tactile(bench: Bench, item: Table) -> None:
     """[[tactile]]."""
     x, y = item.vector("at", 2, -FAR, FAR)
     width, depth = item.vector("size", 2, 0.1, FAR)

@@ -7,7 +7,7 @@ from typing import Any
 
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet
 from trs80arm.plain_values import as_table
-from trs80arm.settings import remember
+from trs80arm.settings import SettingsError, remember
 from trs80arm.ui import layout
 from trs80arm.ui.desk import Desk
 from trs80arm.ui.layout import Bottom
@@ -123,6 +123,8 @@ class ViewCommands(Desk):
             return
         try:
             remember(self.options.settings_file, key, value)
+        except SettingsError as error:
+            self.say(f"Not remembered: {error}", error=True)
         except OSError as error:
             file = self.options.settings_file
             self.say(f"Not remembered in {file}: {error.strerror or error}", error=True)
