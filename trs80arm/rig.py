@@ -25,13 +25,13 @@ from trs80arm.basic.interpreter import Interpreter, Outcome
 from trs80arm.machine.card import MOTORS, Card, Latch, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.machine.console import Console
-from trs80arm.machine.driver import Driver, Mode
+from trs80arm.machine.driver import Counts, Driver, Mode
 from trs80arm.machine.keys import Key
 from trs80arm.machine.memory import Memory
 from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
-from trs80arm.works import Counts, KeyEvent, RigSettings, Works, assemble
+from trs80arm.works import KeyEvent, RigSettings, Works, assemble
 
 __all__ = ["JOINT_NAMES", "TURNED_BY_HAND", "Input", "Rig", "RigSettings"]
 

@@ -17,17 +17,15 @@ from trs80arm.machine.card import Card, CardSettings
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.console import Console
 from trs80arm.machine.display import Display
-from trs80arm.machine.driver import Driver, DriverSettings
-from trs80arm.machine.keyboard import KEYBOARD_START, KEYBOARD_STOP, KeyboardDriver, Matrix
-from trs80arm.machine.keys import Key
+from trs80arm.machine.driver import Counts, Driver, DriverSettings
+from trs80arm.machine.keyboard import KeyboardDriver, Matrix
+from trs80arm.machine.keys import KEYBOARD_START, KEYBOARD_STOP, Key
 from trs80arm.machine.memory import Memory
 from trs80arm.machine.ports import Ports, SystemPort
 from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer, PrinterDriver
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.typist import Typist
 from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
-
-Counts = tuple[int, int, int, int, int, int]
 
 
 @dataclass(frozen=True)

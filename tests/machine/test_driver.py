@@ -468,3 +468,20 @@ def test_a_motion_can_be_gone_through_tick_by_tick():
     assert machine.driver.registers[0] == 3
     machine.run()
     assert machine.driver.next_tick is None
+
+
+def test_manual_mode_reads_each_row_of_the_keyboard_once_a_look() -> None:
+    machine = Machine()
+    read: list[int] = []
+    peek = machine.matrix.peek
+
+    def count(address: int) -> int:
+        read.append(address)
+        return peek(address)
+
+    machine.matrix.peek = count  # type: ignore[method-assign]
+    machine.driver.set()
+    assert len(read) == len(set(read))
+    read.clear()
+    machine.run(until=1000)
+    assert 0 < len(read) == len(set(read))

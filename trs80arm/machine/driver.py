@@ -19,7 +19,7 @@ from trs80arm.machine.card import GRIP_CLOSED, MOTORS, Card
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.coordination import Coordination, Pace, Train
 from trs80arm.machine.half_steps import COILS_OFF, HALF_STEPS, RING
-from trs80arm.machine.jog_keys import JogKeys, KeyMatrix, is_down
+from trs80arm.machine.jog_keys import JogKeys, KeyMatrix, KeysDown
 from trs80arm.machine.keys import Key
 from trs80arm.progress import Progress
 
@@ -143,7 +143,7 @@ class Driver:
         A 0 that is down already, as from ending the manual mode before, must be let go first.
         """
         pace = Pace(self._clock.now, self.settings.set_delay if delay is None else delay)
-        self._motion = _Set(pace, let_go=not self.leaves())
+        self._motion = _Set(pace, let_go=self.settings.keys.leave not in self.look())
 
     def reset(self) -> None:
         """`@RESET`: registers to zero, the coils of all six motors off.
@@ -194,17 +194,9 @@ class Driver:
         self._clock.now = max(self._clock.now, self._clock.limit)
         return Progress.BUSY
 
-    def breaks(self) -> bool:
-        """Whether BREAK is down."""
-        return is_down(self._matrix, Key.BREAK)
-
-    def leaves(self) -> bool:
-        """Whether the key that ends manual mode is down."""
-        return is_down(self._matrix, self.settings.keys.leave)
-
-    def directions(self) -> tuple[int, ...]:
-        """Where the keys of manual mode want the six joints to go."""
-        return self.settings.keys.directions(self._matrix)
+    def look(self) -> KeysDown:
+        """Which of the keys are down that a motion can be led or ended with."""
+        return self.settings.keys.look(self._matrix)
 
     def grips(self, time: int) -> bool:
         """Whether the grip switch is closed."""
@@ -294,7 +286,7 @@ class _Step:
     mode = Mode.STEP
 
     def advance(self, driver: Driver) -> Progress:
-        if driver.settings.break_now and driver.breaks():
+        if driver.settings.break_now and Key.BREAK in driver.look():
             return Progress.BREAK
         ticks = self.move.ticks
         stop = min(ticks, self.pace.first_tick_from(driver.limit))
@@ -314,7 +306,7 @@ class _Close:
     mode = Mode.CLOSE
 
     def advance(self, driver: Driver) -> Progress:
-        if driver.breaks():
+        if Key.BREAK in driver.look():
             return Progress.BREAK
         stop = self.pace.first_tick_from(driver.limit)
         while self.tick < stop and not self.closed:
@@ -342,14 +334,15 @@ class _Set:
     mode = Mode.SET
 
     def advance(self, driver: Driver) -> Progress:
-        if driver.breaks():
+        keys, down = driver.settings.keys, driver.look()
+        if Key.BREAK in down:
             return Progress.BREAK
-        if not driver.leaves():
+        if keys.leave not in down:
             self.let_go = True
         elif self.let_go:
             return Progress.DONE
         stop = self.pace.first_tick_from(driver.limit)
-        directions = driver.directions()
+        directions = keys.directions(down)
         if any(directions):
             while self.tick < stop:
                 burst_stop = min(stop, self.tick + _LONGEST_BURST)

@@ -5,13 +5,10 @@ The driver reads them straight from the matrix, all at once; the front end label
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from trs80arm.machine.keys import MATRIX, Key
-
-_MATRIX_START = 0x3800
+from trs80arm.machine.keys import KEYBOARD_START, MATRIX, Key
 
 
 class KeyMatrix(Protocol):
@@ -19,6 +16,22 @@ class KeyMatrix(Protocol):
 
     def peek(self, address: int) -> int:
         """The byte at 3800H plus the selected rows' bits: 1 for each key that is down."""
+
+
+@dataclass(frozen=True)
+class KeysDown:
+    """One look at the keyboard.
+
+    Attributes:
+        rows: what each row of the matrix that was looked at reads.
+    """
+
+    rows: dict[int, int]
+
+    def __contains__(self, key: Key) -> bool:
+        """Whether a key is down."""
+        row, bit = MATRIX[key]
+        return bool(self.rows[row] >> bit & 1)
 
 
 @dataclass(frozen=True)
@@ -45,17 +58,13 @@ class JogKeys:
         if len(set(keys)) != len(keys) or Key.BREAK in keys:
             raise ValueError("the keys of manual mode must differ from each other and from BREAK")
 
-    def directions(self, matrix: KeyMatrix) -> tuple[int, ...]:
+    def look(self, matrix: KeyMatrix) -> KeysDown:
+        """Read every row that has one of these keys, or BREAK, in it, each once."""
+        keys = (*self.positive, *self.negative, self.leave, Key.BREAK)
+        rows = dict.fromkeys(MATRIX[key][0] for key in keys)
+        return KeysDown({row: matrix.peek(KEYBOARD_START | 1 << row) for row in rows})
+
+    def directions(self, down: KeysDown) -> tuple[int, ...]:
         """Where each of the six joints is to go: 1, -1, or 0 for no key or both keys of a pair."""
-        up, down = _are_down(matrix, self.positive), _are_down(matrix, self.negative)
-        return tuple(plus - minus for plus, minus in zip(up, down, strict=True))
-
-
-def is_down(matrix: KeyMatrix, key: Key) -> bool:
-    """Whether a key is down, as the matrix reads."""
-    row, bit = MATRIX[key]
-    return bool(matrix.peek(_MATRIX_START | 1 << row) >> bit & 1)
-
-
-def _are_down(matrix: KeyMatrix, keys: Sequence[Key]) -> list[bool]:
-    return [is_down(matrix, key) for key in keys]
+        pairs = zip(self.positive, self.negative, strict=True)
+        return tuple((plus in down) - (minus in down) for plus, minus in pairs)

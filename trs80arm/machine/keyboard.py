@@ -10,11 +10,9 @@ from __future__ import annotations
 from typing import Any
 
 from trs80arm.machine.clock import Clock
-from trs80arm.machine.keys import MATRIX, Key
+from trs80arm.machine.keys import KEYBOARD_START, MATRIX, Key
 from trs80arm.machine.memory import Memory
 
-KEYBOARD_START = 0x3800
-KEYBOARD_STOP = 0x3C00
 WORK_AREA = 0x4036
 """Seven bytes: rows 0 to 6 as the last scan saw them."""
 SCANNED_ROWS = 7

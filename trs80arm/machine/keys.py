@@ -1,12 +1,16 @@
 """The keys of the TRS-80 and their places in the keyboard matrix.
 
-The matrix is the one of Level II facts, section Typing: row r is read at 14336 + 2^r. Front ends
-and scripts name keys; only the matrix knows rows and bits.
+The matrix is the one of Level II facts, section Typing. Front ends and scripts name keys; only the
+matrix knows rows and bits.
 """
 
 from __future__ import annotations
 
 from enum import StrEnum
+
+KEYBOARD_START = 0x3800
+KEYBOARD_STOP = 0x3C00
+"""The addresses of the matrix: row r is read at the first of them + 2^r."""
 
 
 class Key(StrEnum):
