@@ -53,3 +53,16 @@ def test_pose_and_registers_are_said_in_words() -> None:
     assert "X 5.00, Y 0.00, Z 0.00 inches" in said
     assert "hand: 0, true 0" in said
     assert "\n 1 \n" not in said
+
+
+def test_a_program_opened_after_one_that_would_not_stop_is_heard(tmp_path: Path) -> None:
+    session = Session()
+    session.rig.load_text("10 POKE 16396,23\n20 GOTO 20\n")
+    session.rig.type("RUN\r")
+    session.run_for(2)
+    (tmp_path / "a.bas").write_text('10 PRINT "HEARD"\n')
+    out = io.StringIO()
+    plain = PlainMode(session, out, echo=False, speed=None)
+    plain.take(f".open {tmp_path / 'a.bas'}")
+    assert plain.talk(iter(["RUN\n"])) == 0
+    assert "\nHEARD\n" in out.getvalue()

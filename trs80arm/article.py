@@ -58,7 +58,7 @@ def _coordinated_move() -> list[tuple[int, int, int]]:
     """The writes of the article's example: 21 steps of the base against 3 of the shoulder."""
     rig = Rig()
     analyser = _Analyser()
-    rig.card.observers.append(analyser)
+    rig.watch_latches(analyser)
     rig.type("@STEP 50,21,3\r")
     rig.run_until_waiting()
     return analyser.writes

@@ -12,9 +12,8 @@ import copy
 import heapq
 import pickle
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from trs80arm import files
 from trs80arm.arm.bench import Bench
@@ -22,6 +21,7 @@ from trs80arm.arm.events import MOTOR_NAMES
 from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, MiniMover, Pose
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.interpreter import Interpreter, Outcome
+from trs80arm.basic.interpreter import Listener as StatementListener
 from trs80arm.machine.card import MOTORS, Card, Latch, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.machine.console import Console
@@ -31,23 +31,14 @@ from trs80arm.machine.memory import Memory
 from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
-from trs80arm.works import KeyEvent, RigSettings, Works, assemble
+from trs80arm.works import Input, KeyEvent, Observers, RigSettings, Works, assemble
 
 __all__ = ["JOINT_NAMES", "TURNED_BY_HAND", "Input", "Rig", "RigSettings"]
 
 JOINT_NAMES = MOTOR_NAMES[: len(MOTORS)]
 """What J1 to J6 are called in the article."""
 
-
-@dataclass(frozen=True)
-class Input:
-    """One thing that the operator did: enough to do it again at the same virtual time."""
-
-    time: int
-    """T-states since power-on."""
-    action: str
-    """The name of the method of `Rig`."""
-    arguments: tuple[Any, ...]
+T = TypeVar("T")
 
 
 class Rig:
@@ -61,11 +52,20 @@ class Rig:
     """
 
     def __init__(self, settings: RigSettings | None = None, bench: Bench | None = None) -> None:
-        self.settings = settings or RigSettings()
-        self._recorders: list[Callable[[Input], None]] = []
-        self._works = assemble(self.settings, MiniMover(self.settings.arm, copy.deepcopy(bench)))
-        self._watch()
+        chosen = settings or RigSettings()
+        self._observers = Observers()
+        self._observers.resets.append(self._zero)
+        self._use(assemble(chosen, MiniMover(chosen.arm, copy.deepcopy(bench))))
         self._switch_on()
+
+    def _use(self, works: Works) -> None:
+        self._works = works
+        self._observers.connect(works)
+
+    @property
+    def settings(self) -> RigSettings:
+        """The machine's fittings."""
+        return self._works.settings
 
     def _switch_on(self) -> None:
         self._works.typist.add(self.settings.memory_size + "\r")
@@ -179,9 +179,9 @@ class Rig:
     # -- the operator's hands -----------------------------------------------------------------
 
     def _record(self, action: str, *arguments: Any) -> None:
-        if self._recorders:
+        if self._observers.inputs:
             done = Input(self.clock.now, action, arguments)
-            for recorder in self._recorders:
+            for recorder in self._observers.inputs:
                 recorder(done)
 
     def record(self, recorder: Callable[[Input], None]) -> Callable[[], None]:
@@ -190,8 +190,7 @@ class Rig:
         Returns:
             A function that ends the recording.
         """
-        self._recorders.append(recorder)
-        return lambda: self._recorders.remove(recorder)
+        return _attach(self._observers.inputs, recorder)
 
     def replay(self, inputs: Iterable[Input]) -> None:
         """Do again what was recorded, each thing at its own virtual time."""
@@ -301,8 +300,7 @@ class Rig:
         old = self._works
         old.driver.reset()
         old.card.write_latch(Latch.AUXILIARY, 0)
-        self._works = assemble(self.settings, old.arm, old)
-        self._watch(old.card.observers)
+        self._use(assemble(self.settings, old.arm, old))
         self._switch_on()
 
     def set_bench(self, bench: Bench) -> None:
@@ -319,11 +317,6 @@ class Rig:
     def _zero(self) -> None:
         """The registers stand at zero from now on, with the rotors where they are."""
         self._works.zero = self._works.arm.state().rotors
-
-    def _watch(self, observers: Iterable[Observer] = ()) -> None:
-        """Attach what the rig looks at, and the card's analysers; a snapshot keeps neither."""
-        self._works.driver.reset_observers.append(self._zero)
-        self._works.card.observers.extend(observers)
 
     def refill(self) -> None:
         """Put every part of the bench back to where it was at the start."""
@@ -434,14 +427,6 @@ class Rig:
         """The sixteen lines of the tube as text, trailing blanks removed."""
         return [line.rstrip() for line in self._works.video.lines()]
 
-    def listen(self, listener: Callable[[int, bool], None]) -> Callable[[], None]:
-        """Call `listener(code, is_echo)` for every character sent to the display.
-
-        Returns:
-            A function that ends the listening.
-        """
-        return self._works.console.listen(listener)
-
     @property
     def registers(self) -> Counts:
         """The six position registers: what was commanded since `@RESET`."""
@@ -470,17 +455,71 @@ class Rig:
         """Where the fingertips truly are."""
         return self._works.arm.state().pose
 
+    # -- who looks on -------------------------------------------------------------------------
+    #
+    # Whoever is attached stays attached, whatever becomes of the machine: `reset`, `restore` and
+    # `set_bench` do not end it. A snapshot knows nothing of observers.
+
+    def listen(self, listener: Callable[[int, bool], None]) -> Callable[[], None]:
+        """Call `listener(code, is_echo)` for every character sent to the display.
+
+        Returns:
+            A function that ends the listening.
+        """
+        return _attach(self._observers.codes, listener)
+
+    def watch_statements(self, listener: StatementListener) -> Callable[[], None]:
+        """Tell `listener` every statement before it is executed.
+
+        Returns:
+            A function that ends the watching.
+        """
+        return _attach(self._observers.statements, listener)
+
+    def watch_latches(self, observer: Observer) -> Callable[[], None]:
+        """Clip a logic analyser on the card.
+
+        Returns:
+            A function that takes it off.
+        """
+        return _attach(self._observers.latches, observer)
+
+    def watch_resets(self, observer: Callable[[], None]) -> Callable[[], None]:
+        """Call `observer` after each `@RESET`, and when the machine is switched off.
+
+        Returns:
+            A function that ends the watching.
+        """
+        return _attach(self._observers.resets, observer)
+
     # -- all of it ----------------------------------------------------------------------------
 
     def snapshot(self) -> bytes:
-        """The complete state of machine, arm and bench."""
+        """The complete state of machine, arm and bench, with the settings.
+
+        It names no file or folder of this computer: what is on the cassettes of a tape folder and
+        on paper in a file is not in it, but the cassette in the recorder is.
+        """
         return pickle.dumps(self._works, protocol=pickle.HIGHEST_PROTOCOL)
 
     def restore(self, snapshot: bytes) -> None:
-        """Go back to a state that `snapshot` of this program gave. Never feed it foreign bytes."""
+        """Go back to a state that `snapshot` of this program gave. Never feed it foreign bytes.
+
+        The rig is then the one of the snapshot, fittings and all; only its own tape folder and its
+        printer's file stay, and whoever looks on.
+        """
         works = pickle.loads(snapshot)
         if not isinstance(works, Works):
             raise ValueError("not a snapshot of a rig")
-        observers = self._works.card.observers
-        self._works = works
-        self._watch(observers)
+        works.use_places(self.settings)
+        self._use(works)
+
+
+def _attach(attached: list[T], observer: T) -> Callable[[], None]:
+    """Put somebody among the others; the function that is returned ends it, once and for all."""
+    attached.append(observer)
+
+    def end() -> None:
+        attached[:] = [other for other in attached if other is not observer]
+
+    return end

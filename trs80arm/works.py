@@ -1,4 +1,4 @@
-"""The works of a rig: all its devices, and how they are wired.
+"""The works of a rig: all its devices, how they are wired, and who looks at them from outside.
 
 `Rig` builds them here, hands them to whoever looks, and takes and gives them back whole in a
 snapshot.
@@ -6,16 +6,19 @@ snapshot.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic.host import Host
 from trs80arm.basic.interpreter import Interpreter
-from trs80arm.machine.card import Card, CardSettings
+from trs80arm.basic.interpreter import Listener as StatementListener
+from trs80arm.machine.card import Card, CardSettings, Observer
 from trs80arm.machine.clock import Clock
-from trs80arm.machine.console import Console
+from trs80arm.machine.console import Console, Listener
 from trs80arm.machine.display import Display
 from trs80arm.machine.driver import Counts, Driver, DriverSettings
 from trs80arm.machine.keyboard import KeyboardDriver, Matrix
@@ -61,10 +64,51 @@ class KeyEvent:
     down: bool = field(compare=False)
 
 
+@dataclass(frozen=True)
+class Input:
+    """One thing that the operator did: enough to do it again at the same virtual time."""
+
+    time: int
+    """T-states since power-on."""
+    action: str
+    """The name of the method of `Rig`."""
+    arguments: tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Observers:
+    """Everybody who looks at a rig from outside, by what they look at.
+
+    They belong to the rig and not to its works: the machine may be switched off and on, another
+    state restored, another bench set up, and they go on looking. `connect` is the one place where
+    devices learn of them.
+    """
+
+    codes: list[Listener] = field(default_factory=list)
+    """Told every code sent to the display."""
+    statements: list[StatementListener] = field(default_factory=list)
+    """Told every statement before it is executed."""
+    latches: list[Observer] = field(default_factory=list)
+    """Told every write to the card's latches."""
+    resets: list[Callable[[], None]] = field(default_factory=list)
+    """Told every `@RESET`."""
+    inputs: list[Callable[[Input], None]] = field(default_factory=list)
+    """Told everything that the operator does; the rig itself tells them."""
+
+    def connect(self, works: Works) -> None:
+        """Let the devices of other works be looked at from now on."""
+        works.console.listeners = self.codes
+        works.basic.listeners = self.statements
+        works.card.observers = self.latches
+        works.driver.reset_observers = self.resets
+
+
 @dataclass
 class Works:
     """All devices of a rig, and what is about to happen to its keys."""
 
+    settings: RigSettings
+    """What they were assembled from."""
     clock: Clock
     memory: Memory
     matrix: Matrix
@@ -83,6 +127,22 @@ class Works:
     order: int = 0
     zero: Counts = (0, 0, 0, 0, 0, 0)
     """Where the rotors stood when the registers were last zeroed."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        nowhere = replace(self.settings, tape_folder=None, printer_file=None)
+        return self.__dict__ | {"settings": nowhere}
+
+    def use_places(self, own: RigSettings) -> None:
+        """Take over where cassettes and paper are kept from other settings.
+
+        These are folders and files of the computer that the rig runs on. A snapshot names none.
+        """
+        self.settings = replace(
+            self.settings, tape_folder=own.tape_folder, printer_file=own.printer_file
+        )
+        self.printer.path = own.printer_file
+        if own.tape_folder is not None:
+            self.tape.use_folder(own.tape_folder)
 
 
 def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) -> Works:
@@ -120,6 +180,7 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
     )
     basic = Interpreter(host, armbasic=settings.armbasic, blocks=settings.blocks)
     return Works(
+        settings=settings,
         clock=clock,
         memory=memory,
         matrix=matrix,

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from trs80arm.machine.card import Card, Peripheral, Series
+from trs80arm.machine.card import Card, Observer, Peripheral, Series
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.driver import Driver, DriverSettings
 from trs80arm.machine.keyboard import Matrix
@@ -65,7 +65,11 @@ class Machine:
         self.card = Card(self.clock, plug=plug)
         self.driver = Driver(self.clock, self.card, self.matrix, settings)
         self.analyser = Analyser()
-        self.card.observers.append(self.analyser)
+        self.watch_latches(self.analyser)
+
+    def watch_latches(self, observer: Observer) -> Callable[[], None]:
+        self.card.observers.append(observer)
+        return lambda: self.card.observers.remove(observer)
 
     def run(self, until: int | None = None) -> Progress:
         """Let the driver work to a T-state, or to the end of its motion."""

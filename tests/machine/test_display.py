@@ -283,19 +283,19 @@ def test_the_front_end_hears_which_rows_changed(tube: Tube) -> None:
     assert tube.video.take_dirty() == list(range(ROWS))
 
 
-def test_a_listener_hears_codes_until_it_leaves(tube: Tube) -> None:
+def test_a_listener_hears_codes_until_it_is_gone(tube: Tube) -> None:
     heard: list[tuple[int, bool]] = []
-    leave = tube.console.listen(lambda code, echo: heard.append((code, echo)))
+    tube.console.listeners.append(lambda code, echo: heard.append((code, echo)))
     tube.console.put(65)
     tube.console.echo(66)
     tube.console.show_cursor(True)
-    leave()
+    tube.console.listeners.clear()
     tube.console.put(67)
     assert heard == [(65, False), (66, True)]
 
 
 def test_a_pickled_console_forgets_its_listeners_and_keeps_its_picture(tube: Tube) -> None:
-    tube.console.listen(lambda code, echo: None)
+    tube.console.listeners.append(lambda code, echo: None)
     tube.show("HELLO", 23)
     copy = pickle.loads(pickle.dumps(tube))
     assert copy.video.take_dirty() == list(range(ROWS))

@@ -19,32 +19,27 @@ _CURSOR_ON, _CURSOR_OFF = 14, 15
 
 
 class Console:
-    """Display and keyboard as the language sees them."""
+    """Display and keyboard as the language sees them.
+
+    Attributes:
+        listeners: told every code; they are not part of a snapshot.
+    """
 
     def __init__(self, display: Display, keyboard: KeyboardDriver) -> None:
         self.display = display
         self.keyboard = keyboard
-        self._listeners: list[Listener] = []
-
-    def listen(self, listener: Listener) -> Callable[[], None]:
-        """Tell `listener` every code from now on; a snapshot does not keep it.
-
-        Returns:
-            A function that ends the listening.
-        """
-        self._listeners.append(listener)
-        return lambda: self._listeners.remove(listener)
+        self.listeners: list[Listener] = []
 
     def put(self, code: int) -> None:
         """Print one character or control code at the cursor, and charge its time."""
         self.display.put(code)
-        for listener in self._listeners:
+        for listener in self.listeners:
             listener(code, False)
 
     def echo(self, code: int) -> None:
         """The same, for what the line editor and EDIT echo of the user's own typing."""
         self.display.echo(code)
-        for listener in self._listeners:
+        for listener in self.listeners:
             listener(code, True)
 
     def scan(self) -> int:
@@ -93,4 +88,4 @@ class Console:
         self.display.plot(x, y, lit)
 
     def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_listeners": []}
+        return self.__dict__ | {"listeners": []}

@@ -6,6 +6,7 @@ The printer's paper is a file, or memory when there is none. The driver counts t
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.memory import Memory
@@ -46,6 +47,10 @@ class Printer:
         self.fault: str | None = None
         self._sent = bytearray()
         self._line_start = 0
+
+    def __getstate__(self) -> dict[str, Any]:
+        # The file is of the computer and not of the machine.
+        return self.__dict__ | {"path": None}
 
     @property
     def sent(self) -> bytes:

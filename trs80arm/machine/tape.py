@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 from trs80arm.machine import cassette
 from trs80arm.saving import write_whole
@@ -149,6 +149,15 @@ class Tape:
         self.running = False
         self.position = 0
         self.fault: str | None = None
+
+    def use_folder(self, folder: Path) -> None:
+        """Keep the cassettes in a folder from now on; the one in the recorder stays in."""
+        self._shelf = FolderShelf(folder)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # A folder is of the computer and not of the machine.
+        kept = self._shelf if isinstance(self._shelf, MemoryShelf) else MemoryShelf()
+        return self.__dict__ | {"_shelf": kept}
 
     # -- the operator ---------------------------------------------------------------------------
 

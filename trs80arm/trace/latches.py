@@ -9,13 +9,14 @@ from __future__ import annotations
 import csv
 import io
 from array import array
+from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
 from typing import BinaryIO, Protocol
 
 import numpy as np
 
-from trs80arm.machine.card import Card, Latch, Series
+from trs80arm.machine.card import Card, Latch, Observer, Series
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.trace.files import kind_of, seconds, trace_file
 from trs80arm.trace.vcd import VcdSink
@@ -30,6 +31,9 @@ class Probed(Protocol):
     @property
     def card(self) -> Card:
         """The card whose latches are watched."""
+
+    def watch_latches(self, observer: Observer) -> Callable[[], None]:
+        """Clip an analyser on the card; the function returned takes it off."""
 
     @property
     def clock(self) -> Clock:
@@ -125,7 +129,8 @@ class Trace:
             self._sink = NpzSink(file)
         else:
             self._sink = VcdSink(file, rig.clock.now, rig.card.latches)
-        rig.card.observers.append(self)
+        self._take_off = rig.watch_latches(self)
+        self._is_on = True
 
     def wrote(self, times: Series, latches: Series, nibbles: Series) -> None:
         """Note a burst of writes (the card calls this)."""
@@ -133,8 +138,9 @@ class Trace:
 
     def close(self) -> None:
         """End the trace and let the file have its name."""
-        if self in self._rig.card.observers:
-            self._rig.card.observers.remove(self)
+        if self._is_on:
+            self._is_on = False
+            self._take_off()
             with self._opened:
                 self._sink.finish(self._rig.clock.now)
 

@@ -10,14 +10,14 @@ import csv
 import io
 import math
 from array import array
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
 import numpy as np
 
-from trs80arm.machine.card import Card, Series
+from trs80arm.machine.card import Card, Observer, Series
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.trace.files import kind_of, seconds, trace_file
 
@@ -38,6 +38,9 @@ class Watched(Protocol):
     @property
     def card(self) -> Card:
         """The card whose writes move the arm."""
+
+    def watch_latches(self, observer: Observer) -> Callable[[], None]:
+        """Clip an analyser on the card; the function returned takes it off."""
 
     @property
     def clock(self) -> Clock:
@@ -135,7 +138,8 @@ class PoseTrace:
         self._sink: PoseSink = CsvSink(file) if kind == ".csv" else NpzSink(file)
         if rate is None:
             self._sink.row(self._start, self._last)
-        rig.card.observers.append(self)
+        self._take_off = rig.watch_latches(self)
+        self._is_on = True
 
     def wrote(self, times: Series, latches: Series, nibbles: Series) -> None:
         """Look at the arm after an instant's writes (the card calls this)."""
@@ -148,8 +152,9 @@ class PoseTrace:
 
     def close(self) -> None:
         """End the trace and let the file have its name."""
-        if self in self._rig.card.observers:
-            self._rig.card.observers.remove(self)
+        if self._is_on:
+            self._is_on = False
+            self._take_off()
             with self._opened:
                 self._stand_still(self._rig.clock.now + 1)
                 self._sink.finish()
