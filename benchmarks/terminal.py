@@ -25,7 +25,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 PROGRAM = """
 import json, os, sys, time, threading
-from trs80arm.ui.desk import Desk
+from trs80arm.ui.app import Trs80Arm as Desk
 from trs80arm.ui.keys.keyboard import Keyboard
 report = open(sys.argv.pop(1), "a", buffering=1)
 real_draw, real_tick = Desk.draw, Desk.tick

@@ -68,7 +68,7 @@ async def start(sitting: Sitting) -> None:
 async def manual(sitting: Sitting) -> None:
     """Manual mode with two keys held and the keyboard shown."""
     await sitting.type("@SET\r")
-    await sitting.app.run_action("show_bottom('keyboard')")
+    await sitting.app.run_action("do('show_keyboard')")
     sitting.app.keyboard.held.latch(("1", "W"))
     await sitting.pass_time(0.6)
 
@@ -91,10 +91,9 @@ async def slipped(sitting: Sitting) -> None:
 
 async def by_hand(sitting: Sitting) -> None:
     """The arm moved by hand, above the part."""
-    await sitting.app.run_action("hand_move")
+    await sitting.app.run_action("do('hand_move')")
     sitting.app.session.rig.move_to(Pose(8.0, 0.0, 1.5, -90.0, 0.0, 0.8))
     await sitting.pass_time(0.1)
-    sitting.app.screen.say("")
     await sitting.pass_time(0.1)
 
 
@@ -106,8 +105,8 @@ async def teach(sitting: Sitting) -> None:
         *("@STEP 50,0,135,-37", "@STEP 50,0,0,0,0,0,312"),
     ):
         await sitting.type(line + "\r")
-        await sitting.app.run_action("teach_here")
-    await sitting.app.run_action("teach")
+        await sitting.app.run_action("do('teach_here')")
+    await sitting.app.run_action("do('teach')")
     await sitting.pass_time(0.1)
 
 
@@ -115,7 +114,7 @@ def action(name: str) -> Scene:
     """A dialog."""
 
     async def scene(sitting: Sitting) -> None:
-        await sitting.app.run_action(name)
+        await sitting.app.run_action(f"do('{name}')")
         await sitting.pass_time(0.1)
 
     return scene

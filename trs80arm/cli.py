@@ -157,7 +157,7 @@ def _open_terminal(given: dict[str, Any], **more: Any) -> NoReturn:
         from trs80arm.plain import run_plain
 
         sys.exit(run_plain(options))
-    from trs80arm.ui.app import run_terminal
+    from trs80arm.ui.start import run_terminal
 
     sys.exit(run_terminal(options))
 

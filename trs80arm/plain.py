@@ -12,14 +12,13 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TextIO
 
-from trs80arm.basic.activity import Waiting
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.session import Session
 from trs80arm.files import FileFormatError
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.options import TerminalOptions
 from trs80arm.reasons import one_line
-from trs80arm.rig import JOINT_NAMES
+from trs80arm.rig import JOINT_NAMES, Waiting
 from trs80arm.teletype import Teletype
 
 SLICE = 0.05

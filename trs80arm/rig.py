@@ -33,7 +33,16 @@ from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
 from trs80arm.works import Input, KeyEvent, Observers, RigSettings, Works, assemble
 
-__all__ = ["JOINT_NAMES", "TURNED_BY_HAND", "Input", "Rig", "RigSettings"]
+__all__ = [
+    "JOINT_NAMES",
+    "TURNED_BY_HAND",
+    "Input",
+    "Key",
+    "Pose",
+    "Rig",
+    "RigSettings",
+    "Waiting",
+]
 
 JOINT_NAMES = MOTOR_NAMES[: len(MOTORS)]
 """What J1 to J6 are called in the article."""

@@ -69,6 +69,24 @@ def test_a_suspended_program_does_not_run_after_the_lost_time() -> None:
     assert desk.time <= MOST_OWED
 
 
+def test_time_that_others_let_pass_is_neither_owed_nor_made_up_for() -> None:
+    desk = Desk()
+    pacer = paced(desk, 1.0)
+    desk.pass_wall(pacer, 1.0)
+    desk.run_for(30.0)
+    desk.pass_wall(pacer, 1.0)
+    assert desk.time == pytest.approx(32.0, abs=0.05)
+
+
+def test_another_machine_whose_clock_is_behind_is_paced_on_from_there() -> None:
+    desk = Desk()
+    pacer = paced(desk, 1.0)
+    desk.pass_wall(pacer, 10.0)
+    desk.time = 2.0
+    desk.pass_wall(pacer, 1.0)
+    assert desk.time == pytest.approx(3.0, abs=0.05)
+
+
 def test_paused_is_paused() -> None:
     desk = Desk()
     pacer = paced(desk, 1.0)

@@ -75,21 +75,6 @@ def test_a_motion_that_is_interrupted_keeps_its_registers() -> None:
     assert session.rig.joints == session.rig.registers
 
 
-def test_the_copy_for_a_crash_comes_and_goes_with_the_unsaved_program(tmp_path: Path) -> None:
-    session = Session()
-    copy = tmp_path / "state" / "copy.bas"
-    session.keep_copy(copy)
-    assert not copy.exists()
-    typed(session, '10 PRINT "MINE"')
-    session.keep_copy(copy)
-    other = Session()
-    other.load(copy)
-    assert other.program == session.program
-    session.save(tmp_path / "mine.bas")
-    session.keep_copy(copy)
-    assert not copy.exists()
-
-
 def test_switching_off_and_on_forgets_the_program_and_keeps_the_arm() -> None:
     session = Session(RigSettings(ram_kib=32))
     typed(session, "10 REM", "@STEP 50,300")

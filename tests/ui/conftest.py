@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ from tests.own_places import own_places
 from trs80arm.desk.opening import open_session
 from trs80arm.options import TerminalOptions
 from trs80arm.ui.app import Trs80Arm
+from trs80arm.ui.panels.registry import PANELS, PanelRow
 
 __all__ = ["own_places", "sit_down"]
 
@@ -71,7 +72,7 @@ class Sitting:
     @property
     def tube(self) -> str:
         """What the tube shows."""
-        return self.app.tube.text
+        return self.app.desk.tube.text
 
 
 Opener = Callable[..., AbstractAsyncContextManager[Sitting]]
@@ -82,10 +83,19 @@ def sit_down(tmp_path: Path) -> Opener:
     """Opens the program at a size, with options, and with the clocks held."""
 
     @asynccontextmanager
-    async def opener(width: int = 80, height: int = 24, **options: Any) -> Any:
+    async def opener(
+        width: int = 80, height: int = 24, panels: Sequence[PanelRow] = PANELS, **options: Any
+    ) -> Any:
         wall = Wall()
         chosen = TerminalOptions(**options)
-        app = Trs80Arm(open_session(chosen), chosen, tmp_path / "state", wall=wall, ticking=False)
+        app = Trs80Arm(
+            open_session(chosen),
+            chosen,
+            tmp_path / "state",
+            wall=wall,
+            ticking=False,
+            panels=panels,
+        )
         app.animation_level = "none"
         async with app.run_test(size=(width, height)) as pilot:
             await pilot.pause()

@@ -8,8 +8,9 @@ from tests.goldens import check_golden
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
 from trs80arm.arm.geometry import START_POSE
+from trs80arm.desk.hands import MoveJoint, MoveTo
 from trs80arm.drawing.readings import Readings
-from trs80arm.ui.screens.hand_move import HandMoveScreen, MoveJoint, MoveTo
+from trs80arm.ui.screens.hand_move import HandMoveScreen
 
 
 class Desk(App[None]):
@@ -19,18 +20,17 @@ class Desk(App[None]):
         super().__init__()
         self.seen = samples.readings()
         self.asked: list[MoveJoint | MoveTo] = []
+        self.answer = ""
 
     def look(self) -> Readings:
         return self.seen
 
     def on_mount(self) -> None:
-        self.push_screen(HandMoveScreen(self.look))
+        self.push_screen(HandMoveScreen(self.look, self.move))
 
-    def on_move_joint(self, message: MoveJoint) -> None:
-        self.asked.append(message)
-
-    def on_move_to(self, message: MoveTo) -> None:
-        self.asked.append(message)
+    def move(self, move: MoveJoint | MoveTo) -> str:
+        self.asked.append(move)
+        return self.answer
 
 
 @pytest.mark.parametrize("width", [80, 110])
@@ -99,8 +99,8 @@ async def test_other_counts_of_figures_are_refused(typed: str) -> None:
 async def test_the_answer_to_a_move_is_shown() -> None:
     desk = Desk()
     async with desk.run_test(size=(80, 24)) as pilot:
-        assert isinstance(desk.screen, HandMoveScreen)
-        desk.screen.say("block is in the way")
+        desk.answer = "block is in the way"
+        await pilot.press("right")
         await pilot.pause()
         assert "block is in the way" in screen_text(desk)
 

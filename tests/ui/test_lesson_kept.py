@@ -5,8 +5,10 @@ from __future__ import annotations
 from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
-from trs80arm.desk.places import recovered_copies
-from trs80arm.ui.commands.files import AskToLeave
+from trs80arm.desk.recovery import Recovery
+from trs80arm.desk.session import Session
+from trs80arm.desk.teach import Lesson
+from trs80arm.ui.screens.dialog import Ask
 from trs80arm.ui.screens.teach import TeachScreen
 
 
@@ -15,7 +17,7 @@ async def test_leaving_asks_when_no_program_of_the_positions_is_written(sit_down
     async with sit_down() as sitting:
         await sitting.press("ctrl+t", "f10")
         await sitting.settle()
-        assert isinstance(sitting.app.screen, AskToLeave)
+        assert isinstance(sitting.app.screen, Ask)
         assert "Positions were taught" in screen_text(sitting.app)
         await sitting.press("enter")
         await sitting.settle()
@@ -26,12 +28,12 @@ async def test_leaving_asks_when_no_program_of_the_positions_is_written(sit_down
 async def test_positions_given_up_leave_no_copy(sit_down: Opener) -> None:
     async with sit_down() as sitting:
         await sitting.press("ctrl+t")
-        sitting.app.keep_copy()
-        assert sitting.app.lesson_copy_path.is_file()
+        sitting.app.recovery.keep()
+        assert sitting.app.recovery.lesson_copy.is_file()
         await sitting.press("f10", "right", "enter")
         await sitting.pilot.pause()
     assert sitting.app.return_value == 0
-    assert not sitting.app.lesson_copy_path.exists()
+    assert not sitting.app.recovery.lesson_copy.exists()
 
 
 @piloted
@@ -39,11 +41,11 @@ async def test_a_bad_end_leaves_a_program_of_the_positions(sit_down: Opener) -> 
     async with sit_down() as sitting:
         await sitting.press("ctrl+t", "ctrl+c", "ctrl+c")
         await sitting.pilot.pause()
-    kept = sitting.app.lesson_copy_path
+    kept = sitting.app.recovery.lesson_copy
     assert "@READ K1" in kept.read_text()
-    folder = kept.parent
-    assert recovered_copies(folder, sitting.app.copy_path) == []
-    assert recovered_copies(folder, folder / "recovered-20990101-000000.bas") == [kept]
+    assert sitting.app.recovery.left_over() == []
+    later = Recovery(Session(), Lesson(), kept.parent, "20990101-000000", lambda *_, **__: None)
+    assert later.left_over() == [kept]
 
 
 @piloted

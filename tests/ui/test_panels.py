@@ -6,10 +6,10 @@ from textual.events import MouseScrollDown, MouseScrollUp
 from tests.drawing import samples
 from tests.goldens import check_golden
 from trs80arm.basic.activity import Waiting
-from trs80arm.drawing.rows import Ink, text_of
+from trs80arm.drawing.rows import Ink, clock_text, text_of
 from trs80arm.machine.driver import Mode
 from trs80arm.ui.panels.coils import CoilsPanel
-from trs80arm.ui.panels.events import EventsLog, clock_text, collapsed
+from trs80arm.ui.panels.events import EventsLog, collapsed
 from trs80arm.ui.panels.panel import Panel
 from trs80arm.ui.panels.pose import PosePanel
 from trs80arm.ui.panels.registers import RegistersPanel

@@ -25,7 +25,7 @@ PATIENCE = 40.0
 """Seconds of the wall after which something that should come has not come."""
 PROGRAM = "from trs80arm.cli import main; main()"
 FAULTY = """
-from trs80arm.ui.desk import Desk
+from trs80arm.ui.app import Trs80Arm as Desk
 def fault(self, now=None):
     raise RuntimeError("forced")
 real = Desk.draw

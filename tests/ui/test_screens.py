@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import asyncio
 import re
-from collections.abc import Coroutine
 from typing import Any
 
 import pytest
@@ -12,6 +10,7 @@ from textual.app import App
 
 from tests.goldens import check_golden
 from tests.ui.conftest import PROGRAMS, Opener
+from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text as text_of
 from trs80arm.options import ArmStyle, GlyphSet
 from trs80arm.ui.themes import THEMES
@@ -27,120 +26,96 @@ def screen_text(app: App[Any]) -> str:
     return CLOCK.sub("M:SS.s", text_of(app))
 
 
-def run(work: Coroutine[Any, Any, None]) -> None:
-    asyncio.run(work)
-
-
 def shape(width: int, height: int) -> str:
     return f"{width}x{height}"
 
 
 @pytest.mark.parametrize(("width", "height"), [*SIZES, (64, 18), (70, 24), (160, 50), (60, 17)])
-def test_the_first_start(sit_down: Opener, width: int, height: int) -> None:
-    async def work() -> None:
-        async with sit_down(width, height) as sitting:
-            await sitting.settle()
-            check_golden(f"start-{shape(width, height)}", screen_text(sitting.app))
-
-    run(work())
+@piloted
+async def test_the_first_start(sit_down: Opener, width: int, height: int) -> None:
+    async with sit_down(width, height) as sitting:
+        await sitting.settle()
+        check_golden(f"start-{shape(width, height)}", screen_text(sitting.app))
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
-def test_table_4_is_loaded(sit_down: Opener, width: int, height: int) -> None:
-    async def work() -> None:
-        async with sit_down(width, height, program=PROGRAMS / "table4.bas") as sitting:
-            await sitting.type_line("LIST 10-100")
-            check_golden(f"table4-{shape(width, height)}", screen_text(sitting.app))
-
-    run(work())
+@piloted
+async def test_table_4_is_loaded(sit_down: Opener, width: int, height: int) -> None:
+    async with sit_down(width, height, program=PROGRAMS / "table4.bas") as sitting:
+        await sitting.type_line("LIST 10-100")
+        check_golden(f"table4-{shape(width, height)}", screen_text(sitting.app))
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
-def test_the_arm_after_a_motion(sit_down: Opener, width: int, height: int) -> None:
-    async def work() -> None:
-        async with sit_down(width, height) as sitting:
-            await sitting.type_line("CLS:@STEP 50,400,-300,200,100,-100,300")
-            await sitting.pass_time(3)
-            check_golden(f"moved-{shape(width, height)}", screen_text(sitting.app))
-
-    run(work())
+@piloted
+async def test_the_arm_after_a_motion(sit_down: Opener, width: int, height: int) -> None:
+    async with sit_down(width, height) as sitting:
+        await sitting.type_line("CLS:@STEP 50,400,-300,200,100,-100,300")
+        await sitting.pass_time(3)
+        check_golden(f"moved-{shape(width, height)}", screen_text(sitting.app))
 
 
 @pytest.mark.parametrize("bottom", ["motors", "log", "keyboard"])
 @pytest.mark.parametrize(("width", "height"), SIZES)
-def test_the_switched_panels(sit_down: Opener, width: int, height: int, bottom: str) -> None:
-    async def work() -> None:
-        async with sit_down(width, height) as sitting:
-            await sitting.app.run_action(f"show_bottom('{bottom}')")
-            await sitting.settle()
-            check_golden(f"{bottom}-{shape(width, height)}", screen_text(sitting.app))
-
-    run(work())
+@piloted
+async def test_the_switched_panels(sit_down: Opener, width: int, height: int, bottom: str) -> None:
+    async with sit_down(width, height) as sitting:
+        await sitting.app.run_action(f"do('show_{bottom}')")
+        await sitting.settle()
+        check_golden(f"{bottom}-{shape(width, height)}", screen_text(sitting.app))
 
 
 @pytest.mark.parametrize("theme", [theme.name for theme in THEMES])
-def test_every_theme_has_its_colours(sit_down: Opener, theme: str) -> None:
+@piloted
+async def test_every_theme_has_its_colours(sit_down: Opener, theme: str) -> None:
     from tests.ui.screen_text import screen_colours
 
-    async def work() -> None:
-        async with sit_down(80, 24, theme=theme) as sitting:
-            await sitting.settle()
-            text = screen_text(sitting.app) + "\n" + screen_colours(sitting.app)
-            check_golden(f"theme-{theme}", text)
-
-    run(work())
+    async with sit_down(80, 24, theme=theme) as sitting:
+        await sitting.settle()
+        text = screen_text(sitting.app) + "\n" + screen_colours(sitting.app)
+        check_golden(f"theme-{theme}", text)
 
 
 @pytest.mark.parametrize("action", ["help", "open", "speed", "glyphs", "bench", "key_test"])
-def test_the_dialogs(sit_down: Opener, action: str) -> None:
-    async def work() -> None:
-        async with sit_down(80, 24) as sitting:
-            await sitting.app.run_action(action)
-            await sitting.settle()
-            text = screen_text(sitting.app).replace(str(PROGRAMS), "PROGRAMS")
-            assert "Traceback" not in text
-            if action not in ("open", "bench"):
-                check_golden(f"dialog-{action}", text)
-
-    run(work())
+@piloted
+async def test_the_dialogs(sit_down: Opener, action: str) -> None:
+    async with sit_down(80, 24) as sitting:
+        await sitting.app.run_action(f"do('{action}')")
+        await sitting.settle()
+        text = screen_text(sitting.app).replace(str(PROGRAMS), "PROGRAMS")
+        assert "Traceback" not in text
+        if action not in ("open", "bench"):
+            check_golden(f"dialog-{action}", text)
 
 
-def test_the_question_before_leaving(sit_down: Opener) -> None:
-    async def work() -> None:
-        async with sit_down(80, 24) as sitting:
-            await sitting.type_line("10 PRINT 1")
-            await sitting.press("f10")
-            await sitting.settle()
-            check_golden("dialog-leave", screen_text(sitting.app))
-
-    run(work())
+@piloted
+async def test_the_question_before_leaving(sit_down: Opener) -> None:
+    async with sit_down(80, 24) as sitting:
+        await sitting.type_line("10 PRINT 1")
+        await sitting.press("f10")
+        await sitting.settle()
+        check_golden("dialog-leave", screen_text(sitting.app))
 
 
-def test_ascii_means_ascii(sit_down: Opener) -> None:
-    async def work() -> None:
-        async with sit_down(120, 40, glyphs=GlyphSet.ASCII) as sitting:
-            await sitting.type_line("CLS:FOR I=128 TO 191:PRINT CHR$(I);:NEXT:PRINT 2[3")
-            await sitting.pass_time(1)
-            check_golden("ascii-120x40", screen_text(sitting.app))
-            assert sitting.tube.isascii()
-
-    run(work())
+@piloted
+async def test_ascii_means_ascii(sit_down: Opener) -> None:
+    async with sit_down(120, 40, glyphs=GlyphSet.ASCII) as sitting:
+        await sitting.type_line("CLS:FOR I=128 TO 191:PRINT CHR$(I);:NEXT:PRINT 2[3")
+        await sitting.pass_time(1)
+        check_golden("ascii-120x40", screen_text(sitting.app))
+        assert sitting.tube.isascii()
 
 
-def test_the_arm_in_braille(sit_down: Opener) -> None:
-    async def work() -> None:
-        async with sit_down(120, 40, arm=ArmStyle.BRAILLE) as sitting:
-            await sitting.settle()
-            check_golden("braille-120x40", screen_text(sitting.app))
-
-    run(work())
+@piloted
+async def test_the_arm_in_braille(sit_down: Opener) -> None:
+    async with sit_down(120, 40, arm=ArmStyle.BRAILLE) as sitting:
+        await sitting.settle()
+        check_golden("braille-120x40", screen_text(sitting.app))
 
 
-def test_32_columns(sit_down: Opener) -> None:
-    async def work() -> None:
-        async with sit_down(80, 24) as sitting:
-            await sitting.type_line('CLS:PRINT CHR$(23);"WIDE";CHR$(191);CHR$(149)')
-            await sitting.pass_time(0.5)
-            check_golden("wide-80x24", screen_text(sitting.app))
-
-    run(work())
+@piloted
+async def test_32_columns(sit_down: Opener) -> None:
+    async with sit_down(80, 24) as sitting:
+        await sitting.type_line('CLS:PRINT CHR$(23);"WIDE";CHR$(191);CHR$(149)')
+        await sitting.pass_time(0.5)
+        check_golden("wide-80x24", screen_text(sitting.app))

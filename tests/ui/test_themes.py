@@ -51,7 +51,7 @@ async def test_the_program_starts_in_any_theme(sit_down: Opener, name: str) -> N
 @piloted
 async def test_all_inks_are_legible_in_the_own_themes(sit_down: Opener, name: str) -> None:
     async with sit_down(120, 40, theme=name) as sitting:
-        side = sitting.app.side
+        side = sitting.app.desk.side
         styles = {ink: side.get_component_rich_style(f"panel--{ink.value}") for ink in Ink}
         del styles[Ink.PLAIN]
         faint = {ink.value for ink, style in styles.items() if contrast(style) < LEGIBLE}

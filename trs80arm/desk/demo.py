@@ -10,10 +10,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from trs80arm.basic.activity import Waiting
 from trs80arm.bundled import programs_folder
 from trs80arm.desk.session import Session
-from trs80arm.machine.keys import Key
+from trs80arm.rig import Key, Waiting
 
 PROGRAM = "table4.bas"
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from trs80arm.basic.activity import Waiting
+from trs80arm.rig import Waiting
 
 TICK = 1 / 60
 """Seconds of the wall between two calls of the timer."""
@@ -68,7 +68,7 @@ class Pacer:
         self.paused = False
         self.achieved = speed or 1.0
         self._slice = SLICE
-        self._target = machine.time
+        self._target = self._left_at = machine.time
         self._last = wall()
         self._measured = (self._last, machine.time)
 
@@ -87,15 +87,18 @@ class Pacer:
         self.forgive()
 
     def forgive(self) -> None:
-        """Begin anew from here: after a reset, a suspend, a single step."""
+        """Begin anew from here: after a suspend, or at another speed."""
         self._last = self._wall()
-        self._target = self.machine.time
+        self._target = self._left_at = self.machine.time
         self._measured = (self._last, self.machine.time)
 
     def advance(self) -> None:
         """Give the machine its time; never longer than the budget of the wall."""
         now = self._wall()
         passed, self._last = min(now - self._last, MOST_OWED), now
+        # What others let pass since the last call, a single step or a whole command, is not owed.
+        self._target += self.machine.time - self._left_at
+        self._left_at = self.machine.time
         if self.paused:
             self.achieved = 0.0
             return
@@ -107,6 +110,7 @@ class Pacer:
             # What cannot be made up soon is dropped; the achieved speed tells it.
             self._target = max(self._target, self.machine.time - MOST_OWED)
             self._target = min(self._target, self.machine.time + MOST_OWED * self.speed)
+        self._left_at = self.machine.time
         self._measure(now)
 
     def _flat_out(self, now: float, passed: float) -> None:

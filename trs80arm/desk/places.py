@@ -59,12 +59,6 @@ def _is_text(value: object) -> bool:
     return isinstance(value, str)
 
 
-def recovered_copies(folder: Path, own: Path) -> list[Path]:
-    """Copies of programs that sessions that ended badly have left, newest first."""
-    copies = [path for path in folder.glob("recovered-*.bas") if not path.stem.startswith(own.stem)]
-    return sorted(copies, key=lambda path: path.name, reverse=True)
-
-
 def program_files(folder: Path) -> Sequence[Path]:
     """The program files of a folder, by name."""
     try:

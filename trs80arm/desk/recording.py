@@ -13,10 +13,9 @@ from typing import Any
 
 from trs80arm import __version__
 from trs80arm.arm.bench import Bench, BenchError
-from trs80arm.arm.geometry import Pose
 from trs80arm.desk.greeting import greet
 from trs80arm.plain_values import SettingsError, as_table, from_table
-from trs80arm.rig import Input, Rig, RigSettings
+from trs80arm.rig import Input, Pose, Rig, RigSettings
 from trs80arm.saving import write_whole
 
 FORMAT = "trs80arm session 1"

@@ -1,24 +1,23 @@
 """What is on the desk: the machine, where its program came from, what is unsaved, what is played.
 
-The app's commands come here; nothing of it knows Textual. It also is what the pacer paces: while a
-recording plays, the recorded keys go down in it at their own virtual times.
+All of the desk comes here. It also is what the pacer paces: while a recording plays, the recorded
+keys go down in it at their own virtual times.
 """
 
 from __future__ import annotations
 
-import contextlib
 from collections import deque
+from collections.abc import Callable
 from pathlib import Path
 
 from trs80arm.arm.bench import Bench
-from trs80arm.arm.geometry import Pose
-from trs80arm.basic.activity import Waiting
 from trs80arm.benches import BenchFile
 from trs80arm.desk.greeting import greet
 from trs80arm.desk.recording import Journal, Recording
 from trs80arm.files import Kind, load_program, parse_program, save_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
-from trs80arm.rig import Input, Rig, RigSettings
+from trs80arm.machine.jog_keys import JogKeys
+from trs80arm.rig import Input, Rig, RigSettings, Waiting
 
 ProgramLines = list[tuple[int, bytes]]
 TRIES = 4
@@ -64,6 +63,7 @@ class Session:
         file = BenchFile.read(bench) if bench else None
         self.bench_path = bench
         self.path: Path | None = None
+        self._observers: list[Callable[[], None]] = []
         self._played: deque[Input] = deque()
         self._play_end = 0
         rig = Rig(self._settings, file.bench if file else None)
@@ -76,6 +76,20 @@ class Session:
         self._journal = journal
         self._safe: ProgramLines = []
         self.path = None
+        self._tell_of_new_machine()
+
+    def watch_machine(self, observer: Callable[[], None]) -> None:
+        """Call `observer` whenever the machine was switched off and on, or is another one."""
+        self._observers.append(observer)
+
+    def _tell_of_new_machine(self) -> None:
+        for observer in self._observers:
+            observer()
+
+    @property
+    def jog_keys(self) -> JogKeys:
+        """The keys of manual mode."""
+        return self.rig.settings.driver.keys
 
     # -- time -------------------------------------------------------------------------------------
 
@@ -197,6 +211,7 @@ class Session:
                 rig.hold(["BREAK"], 0.1)
             rig.run_until(lambda rig: rig.waiting is Waiting.COMMAND, LONGEST_MOTION)
         rig.reset()
+        self._tell_of_new_machine()
 
     def save(self, path: Path, kind: Kind | None = None) -> None:
         """Save the program in memory, whole or not at all.
@@ -214,6 +229,7 @@ class Session:
         self.rig.reset()
         self._safe = []
         self.path = None
+        self._tell_of_new_machine()
 
     # -- bench and arm ----------------------------------------------------------------------------
 
@@ -227,14 +243,6 @@ class Session:
         self._journal.bench_text = file.text if file else None
         self.rig.set_bench(file.bench if file else Bench.standard())
         self.bench_path = path
-
-    def move_joint(self, joint: str, value: float) -> None:
-        """Turn a joint by hand (`Rig.move_joint`)."""
-        self.rig.move_joint(joint, value)
-
-    def move_to(self, pose: Pose) -> None:
-        """Put the hand somewhere by hand (`Rig.move_to`)."""
-        self.rig.move_to(pose)
 
     # -- recordings -------------------------------------------------------------------------------
 
@@ -263,25 +271,6 @@ class Session:
         """Leave the rest of a recording out; the machine stays as it is."""
         self._played.clear()
         self._play_end = 0
-
-    # -- safety -----------------------------------------------------------------------------------
-
-    def keep_copy(self, path: Path) -> None:
-        """Keep a copy of an unsaved program where a crash does not take it; none if all is saved.
-
-        Raises:
-            OSError: the copy cannot be written.
-        """
-        if self.unsaved:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            save_program(path, self.program, Kind.CRUNCHED)
-        else:
-            self.drop_copy(path)
-
-    def drop_copy(self, path: Path) -> None:
-        """Remove the copy: the program is saved, or its owner gave it up."""
-        with contextlib.suppress(OSError):
-            path.unlink()
 
     def close(self) -> None:
         """Clear the desk."""

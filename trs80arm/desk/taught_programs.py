@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from trs80arm.arm.geometry import HAND_STEPS, OutOfReach, inverse
-from trs80arm.desk.teach import Counts, Position, steps_between
+from trs80arm.desk.teach import Counts, Lesson, Position, steps_between
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,35 @@ class Manner:
 
     speed: int = 50
     repeats: bool = True
+
+
+@dataclass(frozen=True)
+class Written:
+    """A program of a lesson, or why there is none.
+
+    Attributes:
+        listing: the program; empty if there is none.
+        problem: why there is none.
+        warning: why it will not do what was taught.
+    """
+
+    listing: str = ""
+    problem: str = ""
+    warning: str = ""
+
+
+def written(lesson: Lesson, manner: Manner, *, in_coordinates: bool) -> Written:
+    """The program of a lesson in the style of Table 4, in coordinates, or of Table 3, in steps."""
+    write = in_data if in_coordinates else in_steps
+    try:
+        listing = write(lesson.positions, manner)
+    except OutOfReach as error:
+        return Written(problem=f"Cannot be given in coordinates: {error}")
+    except ValueError as error:
+        return Written(problem=str(error))
+    strays = [] if in_coordinates else lesson.strays()
+    warning = f"{', '.join(strays)}: registers count from elsewhere than the first one's."
+    return Written(listing, warning=warning if strays else "")
 
 
 @dataclass(frozen=True)

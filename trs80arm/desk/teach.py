@@ -2,7 +2,7 @@
 
 The article's Table 3 keeps its four positions in the variables A1 to D5. This keeps any number of
 them, with the registers as the machine counted them and the pose as it truly was, and
-`ui/taught_programs.py` makes a program for the real machine of them.
+`taught_programs.py` makes a program for the real machine of them.
 """
 
 from __future__ import annotations
@@ -10,9 +10,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Protocol
 
-from trs80arm.arm.geometry import BASE_SHOULDER_STEPS, ELBOW_STEPS, WRIST_STEPS, Pose
-from trs80arm.drawing.readings import Readings
+from trs80arm.arm.geometry import BASE_SHOULDER_STEPS, ELBOW_STEPS, WRIST_STEPS, JointAngles
+from trs80arm.rig import Pose
 
 FORCE_STEPS = 52
 """Half-steps of the hand for each pound of grip (article, The Hand)."""
@@ -25,6 +26,30 @@ MOST_NAME = 24
 """Characters of a name; a listing's REM holds it."""
 
 Counts = tuple[int, int, int, int, int, int]
+
+
+class Standing(Protocol):
+    """How arm and registers stand at the moment of teaching."""
+
+    @property
+    def registers(self) -> Sequence[int]:
+        """J1 to J6, half-steps."""
+
+    @property
+    def angles(self) -> JointAngles:
+        """The joints' true angles, radians."""
+
+    @property
+    def pose(self) -> Pose:
+        """Where the fingertip truly is."""
+
+    @property
+    def force(self) -> float:
+        """Of the grip, pounds."""
+
+    @property
+    def switch_closed(self) -> bool:
+        """Whether the grip switch is closed."""
 
 
 @dataclass(frozen=True)
@@ -85,22 +110,22 @@ class Lesson:
         """Say that a program of the positions was written, or put into the machine."""
         self._written = list(self._positions)
 
-    def add(self, readings: Readings, name: str = "") -> Position:
+    def add(self, standing: Standing, name: str = "") -> Position:
         """Teach the position in which the arm is now.
 
         Args:
-            readings: of the rig.
+            standing: how arm and registers stand.
             name: what it is called; the next free letter if empty.
         """
-        beyond = max(0.0, readings.force - SWITCH_FORCE)
-        grips = readings.switch_closed
+        beyond = max(0.0, standing.force - SWITCH_FORCE)
+        grips = standing.switch_closed
         position = Position(
             name=listing_name(name) or self._free_name(),
-            registers=_six(readings.registers),
-            pose=readings.pose,
+            registers=_six(standing.registers),
+            pose=standing.pose,
             grips=grips,
             squeeze=round(beyond * FORCE_STEPS) if grips else 0,
-            zero=_zero(readings),
+            zero=_zero(standing),
         )
         self.insert(position)
         return position
@@ -115,10 +140,10 @@ class Lesson:
         if cleaned:
             self._positions[place] = replace(self._positions[place], name=cleaned)
 
-    def teach_again(self, place: int, readings: Readings) -> None:
+    def teach_again(self, place: int, standing: Standing) -> None:
         """Put the position in which the arm is now in the place of an older one; the name stays."""
         name = self._positions[place].name
-        self._positions[place] = self.add(readings, name)
+        self._positions[place] = self.add(standing, name)
         self._positions.pop()
 
     def set_registers(self, place: int, registers: Sequence[int]) -> None:
@@ -182,8 +207,8 @@ class Lesson:
         return name
 
 
-def _zero(readings: Readings) -> tuple[float, ...]:
-    angles, counts = readings.posture.angles, readings.registers
+def _zero(standing: Standing) -> tuple[float, ...]:
+    angles, counts = standing.angles, standing.registers
     return (
         angles.base - counts[0] / BASE_SHOULDER_STEPS,
         angles.shoulder + counts[1] / BASE_SHOULDER_STEPS,

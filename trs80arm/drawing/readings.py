@@ -9,7 +9,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from math import tau
-from typing import TYPE_CHECKING
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.events import ArmEvent
@@ -17,11 +16,9 @@ from trs80arm.arm.fixtures import LightBeam, Proximity, Sensor
 from trs80arm.arm.geometry import HAND_RANGE, HAND_STEPS, START_POSE, JointAngles, Pose, inverse
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box, upright
-from trs80arm.basic.activity import Waiting
 from trs80arm.machine.driver import Mode
-
-if TYPE_CHECKING:
-    from trs80arm.rig import Rig
+from trs80arm.machine.jog_keys import JogKeys
+from trs80arm.rig import Key, Rig, Waiting
 
 RING = 8
 """Half-steps of one ring of Figure 8: what a motor loses, it loses in multiples of these."""
@@ -84,6 +81,8 @@ class Readings:
         things: what stands on the table, the arm's own base left out.
         events: what happened to the arm, oldest first.
         fittings: the measures of base and body.
+        keys_down: the keys that are down in the matrix.
+        jog: the keys of manual mode.
     """
 
     posture: Posture = Posture(_START, 0.0)
@@ -103,6 +102,13 @@ class Readings:
     things: tuple[Thing, ...] = ()
     events: Sequence[ArmEvent] = ()
     fittings: ArmSettings = field(default_factory=ArmSettings)
+    keys_down: frozenset[Key] = frozenset()
+    jog: JogKeys = field(default_factory=JogKeys)
+
+    @property
+    def angles(self) -> JointAngles:
+        """The joints' true angles, radians."""
+        return self.posture.angles
 
     @property
     def switch_closed(self) -> bool:
@@ -136,6 +142,8 @@ class Readings:
             things=tuple(things_of(arm.bench)),
             events=arm.events,
             fittings=arm.settings,
+            keys_down=rig.held,
+            jog=rig.settings.driver.keys,
         )
 
 

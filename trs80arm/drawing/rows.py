@@ -74,3 +74,10 @@ def inked(characters: list[str], inks: list[Ink]) -> Row:
 def signed(value: float, digits: int) -> str:
     """A number with its sign and so many decimals; what rounds to zero is +0."""
     return f"{round(value, digits) + 0.0:+.{digits}f}"
+
+
+def clock_text(seconds: float) -> str:
+    """Virtual time as minutes, seconds and hundredths."""
+    hundredths = int(seconds * 100)
+    minutes, rest = divmod(hundredths, 6000)
+    return f"{minutes}:{rest // 100:02d}.{rest % 100:02d}"

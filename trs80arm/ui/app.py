@@ -1,7 +1,9 @@
-"""The terminal program: `run_terminal` is what the command line calls.
+"""The application: a sitting at the desk on the screen, keys on their way, time passing.
 
-The app is the desk with its commands. It is made with everything that it needs, so that a test can
-give it a session and a clock of its own.
+It puts together what the other rooms have: the session with its files, the pacer, the keyboard, the
+screen of the desk, and the groups of commands. Once a tick the machine gets its time, and at most
+`fps` times a second what differs is drawn. It is made with everything that it needs, so that a test
+can give it a session and a clock of its own.
 """
 
 from __future__ import annotations
@@ -10,22 +12,55 @@ import asyncio
 import contextlib
 import os
 import signal
-import sys
 import threading
+import time
+from collections.abc import Callable, Sequence
+from datetime import datetime
+from pathlib import Path
 
-from trs80arm.arm.bench import BenchError
-from trs80arm.desk.demo import Demo
-from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
-from trs80arm.desk.places import state_folder
-from trs80arm.files import FileFormatError
+from textual import events
+from textual.app import App
+from textual.command import CommandPalette
+from textual.driver import Driver
+from textual.screen import Screen
+
+from trs80arm.desk.files import PLAYING, SessionFiles
+from trs80arm.desk.leaving import Leaving
+from trs80arm.desk.pacing import TICK, Pacer
+from trs80arm.desk.places import RecentFiles
+from trs80arm.desk.recovery import Recovery
+from trs80arm.desk.remembered import Remembered
+from trs80arm.desk.session import Session
+from trs80arm.desk.stage import Stage
+from trs80arm.desk.teach import Lesson
+from trs80arm.drawing.glyphs import choose
 from trs80arm.options import TerminalOptions
-from trs80arm.reasons import one_line
-from trs80arm.ui.commands.files import PLAYING
+from trs80arm.ui.asking import Dialogs
+from trs80arm.ui.commands.arm import ArmCommands
+from trs80arm.ui.commands.bar import CommandBar
+from trs80arm.ui.commands.keys import KeyCommands
 from trs80arm.ui.commands.machine import MachineCommands
-from trs80arm.ui.commands.table import Palette, bindings
+from trs80arm.ui.commands.program import ProgramCommands
+from trs80arm.ui.commands.table import COMMANDS, Commands, Palette, bindings, command, listed
+from trs80arm.ui.commands.tube import TubeCommands
+from trs80arm.ui.commands.view import ViewCommands
+from trs80arm.ui.keys.held_keys import HeldKeys
+from trs80arm.ui.keys.keyboard import Keyboard
+from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
+from trs80arm.ui.panels.registry import PANELS, PanelRow
+from trs80arm.ui.panels.status import Pace
+from trs80arm.ui.panels.tube import Typed
+from trs80arm.ui.screens.desk import DeskScreen
+from trs80arm.ui.screens.help import page
+from trs80arm.ui.screens.key_test import KeyTest
+from trs80arm.ui.terminal.driver import choose_driver
+from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
 from trs80arm.ui.themes import THEMES
 
-CRASHED = 3
+COPY_EVERY = 5.0
+"""Seconds of the wall between two looks at whether a recovery copy is due."""
+NOTICE_SECONDS = 6.0
+"""How long a notice stands in the status line."""
 SIGNALLED = 128
 """With the number of the signal added: the exit code of a program that was told to end."""
 GRACE = 2.0
@@ -36,34 +71,161 @@ ENDING = [
 """Told to end, or the terminal was closed: the program goes, but what is unsaved is kept."""
 
 
-class Trs80Arm(MachineCommands):
-    """A TRS-80 and a MiniMover 5 in the terminal: a `Desk` with all its commands."""
+class Trs80Arm(App[int]):
+    """A TRS-80 and a MiniMover 5 in the terminal.
 
+    Args:
+        session: the machine and what belongs to it.
+        options: how to start.
+        state: the folder for recent files and recovery copies.
+        wall: the wall's clock in seconds.
+        ticking: whether time passes by itself; a test calls `tick` and `draw` instead.
+        panels: what there is to be seen.
+
+    Attributes:
+        desk: the screen of the desk.
+        commands: the groups of commands.
+    """
+
+    TITLE = "trs80arm"
+    CSS_PATH = "app.tcss"
+    ENABLE_COMMAND_PALETTE = True
+    NOTIFICATION_TIMEOUT = 4
     BINDINGS = bindings()
     COMMANDS = {Palette}  # noqa: RUF012
 
-    _demo: Demo | None = None
+    def __init__(
+        self,
+        session: Session,
+        options: TerminalOptions,
+        state: Path,
+        *,
+        wall: Callable[[], float] = time.monotonic,
+        ticking: bool = True,
+        panels: Sequence[PanelRow] = PANELS,
+    ) -> None:
+        # The driver is chosen while Textual's own constructor runs.
+        self.options = options
+        self.session = session
+        self.wall = wall
+        super().__init__()
+        self._ticking = ticking
+        self._notice = ""
+        self._notice_until = 0.0
+        self._next_frame = 0.0
+        self._remembered_theme = options.theme
+        self.pacer = Pacer(session, wall, options.speed.factor)
+        held = HeldKeys(options.tap_ms / 1000, options.repeat_ms / 1000)
+        self.keyboard = Keyboard(session, held, options.keys, wall)
+        bar = CommandBar(COMMANDS, id="commands")
+        self.desk = DeskScreen(panels, bar, self.keyboard.let_go)
+        self.lesson = Lesson()
+        name = f"{datetime.now():%Y%m%d-%H%M%S}-{os.getpid()}"
+        self.recovery = Recovery(session, self.lesson, state, name, self.say)
+        self.remembered = Remembered(options.settings_file, self.say)
+        self.stage = Stage(session, self.say)
+        self.commands = self._groups(RecentFiles(state / "recent.json"))
+        session.watch_machine(self.keyboard.start_afresh)
+        for theme in THEMES:
+            self.register_theme(theme)
+        known = options.theme in self.available_themes
+        self.theme = options.theme if known else THEMES[0].name
+
+    def _groups(self, recent: RecentFiles) -> Commands:
+        """The groups of commands, each with what it needs."""
+        session, lesson, keyboard, desk = self.session, self.lesson, self.keyboard, self.desk
+        dialogs, say = Dialogs(self), self.say
+        files = SessionFiles(session, self.recovery, recent, dialogs, say)
+        arm = ArmCommands(session, lesson, files, dialogs, say, dialogs, lambda: desk.side.braille)
+        leaving = Leaving(
+            session, lesson, self.recovery, files, dialogs, arm.teach, lambda: self.exit(0)
+        )
+        return Commands(
+            files=files,
+            machine=MachineCommands(session, self.pacer, keyboard, files, self.stage, dialogs, say),
+            arm=arm,
+            view=ViewCommands(desk, self.remembered, dialogs, say),
+            tube=TubeCommands(self, files, say),
+            keys=KeyCommands(keyboard, self.options.keys, say, dialogs),
+            program=ProgramCommands(
+                session,
+                self.pacer,
+                keyboard,
+                desk,
+                self.options,
+                leaving,
+                self,
+                dialogs,
+                lambda: page(keyboard.in_use, listed()),
+            ),
+        )
+
+    def action_do(self, name: str) -> None:
+        """Do the command of that name."""
+        command(name).do(self.commands)
+
+    def action_command_palette(self) -> None:
+        """Open the palette, unless it is open already, perhaps below a dialog."""
+        if not any(isinstance(screen, CommandPalette) for screen in self.screen_stack):
+            super().action_command_palette()
+
+    # -- what Textual asks ------------------------------------------------------------------------
+
+    def get_theme_variable_defaults(self) -> dict[str, str]:
+        """The tube's colours in themes that know no tube: those of any text."""
+        colours = self.current_theme.to_color_system().generate()
+        return {"tube": colours["foreground"], "tube-background": colours["background"]}
+
+    def get_default_screen(self) -> Screen[None]:
+        """The desk."""
+        return self.desk
+
+    def get_driver_class(self) -> type[Driver]:
+        """The driver that reports key releases, where the stock one would be Linux's."""
+        return choose_driver(super().get_driver_class(), self.options.keys)
+
+    def watch_theme(self, name: str) -> None:
+        """A theme was chosen, here or in the palette: remember it."""
+        if self.is_running and name != self._remembered_theme:
+            self._remembered_theme = name
+            self.remembered.choose("theme", name)
+
+    # -- beginning and end ------------------------------------------------------------------------
+
+    def on_mount(self) -> None:
+        """Set everything up, and let time begin."""
+        self.desk.use_glyphs(choose(self.options.glyphs))
+        self.desk.use_arm_style(self.options.arm)
+        self.desk.cursor_style = self.options.cursor
+        self.desk.lay_out()
+        self.pacer.forgive()
+        self.app_suspend_signal.subscribe(self, self._suspended)
+        self.app_resume_signal.subscribe(self, self._resumed)
+        if self._ticking:
+            self.set_interval(TICK, self.tick)
+            self.set_interval(COPY_EVERY, self.recovery.keep)
 
     def on_ready(self) -> None:
         """Say what was loaded, run it, or play, as the options want."""
-        options = self.options
         if self._ticking:
             for number in ENDING:
                 # Windows has no such handlers.
                 with contextlib.suppress(NotImplementedError):
                     asyncio.get_running_loop().add_signal_handler(number, self._told_to_end, number)
-        if options.demo:
-            self.action_demo()
+        if self.recovery.left_over():
+            self.say("A program of a session that ended badly is kept: see F2.")
+        if self.options.demo:
+            self.commands.machine.demo()
         elif self.session.playing:
             self.say(PLAYING)
         elif self.session.path is not None:
-            self.loaded(self.session.path)
-            if options.run:
-                self.action_run_program()
+            self.commands.files.loaded(self.session.path)
+            if self.options.run:
+                self.commands.machine.run()
 
     def _told_to_end(self, number: signal.Signals) -> None:
         """A signal: keep what is unsaved, give the terminal back, end."""
-        self.keep_copy()
+        self.recovery.keep()
         self.session.close()
         # Of a terminal that is gone nothing can be given back, and the writes that wait for it
         # would keep the program for ever.
@@ -72,89 +234,130 @@ class Trs80Arm(MachineCommands):
         last.start()
         self.exit(SIGNALLED + number)
 
-    def action_demo(self) -> None:
-        """Play the demonstration."""
-        self.if_program_may_go("Demonstration", self._start_demo)
+    def _suspended(self, _: App[int]) -> None:
+        """To the shell: all hands off."""
+        self.keyboard.let_go()
 
-    def _start_demo(self) -> None:
-        try:
-            self._demo = Demo(self.session)
-        except (OSError, BenchError, FileFormatError) as error:
-            self.say(f"No demonstration: {one_line(error)}", error=True)
-        else:
-            self.pacer.forgive()
+    def _resumed(self, _: App[int]) -> None:
+        """Back from the shell: the time between was nobody's, and the screen is empty."""
+        self.pacer.forgive()
+        for screen in self.screen_stack:
+            screen.refresh(layout=True)
+            for widget in screen.walk_children():
+                widget.refresh()
+
+    # -- time and pictures ------------------------------------------------------------------------
 
     def tick(self) -> None:
-        """Let the demonstration do its next thing, then let time pass."""
-        if self._demo is not None:
-            self._demo.go_on()
-            self.say(self._demo.caption)
-            if self._demo.over:
-                self._demo = None
-        super().tick()
+        """Give the machine its time, and draw when it is time to."""
+        self.stage.go_on()
+        self.keyboard.feed()
+        self.pacer.advance()
+        now = self.wall()
+        if now >= self._next_frame:
+            self._next_frame = now + 1 / self.options.fps - TICK / 2
+            self.draw(now)
 
-    def operator_came(self) -> bool:
-        """Whether a key only ended the demonstration or a recording."""
-        if self._demo is not None:
-            self._demo.stop()
-            self._demo = None
-        elif self.session.playing:
-            self.session.stop_playing()
-        else:
-            return False
-        self.say("The machine is yours.")
-        return True
-
-
-def run_terminal(options: TerminalOptions) -> int:
-    """Open the terminal program and stay until its user leaves.
-
-    Returns:
-        The exit code: 0, 2 when a file of the options cannot be used or there is no terminal, told
-        in one line on standard error, 3 after a fault of the program, 128 and the number of the
-        signal that ended it.
-    """
-    if not _has_terminal():
-        print("trs80arm: this is no terminal; --plain works without one", file=sys.stderr)
-        return USAGE_ERROR
-    try:
-        session = open_session(options)
-    except UNUSABLE as error:
-        print(f"trs80arm: {one_line(error)}", file=sys.stderr)
-        return USAGE_ERROR
-    app = Trs80Arm(session, options, state_folder())
-    if options.theme not in app.available_themes:
-        own = ", ".join(theme.name for theme in THEMES)
-        print(
-            f"trs80arm: theme: there is no theme {options.theme!r}; there are {own} "
-            "and those of Textual",
-            file=sys.stderr,
+    def draw(self, now: float | None = None) -> None:
+        """Draw what differs from what is shown."""
+        now = self.wall() if now is None else now
+        pacer = self.pacer
+        self.desk.show(
+            self.session.rig,
+            now,
+            Pace(pacer.speed, pacer.achieved, pacer.paused),
+            keys=self.keyboard.in_use.value,
+            notice=self._notice if now < self._notice_until else "",
         )
-        return USAGE_ERROR
-    result = app.run()
-    if result is None:
-        # Textual has restored the terminal and shown what went wrong.
-        app.keep_copy()
-        result = CRASHED
-    # The terminal may have been closed.
-    with contextlib.suppress(OSError):
-        _tell_of_copies(app)
-    return result
 
+    def on_resize(self, event: events.Resize) -> None:
+        """Find every panel its place in the new size."""
+        self.call_after_refresh(self._arrange)
 
-def _tell_of_copies(app: Trs80Arm) -> None:
-    """Where that is kept which is not saved; nothing after an ordinary end."""
-    for what, path in (
-        ("the program in memory is kept", app.copy_path),
-        ("the positions taught are kept as a program", app.lesson_copy_path),
-    ):
-        if path.is_file():
-            print(f"trs80arm: {what} in {path}", file=sys.stderr)
+    def _arrange(self) -> None:
+        self.desk.lay_out()
+        self._next_frame = 0.0
 
+    @property
+    def tube_text(self) -> str:
+        """What the tube shows, as sixteen lines."""
+        return self.desk.tube.text
 
-def _has_terminal() -> bool:
-    """Whether there is a terminal, or a browser that stands for one."""
-    if os.environ.get("TEXTUAL_DRIVER"):
-        return True
-    streams = (sys.__stdin__, sys.__stderr__)
-    return all(stream is not None and stream.isatty() for stream in streams)
+    def say(self, text: str, *, error: bool = False) -> None:
+        """Tell the user something: in the status line, and an error in a box as well."""
+        if not self.is_running:
+            return
+        self._notice = text
+        self._notice_until = self.wall() + NOTICE_SECONDS
+        self.desk.numbers_due = 0.0
+        if error:
+            self.notify(text, severity="error")
+
+    # -- keys -------------------------------------------------------------------------------------
+
+    @property
+    def at_the_keyboard(self) -> bool:
+        """Whether plain keys go to the TRS-80."""
+        return self.screen is self.desk and self.focused is self.desk.tube
+
+    def on_key_went_down(self, message: KeyWentDown) -> None:
+        """A key of a terminal that tells presses from releases."""
+        if isinstance(self.screen, KeyTest):
+            self.screen.went_down(message.base, message.name, message.text)
+        if self.at_the_keyboard and not self.stage.operator_came():
+            self._mind_the_pause(message.name)
+            self.keyboard.went_down(message.base, message.name, message.text)
+            self.pacer.advance()
+
+    def on_key_went_up(self, message: KeyWentUp) -> None:
+        """The same let go."""
+        if isinstance(self.screen, KeyTest):
+            self.screen.went_up(message.base)
+        self.keyboard.went_up(message.base)
+
+    def on_key_report(self, message: KeyReport) -> None:
+        """The terminal told whether it reports releases."""
+        self.keyboard.told(message.releases)
+
+    def on_typed(self, message: Typed) -> None:
+        """A key of a terminal that does not."""
+        if not self.keyboard.reports_releases and self.stage.operator_came():
+            return
+        self._mind_the_pause(message.name)
+        self.keyboard.typed(message.name, message.text)
+        # The machine sees the key now, not at the next tick.
+        self.pacer.advance()
+
+    def _mind_the_pause(self, name: str) -> None:
+        """A key in a pause waits for its end, but BREAK ends it."""
+        if not self.pacer.paused:
+            return
+        if name == "escape":
+            self.commands.machine.go_on()
+        else:
+            self.say("Paused: keys wait until F6.")
+
+    def on_key_held(self, message: KeyHeld) -> None:
+        """The mouse holds a key."""
+        self.keyboard.held.point(message.key)
+        self.keyboard.feed()
+
+    def on_keys_let_go(self, message: KeysLetGo) -> None:
+        """The mouse lets go."""
+        self.keyboard.held.unpoint()
+        self.keyboard.feed()
+
+    def on_key_latched(self, message: KeyLatched) -> None:
+        """The mouse latches a key."""
+        self.keyboard.held.latch((message.key,))
+        self.keyboard.feed()
+
+    def on_paste(self, event: events.Paste) -> None:
+        """A paste is typed in, line by line, at the machine's pace."""
+        if self.at_the_keyboard:
+            event.stop()
+            self.commands.files.type_in(event.text)
+
+    def on_app_blur(self, event: events.AppBlur) -> None:
+        """The window lost the focus: a release would be lost, so take all hands off."""
+        self.keyboard.let_go()

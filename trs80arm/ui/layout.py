@@ -1,13 +1,13 @@
 """Where everything stands in a terminal of a given size: a pure function from size to regions.
 
-Three arrangements: all panels (from 116 x 36), tube with registers and a switched bottom panel
-(from 78 columns), tube with a switched bottom panel. Below 64 x 18 there is room for a message
-only.
+Panels stand in groups, and what is switched under the tube is a group. Three arrangements: all
+panels (from 116 x 36), tube with registers and a switched group (from 78 columns), tube with a
+switched group. Below 64 x 18 there is room for a message only.
 """
 
 from __future__ import annotations
 
-from enum import Enum
+from collections.abc import Mapping, Sequence
 
 from textual.geometry import Region
 
@@ -29,14 +29,13 @@ Plan = dict[str, Region]
 """The region of each panel that is shown, by the panel's id, from the top left of the screen."""
 
 
-class Bottom(Enum):
-    """What the switched panel under the tube shows."""
+TUBE, ARM, NUMBERS, MOTORS, LOG, KEYBOARD = "tube", "arm", "numbers", "motors", "log", "keyboard"
+"""The groups that have places of their own where there is room for all; any other one is switched
+in at the keyboard's place."""
+IN_PLACE = (TUBE, NUMBERS, MOTORS, LOG)
 
-    ARM = "arm"
-    MOTORS = "motors"
-    LOG = "log"
-    NUMBERS = "numbers"
-    KEYBOARD = "keyboard"
+Groups = Mapping[str, Sequence[str]]
+"""The ids of the panels of each group, in order."""
 
 
 def shows_everything(width: int, height: int) -> bool:
@@ -44,89 +43,84 @@ def shows_everything(width: int, height: int) -> bool:
     return width >= EVERYTHING[0] and height >= EVERYTHING[1]
 
 
-def bottoms(width: int, height: int) -> list[Bottom]:
-    """What the bottom panel can be switched to, in order; the first is what it begins with."""
+def bottoms(groups: Groups, width: int, height: int) -> list[str]:
+    """The groups that can be shown under the tube, in order; the first is what it begins with."""
     if shows_everything(width, height):
-        return [Bottom.ARM, Bottom.KEYBOARD]
-    choices = [Bottom.ARM, Bottom.MOTORS, Bottom.LOG, Bottom.KEYBOARD]
-    if width < COLUMNS + SIDE_COLUMN:
-        choices.insert(1, Bottom.NUMBERS)
-    return choices
+        return [group for group in groups if group not in IN_PLACE]
+    beside = (TUBE,) if width < COLUMNS + SIDE_COLUMN else (TUBE, NUMBERS)
+    return [group for group in groups if group not in beside]
 
 
-def plan(width: int, height: int, bottom: Bottom, zoomed: str | None = None) -> Plan:
+def plan(groups: Groups, width: int, height: int, bottom: str, zoomed: str | None = None) -> Plan:
     """The regions of the panels.
 
     Args:
+        groups: what there is to be shown.
         width: columns of the terminal.
         height: rows of the terminal.
-        bottom: what the switched panel shows.
-        zoomed: the id of a panel that has the whole room, `arm` for side and top view, or None.
+        bottom: the group that is shown under the tube.
+        zoomed: a panel or a group that has the whole room, or None.
     """
     if width < SMALLEST[0] or height < SMALLEST[1]:
         return {}
     body = height - FURNITURE
-    if zoomed == "arm":
-        return _arm(Region(0, 0, width, body))
     if zoomed is not None:
-        return {zoomed: Region(0, 0, width, body)}
+        return _abreast(groups, zoomed, Region(0, 0, width, body))
     if shows_everything(width, height):
-        return _everything(width, body, bottom)
-    return _switched(width, body, bottom)
+        return _everything(groups, width, body, bottom)
+    return _switched(groups, width, body, bottom)
 
 
-def _arm(room: Region) -> Plan:
-    left = room.width * 3 // 5
+def _abreast(groups: Groups, name: str, room: Region) -> Plan:
+    """The panels of a group, or one panel, side by side; the arm from the side has most of it."""
+    panels = groups.get(name, (name,))
+    edges = [room.width * number // len(panels) for number in range(len(panels) + 1)]
+    if name == ARM:
+        edges[1] = room.width * 3 // 5
     return {
-        "side": Region(room.x, room.y, left, room.height),
-        "top": Region(room.x + left, room.y, room.width - left, room.height),
+        panel: Region(room.x + left, room.y, right - left, room.height)
+        for panel, left, right in zip(panels, edges, edges[1:], strict=False)
     }
 
 
-def _everything(width: int, body: int, bottom: Bottom) -> Plan:
+def _stacked(panels: Sequence[str], room: Region, first: int) -> Plan:
+    """Two panels, the first so many rows high, the other below it."""
+    upper, lower = panels
+    return {
+        upper: Region(room.x, room.y, room.width, first),
+        lower: Region(room.x, room.y + first, room.width, room.height - first),
+    }
+
+
+def _everything(groups: Groups, width: int, body: int, bottom: str) -> Plan:
     tube = Region(0, 0, COLUMNS + _FRAME, ROWS + _FRAME)
     rest = body - tube.height
     third = width * 38 // 120
     right = width - 2 * third
-    regions = {
-        "tube": tube,
-        "side": Region(tube.right, 0, width - tube.width, tube.height),
-        "registers": Region(0, tube.height, third, _NUMBERS),
-        "pose": Region(0, tube.height + _NUMBERS, third, rest - _NUMBERS),
-        "coils": Region(third, tube.height, third, _NUMBERS),
-    }
-    if bottom is Bottom.KEYBOARD:
-        regions["top"] = Region(2 * third, tube.height, right, _NUMBERS)
-        regions["matrix"] = Region(third, tube.height + _NUMBERS, width - third, rest - _NUMBERS)
+    side, top = groups[ARM]
+    [coils], [events] = groups[MOTORS], groups[LOG]
+    lower = tube.height + _NUMBERS
+    regions = {groups[TUBE][0]: tube, side: Region(tube.right, 0, width - tube.width, tube.height)}
+    regions |= _stacked(groups[NUMBERS], Region(0, tube.height, third, rest), _NUMBERS)
+    regions[coils] = Region(third, tube.height, third, _NUMBERS)
+    if bottom == ARM:
+        regions[top] = Region(2 * third, tube.height, right, rest)
+        regions[events] = Region(third, lower, third, rest - _NUMBERS)
     else:
-        regions["top"] = Region(2 * third, tube.height, right, rest)
-        regions["events"] = Region(third, tube.height + _NUMBERS, third, rest - _NUMBERS)
+        regions[top] = Region(2 * third, tube.height, right, _NUMBERS)
+        room = Region(third, lower, width - third, rest - _NUMBERS)
+        regions |= _abreast(groups, bottom, room)
     return regions
 
 
-def _switched(width: int, body: int, bottom: Bottom) -> Plan:
-    regions = {"tube": Region(0, 0, COLUMNS, ROWS)}
+def _switched(groups: Groups, width: int, body: int, bottom: str) -> Plan:
+    regions = {groups[TUBE][0]: Region(0, 0, COLUMNS, ROWS)}
     beside = width - COLUMNS
     if beside >= SIDE_COLUMN:
-        numbers = _NUMBERS - 1
-        regions["registers"] = Region(COLUMNS, 0, beside, numbers)
-        regions["pose"] = Region(COLUMNS, numbers, beside, ROWS - numbers)
+        room = Region(COLUMNS, 0, beside, ROWS)
+        regions |= _stacked(groups[NUMBERS], room, _NUMBERS - 1)
     room = Region(0, ROWS, width, body - ROWS)
     if room.height < SHORTEST_BOTTOM:
         return regions
-    half = room.width // 2
-    left = Region(0, ROWS, half, room.height)
-    right = Region(half, ROWS, room.width - half, room.height)
-    if bottom is Bottom.ARM:
-        regions |= _arm(room)
-    elif bottom is Bottom.MOTORS:
-        regions["coils"] = room
-    elif bottom is Bottom.LOG:
-        regions["events"] = room
-    elif bottom is Bottom.KEYBOARD:
-        regions["matrix"] = room
-    elif beside < SIDE_COLUMN:
-        regions |= {"registers": left, "pose": right}
-    else:
-        regions |= _arm(room)
-    return regions
+    shown = ARM if beside >= SIDE_COLUMN and bottom == NUMBERS else bottom
+    return regions | _abreast(groups, shown, room)

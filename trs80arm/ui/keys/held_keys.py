@@ -11,8 +11,8 @@ from collections import deque
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 
-from trs80arm.machine.keys import Key
 from trs80arm.options import TerminalSettings
+from trs80arm.rig import Key
 
 HOLD = 0.060
 """Virtual seconds for which a typed key is down at least: the debounce pause is 51 ms."""

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from trs80arm.basic.activity import Waiting
-from trs80arm.machine.keys import Key
+from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.options import KeyMode
+from trs80arm.rig import Key, Waiting
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.host_keys import trs80_keys
 
@@ -37,32 +37,42 @@ class Machine(Protocol):
         """Forget what is still to be typed."""
 
 
+class Desk(Protocol):
+    """Where the machine stands; it may be put away for another one."""
+
+    @property
+    def rig(self) -> Machine:
+        """The machine that stands there now."""
+
+    @property
+    def jog_keys(self) -> JogKeys:
+        """Its keys of manual mode."""
+
+
 class Keyboard:
     """The operator's hands.
 
     Args:
-        machine: whose keyboard it is.
+        desk: whose keyboard it is.
         held: the fingers.
         mode: how presses become held keys; AUTO follows what the terminal tells.
         wall: the wall's clock in seconds.
-        leave: the key that ends manual mode, which neither timer nor latch holds.
     """
 
     def __init__(
-        self,
-        machine: Machine,
-        held: HeldKeys,
-        mode: KeyMode,
-        wall: Callable[[], float],
-        leave: Key = Key.N0,
+        self, desk: Desk, held: HeldKeys, mode: KeyMode, wall: Callable[[], float]
     ) -> None:
-        self.machine = machine
+        self._desk = desk
         self.held = held
         self.mode = mode
         self.reports_releases = mode is KeyMode.EVENTS
         self._wall = wall
         self._was_manual = False
-        self._leave = leave
+
+    @property
+    def _leave(self) -> Key:
+        """The key that ends manual mode, which neither timer nor latch holds."""
+        return self._desk.jog_keys.leave
 
     @property
     def in_use(self) -> KeyMode:
@@ -76,7 +86,7 @@ class Keyboard:
     @property
     def manual(self) -> bool:
         """Whether the machine is in manual mode, where keys move joints while they are down."""
-        return self.machine.waiting is Waiting.SET
+        return self._desk.rig.waiting is Waiting.SET
 
     def went_down(self, base: str, name: str, text: str | None) -> None:
         """A key went down, and the terminal will tell when it goes up."""
@@ -131,7 +141,7 @@ class Keyboard:
     def _before(self, keys: tuple[Key, ...]) -> None:
         """BREAK also ends a paste that is being typed."""
         if Key.BREAK in keys:
-            self.machine.stop_typing()
+            self._desk.rig.stop_typing()
 
     def tap(self, *keys: Key) -> None:
         """Type a key, as a command of the program does."""
@@ -144,9 +154,14 @@ class Keyboard:
         self.held.release_all()
         self.feed()
 
+    def start_afresh(self) -> None:
+        """The machine was switched off and on, or is another one."""
+        self.held.start_afresh()
+        self._was_manual = False
+
     def feed(self) -> None:
         """Close and open the switches that are due: at every frame, and at every event."""
-        machine = self.machine
+        machine = self._desk.rig
         waiting = machine.waiting
         if self._was_manual and not self.manual:
             self.held.unlatch()

@@ -10,7 +10,7 @@ from textual.events import MouseScrollDown, MouseScrollUp
 
 from trs80arm.arm.events import ArmEvent, EventKind
 from trs80arm.drawing.readings import Readings
-from trs80arm.drawing.rows import Ink, Row
+from trs80arm.drawing.rows import Ink, Row, clock_text
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.ui.panels.panel import Panel
 
@@ -55,13 +55,6 @@ def collapsed(events: Sequence[ArmEvent], most: int) -> list[Entry]:
 def _alike(one: ArmEvent, other: ArmEvent) -> bool:
     same = (one.kind, one.motor, one.reason) == (other.kind, other.motor, other.reason)
     return same and (one.kind is EventKind.SLIP or one.text == other.text)
-
-
-def clock_text(seconds: float) -> str:
-    """Virtual time as minutes, seconds and hundredths."""
-    hundredths = int(seconds * 100)
-    minutes, rest = divmod(hundredths, 6000)
-    return f"{minutes}:{rest // 100:02d}.{rest % 100:02d}"
 
 
 class EventsLog(Panel):

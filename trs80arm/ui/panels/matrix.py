@@ -15,8 +15,9 @@ from textual.message import Message
 from textual.strip import Strip
 from textual.widget import Widget
 
+from trs80arm.drawing.readings import Readings
 from trs80arm.machine.jog_keys import JogKeys
-from trs80arm.machine.keys import Key
+from trs80arm.rig import Key
 
 # fmt: off
 ROWS_OF_KEYS: tuple[tuple[Key, ...], ...] = (
@@ -103,16 +104,26 @@ class MatrixView(Widget):
     MatrixView .matrix--label { color: $text-muted; }
     """
 
-    def __init__(self, jog: JogKeys | None = None, *, id: str | None = None) -> None:
+    def __init__(self, *, id: str | None = None) -> None:
         super().__init__(id=id)
-        self.jog = jog or JogKeys()
-        self.ascii = False
+        self._jog = JogKeys()
+        self._ascii = False
         self._down: frozenset[Key] = frozenset()
 
-    def show(self, down: frozenset[Key]) -> None:
-        """Draw the keys that are down, if others were."""
-        if down != self._down:
-            self._down = down
+    @property
+    def ascii(self) -> bool:
+        """Whether arrows are drawn with plain characters."""
+        return self._ascii
+
+    @ascii.setter
+    def ascii(self, value: bool) -> None:
+        self._ascii = value
+        self.refresh()
+
+    def show(self, readings: Readings) -> None:
+        """Show which keys are down, and what they do in manual mode."""
+        if (readings.keys_down, readings.jog) != (self._down, self._jog):
+            self._down, self._jog = readings.keys_down, readings.jog
             self.refresh()
 
     @property
@@ -121,11 +132,11 @@ class MatrixView(Widget):
 
     def _label(self, key: Key) -> str:
         for joint, (plus, minus) in enumerate(
-            zip(self.jog.positive, self.jog.negative, strict=True), start=1
+            zip(self._jog.positive, self._jog.negative, strict=True), start=1
         ):
             if key in (plus, minus):
                 return f"J{joint}{'+' if key is plus else '-'}"
-        return "END" if key is self.jog.leave else ""
+        return "END" if key is self._jog.leave else ""
 
     def _caps(self, row: int) -> list[_Cap]:
         """The keys of a row and where they are."""
@@ -134,7 +145,7 @@ class MatrixView(Widget):
         caps: list[_Cap] = []
         at = INDENT[row]
         for key in ROWS_OF_KEYS[row]:
-            text = (_ASCII_CAPS if self.ascii else _CAPS).get(key) or _CAPS.get(key, key.value)
+            text = (_ASCII_CAPS if self._ascii else _CAPS).get(key) or _CAPS.get(key, key.value)
             stop = at + max(width - gap, len(text) + (2 if len(text) > 1 else 0))
             caps.append(_Cap(key, at, stop, text, self._label(key)))
             at = stop + gap
@@ -186,9 +197,9 @@ class MatrixView(Widget):
         return self.get_component_rich_style("matrix--jog" if cap.label else "matrix--key")
 
     def _legend(self) -> str:
-        plus = "".join(self.jog.positive)
-        minus = "".join(self.jog.negative)
-        return f"@SET: {plus} forward, {minus} back, {self.jog.leave} ends. {JOINTS}"
+        plus = "".join(self._jog.positive)
+        minus = "".join(self._jog.negative)
+        return f"@SET: {plus} forward, {minus} back, {self._jog.leave} ends. {JOINTS}"
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Hold or latch the key under the mouse."""

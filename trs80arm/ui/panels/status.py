@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from trs80arm.basic.activity import Waiting
 from trs80arm.drawing.readings import Readings
-from trs80arm.drawing.rows import Ink, Row, Span
+from trs80arm.drawing.rows import Ink, Row, Span, clock_text
 from trs80arm.machine.driver import Mode
-from trs80arm.ui.panels.events import clock_text
+from trs80arm.rig import Waiting
 from trs80arm.ui.panels.panel import Panel
 
 _WAITING = {

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar, Generic, TypeVar
 
@@ -13,6 +11,8 @@ from textual.containers import Horizontal, Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Button, Input, OptionList, Static
 from textual.widgets.option_list import Option
+
+from trs80arm.desk.asking import FileQuestion, ListQuestion, Question
 
 Answer = TypeVar("Answer")
 
@@ -44,130 +44,85 @@ class Dialog(ModalScreen[Answer | None], Generic[Answer]):
         self.dismiss(None)
 
 
-@dataclass(frozen=True)
-class Choice:
-    """One of several answers: what it gives, what is shown, and a word about it."""
-
-    value: str
-    label: str
-    note: str = ""
-
-
 class Choose(Dialog[str]):
-    """Asks for one of a list.
+    """Asks for one of a list."""
 
-    Args:
-        title: of the dialog.
-        choices: the list.
-        now: the value that is chosen now.
-    """
-
-    def __init__(self, title: str, choices: Sequence[Choice], now: str = "") -> None:
+    def __init__(self, question: ListQuestion) -> None:
         super().__init__()
-        self._title = title
-        self._choices = choices
-        self._now = now
+        self.question = question
 
     def compose(self) -> ComposeResult:
         """The list."""
-        width = max(len(choice.label) for choice in self._choices) + 2
+        width = max(len(choice.label) for choice in self.question.choices) + 2
         with Vertical(classes="dialog") as box:
-            box.border_title = self._title
+            box.border_title = self.question.title
             box.border_subtitle = "Enter chooses, Escape goes back"
             yield OptionList(
                 *(
                     Option(
-                        f"{'*' if choice.value == self._now else ' '} "
+                        f"{'*' if choice.value == self.question.now else ' '} "
                         f"{choice.label.ljust(width)}{choice.note}",
                         id=f"choice-{number}",
                     )
-                    for number, choice in enumerate(self._choices)
+                    for number, choice in enumerate(self.question.choices)
                 ),
                 markup=False,
             )
 
     def on_mount(self) -> None:
         """Begin at what is chosen now."""
-        values = [choice.value for choice in self._choices]
+        values = [choice.value for choice in self.question.choices]
         options = self.query_one(OptionList)
-        options.highlighted = values.index(self._now) if self._now in values else 0
+        options.highlighted = values.index(self.question.now) if self.question.now in values else 0
         options.focus()
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         """Answer."""
-        self.dismiss(self._choices[event.option_index].value)
+        self.dismiss(self.question.choices[event.option_index].value)
 
 
 class Ask(Dialog[str]):
-    """Asks a question with a few answers.
-
-    Args:
-        title: of the dialog.
-        question: the question.
-        answers: what can be said; the first is what Enter says.
-    """
+    """Asks a question with a few answers."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("left,up", "app.focus_previous", show=False),
         Binding("right,down", "app.focus_next", show=False),
     ]
 
-    def __init__(self, title: str, question: str, answers: Sequence[Choice]) -> None:
+    def __init__(self, question: Question) -> None:
         super().__init__()
-        self._title = title
-        self._question = question
-        self._answers = answers
+        self.question = question
 
     def compose(self) -> ComposeResult:
         """Question and buttons."""
         with Vertical(classes="dialog") as box:
-            box.border_title = self._title
-            yield Static(self._question, markup=False)
+            box.border_title = self.question.title
+            yield Static(self.question.text, markup=False)
             with Horizontal(classes="buttons"):
-                for number, answer in enumerate(self._answers):
+                for number, answer in enumerate(self.question.answers):
                     yield Button(answer.label, id=f"answer-{number}", compact=True)
 
     def on_button_pressed(self, event: Button.Pressed) -> None:
         """Answer."""
         number = int((event.button.id or "answer-0").rpartition("-")[2])
-        self.dismiss(self._answers[number].value)
+        self.dismiss(self.question.answers[number].value)
 
 
 class AskPath(Dialog[Path]):
-    """Asks for the name of a file.
+    """Asks for the name of a file."""
 
-    Args:
-        title: of the dialog.
-        hint: what kind of file it will be.
-        proposal: the name to begin with.
-        to_write: whether the file will be written: one that exists is asked about.
-        own: the file that may be replaced without a question.
-    """
-
-    def __init__(
-        self,
-        title: str,
-        hint: str,
-        proposal: Path | str,
-        *,
-        to_write: bool,
-        own: Path | None = None,
-    ) -> None:
+    def __init__(self, question: FileQuestion) -> None:
         super().__init__()
-        self._title = title
-        self._hint = hint
-        self._proposal = str(proposal)
-        self._to_write = to_write
-        self._own = own
+        self.question = question
         self._warned = ""
 
     def compose(self) -> ComposeResult:
         """The name."""
         with Vertical(classes="dialog") as box:
-            box.border_title = self._title
+            box.border_title = self.question.title
             box.border_subtitle = "Enter does it, Escape goes back"
-            yield Static(self._hint, classes="hint", markup=False)
-            yield Input(self._proposal, select_on_focus=False)
+            yield Static(self.question.hint, classes="hint", markup=False)
+            yield Input(str(self.question.proposal), select_on_focus=False)
             yield Static("", classes="wrong", markup=False)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
@@ -184,11 +139,11 @@ class AskPath(Dialog[Path]):
             return "Type a name."
         if path.is_dir():
             return f"{path} is a folder."
-        if not self._to_write:
+        if not self.question.to_write:
             return "" if path.is_file() else f"There is no file {path}."
         if not path.parent.is_dir():
             return f"There is no folder {path.parent}."
-        if path.exists() and path != self._own and text != self._warned:
+        if path.exists() and path != self.question.own and text != self._warned:
             self._warned = text
             return f"{path.name} exists. Enter again replaces it."
         return ""

@@ -1,12 +1,12 @@
 """The dialog with which the operator moves the arm by hand, while its motors are off.
 
-It shows both views of the arm, changes nothing itself, and tells the program what is wanted.
+It shows both views of the arm, and says why the arm does not go where it is wanted.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import degrees
 from typing import ClassVar
 
@@ -14,10 +14,9 @@ from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
 from textual.events import Key
-from textual.message import Message
 from textual.widgets import Input, Static
 
-from trs80arm.arm.geometry import START_POSE, Pose
+from trs80arm.desk.hands import HOME, MoveJoint, MoveTo
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import signed
 from trs80arm.rig import TURNED_BY_HAND
@@ -34,33 +33,12 @@ _FIGURES = "0123456789.-"
 PLACES = ("x", "y", "z", "pitch", "roll", "opening")
 
 
-@dataclass
-class MoveJoint(Message):
-    """Turn one joint by hand.
-
-    Attributes:
-        joint: its name in `TURNED_BY_HAND`.
-        value: where to: degrees, or inches for the hand.
-    """
-
-    joint: str
-    value: float
-
-
-@dataclass
-class MoveTo(Message):
-    """Put the hand to a pose by hand."""
-
-    pose: Pose
-
-
 class HandMoveScreen(Dialog[None]):
     """Moves the arm by hand, joint by joint or to a pose.
 
-    It posts `MoveJoint` and `MoveTo` to the app, which does it and answers with `say`.
-
     Args:
         look: reads the rig.
+        move: does a move, and says why not; an empty text is that it was made.
         braille: whether the arm is drawn in braille dots.
     """
 
@@ -94,9 +72,16 @@ forearm and hand are to the horizontal. With the motors on the arm does not give
 them off.
 """
 
-    def __init__(self, look: Callable[[], Readings], *, braille: bool = False) -> None:
+    def __init__(
+        self,
+        look: Callable[[], Readings],
+        move: Callable[[MoveJoint | MoveTo], str],
+        *,
+        braille: bool = False,
+    ) -> None:
         super().__init__()
         self._look = look
+        self._move = move
         self._braille = braille
         self._joint = 0
 
@@ -140,7 +125,10 @@ them off.
         entry = self.query_one(Input)
         self.set_focus(None if entry.has_focus else entry)
 
-    def say(self, text: str) -> None:
+    def _do(self, move: MoveJoint | MoveTo) -> None:
+        self._say(self._move(move))
+
+    def _say(self, text: str) -> None:
         """Tell the operator what became of a move; an empty text is that it was made."""
         self.query_one(".wrong", Static).update(text)
         self._show()
@@ -172,11 +160,11 @@ them off.
         value = joint_values(self._look())[self._joint] + times * NUDGE.get(joint, 1.0)
         if joint == "hand":
             value = min(max(value, 0.0), 3.0)
-        self.app.post_message(MoveJoint(joint, value))
+        self._do(MoveJoint(joint, value))
 
     def action_home(self) -> None:
         """Put the arm where Table 4 wants it to begin."""
-        self.app.post_message(MoveTo(START_POSE))
+        self._do(HOME)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Do what was typed."""
@@ -185,16 +173,16 @@ them off.
         try:
             numbers = [float(word) for word in words]
         except ValueError:
-            self.say("numbers are wanted")
+            self._say("numbers are wanted")
             return
         if len(numbers) == 1:
-            self.app.post_message(MoveJoint(TURNED_BY_HAND[self._joint], numbers[0]))
+            self._do(MoveJoint(TURNED_BY_HAND[self._joint], numbers[0]))
         elif 3 <= len(numbers) <= len(PLACES):
             now = self._look().pose
             changed = dict(zip(PLACES, numbers, strict=False))
-            self.app.post_message(MoveTo(replace(now, **changed)))
+            self._do(MoveTo(replace(now, **changed)))
         else:
-            self.say("one figure for the joint, or 3 to 6 for a pose")
+            self._say("one figure for the joint, or 3 to 6 for a pose")
             return
         event.input.value = ""
         self.set_focus(None)

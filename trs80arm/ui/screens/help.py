@@ -10,7 +10,6 @@ from textual.containers import VerticalScroll
 from textual.widgets import Markdown
 
 from trs80arm.options import KeyMode
-from trs80arm.ui.commands.table import COMMANDS, spoken
 from trs80arm.ui.keys.host_keys import TABLE
 from trs80arm.ui.screens.dialog import Dialog
 
@@ -28,14 +27,14 @@ KEYS_IN_USE = {
 }
 
 
-def page(in_use: KeyMode) -> str:
-    """The page, with why keys work as they do here, and the tables of keys."""
+def page(in_use: KeyMode, commands: Iterable[tuple[str, str]]) -> str:
+    """The page, with why keys work as they do here, and the tables of keys.
+
+    Args:
+        in_use: how keys work at present.
+        commands: the keys of the program, and what each does.
+    """
     text = files("trs80arm.ui").joinpath("help/help.md").read_text(encoding="utf-8")
-    commands = [
-        (" ".join(map(spoken, command.keys.split(",")[:2])), command.help)
-        for command in COMMANDS
-        if command.keys
-    ]
     return (
         text.replace("<!-- keys in use -->", KEYS_IN_USE[in_use])
         .replace("<!-- commands -->", _listed(commands))
@@ -53,7 +52,7 @@ class HelpScreen(Dialog[None]):
     """The page of help.
 
     Args:
-        in_use: how keys work at present.
+        text: the page, in Markdown.
     """
 
     DEFAULT_CSS = """
@@ -61,16 +60,16 @@ class HelpScreen(Dialog[None]):
     HelpScreen Markdown { background: $surface; padding: 0; margin: 0; }
     """
 
-    def __init__(self, in_use: KeyMode) -> None:
+    def __init__(self, text: str) -> None:
         super().__init__()
-        self._in_use = in_use
+        self._text = text
 
     def compose(self) -> ComposeResult:
         """The page, to be scrolled."""
         with VerticalScroll(classes="dialog") as box:
             box.border_title = "Help"
             box.border_subtitle = "Arrows scroll, Escape goes back"
-            yield Markdown(page(self._in_use))
+            yield Markdown(self._text)
 
     def on_mount(self) -> None:
         """Let the arrows scroll."""

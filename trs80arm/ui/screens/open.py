@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar
 
@@ -14,6 +12,7 @@ from textual.containers import Horizontal, Vertical
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
+from trs80arm.desk.asking import ProgramQuestion, Shelf
 from trs80arm.desk.places import program_files
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.program_text import spell
@@ -24,21 +23,8 @@ MOST_BYTES = 1 << 20
 """Files larger than this are no TRS-80 programs and are not read for a preview."""
 
 
-@dataclass(frozen=True)
-class Shelf:
-    """A titled list of files."""
-
-    title: str
-    files: Sequence[Path]
-
-
 class OpenScreen(Dialog[Path]):
-    """Asks for a program file.
-
-    Args:
-        shelves: lists of files to show, those that are empty left out.
-        folder: the folder to show below them.
-    """
+    """Asks for a program file."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("down", "to_list", show=False),
@@ -52,10 +38,9 @@ class OpenScreen(Dialog[Path]):
         overflow: hidden; color: $text-muted; }
     """
 
-    def __init__(self, shelves: Sequence[Shelf], folder: Path) -> None:
+    def __init__(self, question: ProgramQuestion) -> None:
         super().__init__()
-        self._shelves = shelves
-        self._folder = folder
+        self.question = question
         self._paths: list[Path] = []
 
     def compose(self) -> ComposeResult:
@@ -78,12 +63,12 @@ class OpenScreen(Dialog[Path]):
         options = self.query_one(OptionList)
         options.clear_options()
         self._paths = []
-        folder, part = self._folder, wanted
+        folder, part = self.question.folder, wanted
         typed = Path(wanted).expanduser() if wanted else Path()
         if wanted and (wanted.endswith("/") or typed.parent != Path()):
             folder = typed if wanted.endswith("/") else typed.parent
             part = "" if wanted.endswith("/") else typed.name
-        shelves = [*self._shelves, Shelf(str(folder), program_files(folder))]
+        shelves = [*self.question.shelves, Shelf(str(folder), program_files(folder))]
         for shelf in shelves:
             files = [path for path in shelf.files if part.lower() in path.name.lower()]
             if files:

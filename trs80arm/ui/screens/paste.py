@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -10,15 +9,8 @@ from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Button, TextArea
 
+from trs80arm.desk.asking import Listing
 from trs80arm.ui.screens.dialog import Dialog
-
-
-@dataclass(frozen=True)
-class Listing:
-    """What was pasted, and whether it is to be loaded at once instead of typed."""
-
-    text: str
-    at_once: bool
 
 
 class PasteScreen(Dialog[Listing]):

@@ -12,8 +12,8 @@ from textual.binding import Binding, BindingType
 from textual.containers import Vertical, VerticalScroll
 from textual.widgets import Footer, Input, OptionList, Static
 
-from trs80arm.arm.geometry import OutOfReach
-from trs80arm.desk.taught_programs import Manner, in_data, in_steps
+from trs80arm.desk.asking import FileQuestion
+from trs80arm.desk.taught_programs import Manner, Written, written
 from trs80arm.desk.teach import Lesson, Position
 from trs80arm.drawing.readings import Readings
 from trs80arm.saving import write_whole
@@ -117,25 +117,17 @@ differences make sense only between positions whose registers count from the sam
         self.query_one(
             "#listing-box"
         ).border_title = f"in the style of {style}, D = {self._manner.speed}, {ending}"
-        listing, problem = self._listing()
-        strays = self._lesson.strays()
-        if strays and not self._in_data:
-            problem = f"{', '.join(strays)}: registers count from elsewhere than the first one's."
+        written = self._written()
+        listing, remark = written.listing, written.problem or written.warning
         if not len(self._lesson):
             listing = "Nothing taught yet. Move the arm, then press T here, or Ctrl+T outside."
-            problem = ""
-        self.query_one(".wrong", Static).update(problem)
+            remark = ""
+        self.query_one(".wrong", Static).update(remark)
         self.query_one("#listing", Static).update(listing)
 
-    def _listing(self) -> tuple[str, str]:
+    def _written(self) -> Written:
         """The program, or why there is none."""
-        write = in_data if self._in_data else in_steps
-        try:
-            return write(self._lesson.positions, self._manner), ""
-        except OutOfReach as problem:
-            return "", f"Cannot be given in coordinates: {problem}"
-        except ValueError as problem:
-            return "", f"{problem}"
+        return written(self._lesson, self._manner, in_coordinates=self._in_data)
 
     @property
     def _place(self) -> int | None:
@@ -219,15 +211,15 @@ differences make sense only between positions whose registers count from the sam
 
     def action_write(self) -> None:
         """Write the program to a file."""
-        listing, problem = self._listing()
-        if problem:
+        program = self._written()
+        if program.problem:
             return
 
         def chosen(path: Path | None) -> None:
             if path is None:
                 return
             try:
-                write_whole(path, listing.encode("ascii", errors="replace"))
+                write_whole(path, program.listing.encode("ascii", errors="replace"))
             except OSError as error:
                 self.query_one(".wrong", Static).update(f"{path}: {error.strerror or error}")
             else:
@@ -236,19 +228,21 @@ differences make sense only between positions whose registers count from the sam
 
         self.app.push_screen(
             AskPath(
-                "Write the program",
-                "A listing in plain text, which can be loaded here or typed in anywhere.",
-                self._folder / "taught.bas",
-                to_write=True,
+                FileQuestion(
+                    "Write the program",
+                    "A listing in plain text, which can be loaded here or typed in anywhere.",
+                    self._folder / "taught.bas",
+                    to_write=True,
+                )
             ),
             chosen,
         )
 
     def action_load(self) -> None:
         """Leave, and put the program into the machine."""
-        listing, problem = self._listing()
-        if not problem:
-            self.dismiss(TeachResult(listing))
+        program = self._written()
+        if not program.problem:
+            self.dismiss(TeachResult(program.listing))
 
 
 class AskSpeed(Dialog[int]):

@@ -10,7 +10,7 @@ from textual import events
 from textual.strip import Strip
 from textual.widget import Widget
 
-from trs80arm.ui.commands.table import COMMANDS, Command
+from trs80arm.ui.commands.table import Command
 
 LESS_IMPORTANT = ("step_statement", "zoom", "teach")
 """What goes first where the line is short: it is in the palette and in the help as well."""
@@ -35,13 +35,17 @@ class CommandBar(Widget):
     CommandBar .bar--word { color: $foreground; background: $panel; }
     """
 
+    def __init__(self, commands: Sequence[Command], *, id: str | None = None) -> None:
+        super().__init__(id=id)
+        self._commands = commands
+
     def places(self, width: int) -> Sequence[_Place]:
         """The commands that fit into a line of a width, in the order of their keys."""
         shown = sorted(
-            (command for command in COMMANDS if command.footer), key=lambda c: _number(c)
+            (command for command in self._commands if command.footer), key=lambda c: _number(c)
         )
-        for action in ("", *reversed(LESS_IMPORTANT)):
-            shown = [command for command in shown if command.action != action]
+        for name in ("", *reversed(LESS_IMPORTANT)):
+            shown = [command for command in shown if command.name != name]
             places = _laid_out(shown)
             if places[-1].stop <= width:
                 return places
@@ -62,7 +66,7 @@ class CommandBar(Widget):
         """Do what was clicked."""
         for place in self.places(self.size.width):
             if place.start <= event.x < place.stop:
-                await self.app.run_action(place.command.action)
+                await self.app.run_action(f"do('{place.command.name}')")
 
 
 def _number(command: Command) -> int:

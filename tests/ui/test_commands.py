@@ -1,0 +1,308 @@
+"""The groups of commands, without a screen: what they ask, do and say."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.desk.sitting import Sitting
+from trs80arm.desk.asking import ListQuestion
+from trs80arm.desk.pacing import Pacer
+from trs80arm.desk.remembered import Remembered
+from trs80arm.desk.stage import Stage
+from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, Speed
+from trs80arm.rig import Key, Waiting
+from trs80arm.ui.commands.arm import ArmCommands
+from trs80arm.ui.commands.keys import KeyCommands
+from trs80arm.ui.commands.machine import MachineCommands
+from trs80arm.ui.commands.table import COMMANDS
+from trs80arm.ui.commands.tube import TubeCommands
+from trs80arm.ui.commands.view import ViewCommands
+from trs80arm.ui.keys.held_keys import HeldKeys
+from trs80arm.ui.keys.keyboard import Keyboard
+from trs80arm.ui.screens.dialog import Dialog
+from trs80arm.ui.screens.hand_move import HandMoveScreen
+from trs80arm.ui.screens.key_test import KeyTest
+from trs80arm.ui.screens.teach import TeachResult, TeachScreen
+
+
+class Shown:
+    """What would be on the screen, and dialogs that are answered at once."""
+
+    def __init__(self) -> None:
+        self.arm_style = ArmStyle.ASCII
+        self.cursor_style = CursorStyle.BLINK
+        self.glyph_set = GlyphSet.SEXTANT
+        self.done: list[tuple[str, ...]] = []
+        self.opened: list[Dialog[Any]] = []
+        self.result: Any = None
+        self.clipboard = ""
+        self.tube_text = "READY"
+
+    def use_glyphs(self, chosen: GlyphSet) -> None:
+        self.glyph_set = chosen
+
+    def use_arm_style(self, style: ArmStyle) -> None:
+        self.arm_style = style
+
+    def next_bottom(self) -> None:
+        self.done.append(("next",))
+
+    def show_bottom(self, group: str) -> None:
+        self.done.append(("bottom", group))
+
+    def zoom(self, name: str) -> None:
+        self.done.append(("zoom", name))
+
+    def toggle_arm_option(self, name: str) -> bool:
+        self.done.append(("toggle", name))
+        return self.done.count(("toggle", name)) % 2 == 1
+
+    def clear_trail(self) -> None:
+        self.done.append(("clear",))
+
+    def zoom_arm(self, way: str) -> None:
+        self.done.append(("arm", way))
+
+    def open(self, dialog: Dialog[Any], then: Any = None) -> None:
+        self.opened.append(dialog)
+        if self.result is not None and then is not None:
+            then(self.result)
+
+    def copy_to_clipboard(self, text: str) -> None:
+        self.clipboard = text
+
+    def export_screenshot(self) -> str:
+        return "<svg/>"
+
+
+class Desk(Sitting):
+    """A sitting with its commands."""
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__(folder)
+        self.wall = 100.0
+        self.shown = Shown()
+        self.pacer = Pacer(self.session, lambda: self.wall, 1.0)
+        self.keyboard = Keyboard(self.session, HeldKeys(), KeyMode.AUTO, lambda: self.wall)
+        self.session.watch_machine(self.keyboard.start_afresh)
+        person = self.person
+        self.stage = Stage(self.session, person.say)
+        self.machine = MachineCommands(
+            self.session, self.pacer, self.keyboard, self.files, self.stage, person, person.say
+        )
+        self.arm = ArmCommands(
+            self.session, self.lesson, self.files, person, person.say, self.shown, lambda: False
+        )
+        remembered = Remembered(folder / "settings.toml", person.say)
+        self.view = ViewCommands(self.shown, remembered, person, person.say)
+        self.keys = KeyCommands(self.keyboard, KeyMode.AUTO, person.say, self.shown)
+        self.tube = TubeCommands(self.shown, self.files, person.say)
+
+    @property
+    def settings(self) -> str:
+        return (self.folder / "settings.toml").read_text()
+
+
+@pytest.fixture
+def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Desk:
+    monkeypatch.chdir(tmp_path)
+    return Desk(tmp_path)
+
+
+def test_run_stops_what_runs_and_types_run(desk: Desk) -> None:
+    desk.type("10 X=X+1", "20 GOTO 10")
+    desk.machine.run()
+    desk.session.run_for(2)
+    assert desk.session.waiting is Waiting.NOTHING
+    desk.machine.run()
+    desk.session.run_for(2)
+    assert sum(line == ">RUN" for line in desk.session.rig.screen()) == 2
+
+
+def test_break_also_ends_a_pause(desk: Desk) -> None:
+    desk.type("10 GOTO 10")
+    desk.machine.run()
+    desk.session.run_for(2)
+    desk.machine.pause()
+    assert desk.pacer.paused
+    desk.machine.press_break()
+    assert not desk.pacer.paused
+    desk.session.run_for(0.2)
+    assert desk.session.waiting is Waiting.COMMAND
+
+
+def test_pausing_twice_goes_on(desk: Desk) -> None:
+    desk.machine.pause()
+    desk.machine.pause()
+    assert desk.person.told == ["Paused: F6 goes on, F7 does one statement.", "Going on."]
+
+
+def test_a_statement_at_a_time_says_which_line_is_next(desk: Desk) -> None:
+    desk.machine.step_statement()
+    assert desk.person.told[-1] == "No program runs."
+    desk.type("10 A=1", "20 GOTO 10")
+    desk.machine.run()
+    desk.session.run_for(1)
+    desk.machine.step_statement()
+    assert desk.person.told[-1] in ("Next: line 10", "Next: line 20")
+    assert desk.pacer.paused
+
+
+def test_a_motor_step_says_whether_there_was_one(desk: Desk) -> None:
+    desk.machine.step_motor()
+    desk.session.rig.type("@STEP 50,9\r")
+    desk.session.run_for(0.9)
+    desk.machine.step_motor()
+    assert desk.person.told == ["No motor moved within a second.", "One motor step."]
+
+
+@pytest.mark.parametrize("speed", list(Speed))
+def test_the_speed_is_chosen_from_a_list_that_marks_the_present_one(
+    desk: Desk, speed: Speed
+) -> None:
+    desk.answer(speed.value)
+    desk.machine.choose_speed()
+    [question] = desk.person.asked
+    assert isinstance(question, ListQuestion)
+    assert question.now == "1"
+    assert desk.pacer.speed == speed.factor
+
+
+def test_off_and_on_asks_and_lets_go_of_every_key(desk: Desk) -> None:
+    desk.type("10 REM MINE")
+    desk.keyboard.held.latch((Key.A,))
+    desk.answer("stay", "go")
+    desk.machine.reset()
+    assert desk.lines == [10]
+    desk.machine.reset()
+    assert desk.lines == []
+    assert not desk.keyboard.held.latched
+    assert desk.person.told == ["Switched off and on."]
+
+
+def test_the_demonstration_asks_plays_and_ends_at_a_key(desk: Desk) -> None:
+    desk.type("10 REM MINE")
+    desk.answer("go")
+    desk.machine.demo()
+    desk.stage.go_on()
+    assert desk.person.told[-1].startswith("A TRS-80 with ARMBASIC")
+    assert desk.stage.operator_came()
+    assert not desk.stage.operator_came()
+    assert desk.person.told[-1] == "The machine is yours."
+
+
+def test_without_its_program_there_is_no_demonstration(
+    desk: Desk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("trs80arm.desk.demo.programs_folder", lambda: None)
+    desk.machine.demo()
+    desk.stage.go_on()
+    assert desk.person.errors[0].startswith("No demonstration: ")
+
+
+def test_a_bench_is_chosen_among_those_beside_the_program(desk: Desk) -> None:
+    part = '[[part]]\nname = "cube"\nsize = [1, 1, 1]\nat = [8, 2]\nweight = 2\n'
+    bench = desk.write("own.toml", part)
+    desk.write("bad.toml", "[[part]]\n")
+    desk.answer(str(bench), str(desk.folder / "bad.toml"), "")
+    desk.arm.choose_bench()
+    labels = [choice.label for choice in desk.person.asked[0].choices]
+    assert labels[0] == "table"
+    assert {"own", "bad", "table4"} <= set(labels)
+    assert list(desk.session.rig.arm.bench.parts) == ["cube"]
+    desk.arm.choose_bench()
+    assert "bad.toml" in desk.person.errors[-1]
+    desk.arm.choose_bench()
+    assert desk.session.bench_path is None
+
+
+def test_parts_go_back_where_they_were(desk: Desk) -> None:
+    part = next(iter(desk.session.rig.arm.bench.parts.values()))
+    before = part.box
+    desk.type("@STEP 50,0,-207,290,0,0,340", "@STEP 50,0,132,-36", "@CLOSE")
+    desk.type("@STEP 50,0,-400")
+    desk.arm.refill()
+    assert next(iter(desk.session.rig.arm.bench.parts.values())).box == before
+
+
+def test_positions_are_taught_and_loaded_as_a_program(desk: Desk) -> None:
+    desk.arm.teach_here()
+    assert desk.person.told == ["Position 1 is taught: F12 lists them."]
+    desk.shown.result = TeachResult("10 END\n")
+    desk.arm.teach()
+    assert isinstance(desk.shown.opened[0], TeachScreen)
+    assert desk.lines == [10]
+    assert not desk.lesson.unwritten
+
+
+def test_a_lesson_that_could_not_be_loaded_is_not_called_written(desk: Desk) -> None:
+    desk.arm.teach_here()
+    desk.shown.result = TeachResult("NO PROGRAM\n")
+    desk.arm.teach()
+    assert desk.lesson.unwritten
+
+
+def test_the_dialog_for_hands_is_opened(desk: Desk) -> None:
+    desk.arm.move_by_hand()
+    assert isinstance(desk.shown.opened[0], HandMoveScreen)
+
+
+def test_choices_of_the_view_are_remembered(desk: Desk) -> None:
+    desk.answer("quadrant")
+    desk.view.choose_glyphs()
+    desk.view.switch_arm_style()
+    desk.view.switch_cursor()
+    assert desk.shown.glyph_set is GlyphSet.QUADRANT
+    assert desk.shown.arm_style is ArmStyle.BRAILLE
+    assert desk.shown.cursor_style is CursorStyle.STEADY
+    assert 'glyphs = "quadrant"' in desk.settings
+    assert 'arm = "braille"' in desk.settings
+    assert 'cursor = "steady"' in desk.settings
+    desk.view.switch_arm_style()
+    assert 'arm = "ascii"' in desk.settings
+
+
+def test_a_choice_that_cannot_be_remembered_is_told_and_made(desk: Desk) -> None:
+    (desk.folder / "settings.toml").mkdir()
+    desk.view.switch_cursor()
+    assert desk.shown.cursor_style is CursorStyle.STEADY
+    assert desk.person.errors[0].startswith("Not remembered in ")
+
+
+def test_options_of_the_arms_views_say_whether_they_are_on(desk: Desk) -> None:
+    desk.view.arm_option("trail")
+    desk.view.arm_option("trail")
+    assert desk.person.told == ["Trail on.", "Trail off."]
+
+
+def test_latch_mode_is_switched_on_and_off(desk: Desk) -> None:
+    desk.keys.latch()
+    assert desk.keyboard.in_use is KeyMode.LATCH
+    desk.keys.latch()
+    assert desk.keyboard.in_use is KeyMode.REPEAT
+    assert desk.person.told[-1] == "Keys: repeat."
+
+
+def test_the_key_test_is_opened(desk: Desk) -> None:
+    desk.keys.test()
+    assert isinstance(desk.shown.opened[0], KeyTest)
+
+
+def test_the_tube_is_copied_and_saved(desk: Desk) -> None:
+    desk.tube.copy()
+    assert desk.shown.clipboard == "READY"
+    desk.answer(desk.folder / "a.txt", desk.folder / "a.svg")
+    desk.tube.save_text()
+    desk.tube.save_picture()
+    assert (desk.folder / "a.txt").read_text() == "READY\n"
+    assert (desk.folder / "a.svg").read_text() == "<svg/>"
+
+
+def test_no_two_commands_have_a_name_or_a_key_in_common() -> None:
+    names = [command.name for command in COMMANDS]
+    keys = [key for command in COMMANDS for key in command.keys.split(",") if key]
+    assert len(set(names)) == len(names)
+    assert len(set(keys)) == len(keys)

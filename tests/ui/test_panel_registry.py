@@ -1,0 +1,92 @@
+"""A panel is a module and a row in the registry; nothing else knows it."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import trs80arm
+from tests.ui.conftest import Opener
+from tests.ui.piloted import piloted
+from tests.ui.screen_text import screen_text
+from trs80arm.drawing.readings import Readings
+from trs80arm.drawing.rows import Ink, Row
+from trs80arm.ui import layout
+from trs80arm.ui.commands.table import panel_commands
+from trs80arm.ui.panels.panel import Panel
+from trs80arm.ui.panels.registry import PANELS, Cadence, PanelRow, groups
+
+PACKAGE = Path(trs80arm.__file__).parent
+REGISTRY = PACKAGE / "ui" / "panels" / "registry.py"
+
+
+class PaperPanel(Panel):
+    """A panel that nobody has heard of."""
+
+    def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
+        return [((f"PAPER AT {readings.waiting.name}", Ink.PLAIN),)]
+
+
+PAPER = PanelRow(
+    "paper",
+    "Paper",
+    PaperPanel,
+    Cadence.NUMBERS,
+    "paper",
+    shows="What the printer has printed.",
+    fills="The paper fills the screen.",
+)
+
+
+def importers(module: str) -> set[str]:
+    """The files of the package that import a module."""
+    found = set()
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.module == module:
+                found.add(path.name)
+    return found
+
+
+@pytest.mark.parametrize("name", ["coils", "events", "pose", "registers"])
+def test_only_the_registry_knows_a_panel(name: str) -> None:
+    assert importers(f"trs80arm.ui.panels.{name}") == {REGISTRY.name}
+
+
+@piloted
+@pytest.mark.parametrize(("width", "height"), [(80, 24), (120, 40), (64, 24)])
+async def test_a_row_brings_a_panel_to_the_screen(
+    sit_down: Opener, width: int, height: int
+) -> None:
+    async with sit_down(width, height, panels=(*PANELS, PAPER)) as sitting:
+        desk = sitting.app.desk
+        assert "PAPER" not in screen_text(sitting.app)
+        for command in panel_commands([PAPER]):
+            command.do(sitting.app.commands)
+            sitting.wall.now += 1
+            await sitting.settle()
+            assert "PAPER AT COMMAND" in screen_text(sitting.app)
+        assert desk.zoomed == "paper"
+        desk.zoom("paper")
+        for _ in range(8):
+            desk.next_bottom()
+            if desk.bottom == "paper":
+                break
+        assert desk.bottom == "paper"
+
+
+def test_every_group_can_be_brought_under_the_tube_where_not_all_is_shown() -> None:
+    names = groups((*PANELS, PAPER))
+    assert layout.bottoms(names, 64, 24) == ["arm", "numbers", "motors", "log", "keyboard", "paper"]
+    assert layout.bottoms(names, 120, 40) == ["arm", "keyboard", "paper"]
+
+
+def test_the_palette_names_what_the_rows_want() -> None:
+    titles = [command.title for command in panel_commands((*PANELS, PAPER))]
+    assert titles == [
+        *("View: arm", "View: motors", "View: log", "View: keyboard", "View: paper"),
+        *("View: registers large", "View: pose large", "View: motors large", "View: log large"),
+        "View: paper large",
+    ]

@@ -1,0 +1,111 @@
+"""How a command asks its user and tells him something: questions as plain values, two protocols.
+
+The screen puts a question into a dialog, a test answers it at once. A question that its user goes
+back from is not answered: `then` is never called.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of several answers: what it gives, what is shown, and a word about it."""
+
+    value: str
+    label: str
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Question:
+    """A question with a few answers; the first is what Enter says."""
+
+    title: str
+    text: str
+    answers: tuple[Choice, ...]
+
+
+@dataclass(frozen=True)
+class ListQuestion:
+    """One of a list, and the value that is chosen now."""
+
+    title: str
+    choices: tuple[Choice, ...]
+    now: str = ""
+
+
+@dataclass(frozen=True)
+class FileQuestion:
+    """The name of a file.
+
+    Attributes:
+        title: of the dialog.
+        hint: what kind of file it will be.
+        proposal: the name to begin with.
+        to_write: whether the file will be written: one that exists is asked about.
+        own: the file that may be replaced without a question.
+    """
+
+    title: str
+    hint: str
+    proposal: Path | str
+    to_write: bool
+    own: Path | None = None
+
+
+@dataclass(frozen=True)
+class Shelf:
+    """A titled list of files."""
+
+    title: str
+    files: Sequence[Path]
+
+
+@dataclass(frozen=True)
+class ProgramQuestion:
+    """A program file from some shelves, those that are empty left out, or from a folder."""
+
+    shelves: tuple[Shelf, ...]
+    folder: Path
+
+
+@dataclass(frozen=True)
+class Listing:
+    """What was pasted, and whether it is to be loaded at once instead of typed."""
+
+    text: str
+    at_once: bool
+
+
+class Asking(Protocol):
+    """A way to ask."""
+
+    def ask(self, question: Question, then: Callable[[str], object]) -> None:
+        """Ask; `then` gets the value of the answer."""
+
+    def choose(self, question: ListQuestion, then: Callable[[str], object]) -> None:
+        """Let one be chosen; `then` gets its value."""
+
+    def ask_file(self, question: FileQuestion, then: Callable[[Path], object]) -> None:
+        """Ask for a file's name."""
+
+    def ask_program(self, question: ProgramQuestion, then: Callable[[Path], object]) -> None:
+        """Ask for a program file."""
+
+    def ask_listing(self, then: Callable[[Listing], object]) -> None:
+        """Ask for a listing from the clipboard."""
+
+    def is_asking(self, question: Question) -> bool:
+        """Whether that question stands unanswered."""
+
+
+class Say(Protocol):
+    """A way to say something; an error is told more loudly."""
+
+    def __call__(self, text: str, *, error: bool = False) -> None:
+        """Say it."""

@@ -1,0 +1,262 @@
+"""The files of a sitting: programs, listings and recordings, opened and saved, and never lost.
+
+Whatever clears the program in memory comes through `if_program_may_go`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from trs80arm.arm.bench import BenchError
+from trs80arm.benches import bench_beside
+from trs80arm.bundled import programs_folder
+from trs80arm.desk import recording
+from trs80arm.desk.asking import (
+    Asking,
+    Choice,
+    FileQuestion,
+    Listing,
+    ProgramQuestion,
+    Question,
+    Say,
+    Shelf,
+)
+from trs80arm.desk.places import RecentFiles, program_files
+from trs80arm.desk.recovery import Recovery
+from trs80arm.desk.session import Session
+from trs80arm.files import FileFormatError, Kind
+from trs80arm.reasons import reason
+from trs80arm.saving import write_whole
+
+PLAYING = "Playing; any key ends it and gives you the machine."
+
+
+class SessionFiles:
+    """Opens and saves what belongs to a sitting, asking and telling its user.
+
+    Args:
+        session: the machine and its program.
+        recovery: the copies of what is unsaved.
+        recent: the programs opened lately.
+        ask: a way to ask.
+        say: a way to say something.
+    """
+
+    def __init__(
+        self, session: Session, recovery: Recovery, recent: RecentFiles, ask: Asking, say: Say
+    ) -> None:
+        self._session = session
+        self._recovery = recovery
+        self._recent = recent
+        self._ask = ask
+        self._say = say
+
+    # -- open -------------------------------------------------------------------------------------
+
+    def open(self) -> None:
+        """Let a program be chosen, and load it."""
+        along = programs_folder()
+        shelves = (
+            Shelf("Recovered", self._recovery.left_over()),
+            Shelf("Recent", self._recent.all()),
+            Shelf("Coming along", program_files(along) if along else ()),
+        )
+
+        def chosen(path: Path) -> None:
+            self.if_program_may_go("Open", lambda: self.load_file(path))
+
+        self._ask.ask_program(ProgramQuestion(shelves, Path.cwd()), chosen)
+
+    def load_file(self, path: Path) -> None:
+        """Load a program, and the bench that stands beside it; or say why not."""
+        if path in self._recovery.left_over():
+            self._load_recovered(path)
+            return
+        try:
+            self._session.load(path)
+        except FileFormatError as error:
+            self._say(str(error), error=True)
+            return
+        except OSError as error:
+            self._say(f"{path}: {reason(error)}", error=True)
+            return
+        bench = bench_beside(path)
+        if bench is None or bench == self._session.bench_path or self.set_up_bench(bench):
+            self.loaded(path)
+
+    def loaded(self, path: Path) -> None:
+        """Remember that a program was loaded, and say so."""
+        self._recent.add(path)
+        with_bench = " and its bench are" if bench_beside(path) else " is"
+        self._say(f"{path.name}{with_bench} loaded: F5 or RUN runs it.")
+
+    def set_up_bench(self, path: Path | None) -> bool:
+        """Clear the table and set up a bench, None for the standard one; or say why not.
+
+        Returns:
+            Whether it stands.
+        """
+        try:
+            self._session.set_bench(path)
+        except BenchError as error:
+            self._say(str(error), error=True)
+            return False
+        return True
+
+    def _load_recovered(self, path: Path) -> None:
+        """Load a copy that a bad end has left; it goes when this sitting has a copy of its own."""
+        try:
+            self._session.load_bytes(path.read_bytes())
+        except FileFormatError as error:
+            self._say(f"{path.name}: {error}", error=True)
+        except OSError as error:
+            self._say(f"{path}: {reason(error)}", error=True)
+        else:
+            self._recovery.take_over(path)
+            self._say("The recovered program is loaded: F3 saves it.")
+
+    def load_listing(self, text: str) -> bool:
+        """Load a listing that no file holds yet, or say why not.
+
+        Returns:
+            Whether it is loaded.
+        """
+        try:
+            self._session.load_bytes(text.encode("latin-1", errors="replace"))
+        except FileFormatError as error:
+            self._say(f"No program: {error}", error=True)
+            return False
+        self._say("The listing is loaded: F5 or RUN runs it.")
+        return True
+
+    # -- save -------------------------------------------------------------------------------------
+
+    def save(self, afterwards: Callable[[], object] = lambda: None) -> None:
+        """Ask for a name, save the program under it, and then do something."""
+        if not self._session.program:
+            self._say("There is no program in memory.")
+            return
+        own = self._session.path
+        question = FileQuestion(
+            "Save the program",
+            "Text as LIST shows it, .cas for a cassette; a crunched .bas stays crunched.",
+            own or "program.bas",
+            to_write=True,
+            own=own,
+        )
+
+        def save(path: Path) -> None:
+            if self.save_as(path):
+                afterwards()
+
+        self._ask.ask_file(question, save)
+
+    def save_as(self, path: Path) -> bool:
+        """Save the program, or say why not.
+
+        Returns:
+            Whether it is saved.
+        """
+        try:
+            new_text = path.suffix.lower() == ".bas" and not path.exists()
+            self._session.save(path, Kind.TEXT if new_text else None)
+        except FileFormatError as error:
+            self._say(f"{path.name}: {error}", error=True)
+        except OSError as error:
+            self._say(f"{path}: {reason(error)}", error=True)
+        else:
+            self._recent.add(path)
+            self._recovery.keep()
+            self._say(f"Saved as {path.name}.")
+            return True
+        return False
+
+    def if_program_may_go(self, title: str, do: Callable[[], object]) -> None:
+        """Do something that clears the program, asking first if it is unsaved."""
+        if not self._session.unsaved:
+            do()
+            return
+
+        def answered(answer: str) -> None:
+            if answer == "save":
+                self.save(do)
+            elif answer == "go":
+                do()
+
+        answers = (
+            Choice("save", "Save"),
+            Choice("go", "Do not save"),
+            Choice("stay", "Back"),
+        )
+        question = Question(title, "The program in memory is not saved.", answers)
+        self._ask.ask(question, answered)
+
+    # -- listings ---------------------------------------------------------------------------------
+
+    def paste(self) -> None:
+        """Take a listing from the clipboard, to be loaded at once or typed."""
+
+        def pasted(listing: Listing) -> None:
+            text = listing.text
+            if listing.at_once:
+                self.if_program_may_go("Load at once", lambda: self.load_listing(text))
+            else:
+                self.type_in(text if text.endswith("\n") else text + "\n")
+
+        self._ask.ask_listing(pasted)
+
+    def type_in(self, text: str) -> None:
+        """Type a text at the machine's pace; BREAK ends it."""
+        self._session.rig.type(text.replace("\r\n", "\r").replace("\n", "\r"))
+        self._say("Typing; Escape ends it.")
+
+    # -- recordings and other files ---------------------------------------------------------------
+
+    def save_recording(self) -> None:
+        """Save what was done since power-on."""
+
+        def save(path: Path) -> None:
+            self._write(path, lambda: self._session.save_recording(path))
+
+        hint = "Everything done since the machine was switched on, to be played again."
+        question = FileQuestion("Save a recording", hint, "session.jsonl", to_write=True)
+        self._ask.ask_file(question, save)
+
+    def play(self) -> None:
+        """Ask for a recorded session, and play it."""
+
+        def play(path: Path) -> None:
+            self.if_program_may_go("Play a recording", lambda: self.play_file(path))
+
+        hint = "The machine on the desk is put away for the recorded one."
+        question = FileQuestion("Play a recording", hint, "session.jsonl", to_write=False)
+        self._ask.ask_file(question, play)
+
+    def play_file(self, path: Path) -> None:
+        """Play a recording, or say why not."""
+        try:
+            played = recording.load(path)
+        except recording.RecordingError as error:
+            self._say(str(error), error=True)
+        except OSError as error:
+            self._say(f"{path}: {reason(error)}", error=True)
+        else:
+            self._session.play(played)
+            self._say(PLAYING)
+
+    def save_content(self, question: FileQuestion, content: bytes) -> None:
+        """Ask for a name and write a file that is made already, a picture say."""
+
+        def save(path: Path) -> None:
+            self._write(path, lambda: write_whole(path, content))
+
+        self._ask.ask_file(question, save)
+
+    def _write(self, path: Path, write: Callable[[], None]) -> None:
+        try:
+            write()
+        except OSError as error:
+            self._say(f"{path}: {reason(error)}", error=True)
+        else:
+            self._say(f"Saved as {path.name}.")

@@ -1,0 +1,81 @@
+"""Leaving the desk: nothing that is unsaved goes without a question."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from trs80arm.desk.asking import Asking, Choice, Question
+from trs80arm.desk.files import SessionFiles
+from trs80arm.desk.recovery import Recovery
+from trs80arm.desk.session import Session
+from trs80arm.desk.teach import Lesson
+
+BACK = (Choice("go", "Leave without saving"), Choice("stay", "Back"))
+AGAIN = "Ctrl+C again leaves and keeps a recovery copy."
+PROGRAM_UNSAVED = Question(
+    "Leave", f"The program in memory is not saved. {AGAIN}", (Choice("save", "Save"), *BACK)
+)
+LESSON_UNWRITTEN = Question(
+    "Leave",
+    f"Positions were taught, and no program of them is written. {AGAIN}",
+    (Choice("teach", "Look at them"), *BACK),
+)
+
+
+class Leaving:
+    """Asks what is to become of what is unsaved, and ends the sitting.
+
+    Args:
+        session: the machine and its program.
+        lesson: the positions taught.
+        recovery: the copies of both.
+        files: saves the program.
+        ask: a way to ask.
+        teach: shows the positions taught.
+        end: ends the program.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        lesson: Lesson,
+        recovery: Recovery,
+        files: SessionFiles,
+        ask: Asking,
+        teach: Callable[[], object],
+        end: Callable[[], object],
+    ) -> None:
+        self._session = session
+        self._lesson = lesson
+        self._recovery = recovery
+        self._files = files
+        self._ask = ask
+        self._teach = teach
+        self._end = end
+
+    def leave(self) -> None:
+        """Leave; ask if something is unsaved, but when asked while asking, leave at once."""
+        if any(map(self._ask.is_asking, (PROGRAM_UNSAVED, LESSON_UNWRITTEN))):
+            self._recovery.tell_again()
+            if self._recovery.keep():
+                self._session.close()
+                self._end()
+        elif self._session.unsaved:
+            self._ask.ask(PROGRAM_UNSAVED, self._answered)
+        elif self._lesson.unwritten:
+            self._ask.ask(LESSON_UNWRITTEN, self._answered)
+        else:
+            self._go()
+
+    def _answered(self, answer: str) -> None:
+        if answer == "save":
+            self._files.save(self.leave)
+        elif answer == "teach":
+            self._teach()
+        elif answer == "go":
+            self._go()
+
+    def _go(self) -> None:
+        self._recovery.drop()
+        self._session.close()
+        self._end()

@@ -1,0 +1,113 @@
+"""Copies of what is unsaved, kept where a crash does not take them.
+
+A sitting keeps one of the program in memory and one of the positions taught. Both go when their
+owner has saved the thing or given it up; what a sitting that ended badly has left is offered again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from pathlib import Path
+
+from trs80arm.desk.asking import Say
+from trs80arm.desk.session import Session
+from trs80arm.desk.taught_programs import Manner, in_steps
+from trs80arm.desk.teach import Lesson
+from trs80arm.files import FileFormatError, Kind, save_program
+from trs80arm.reasons import reason
+from trs80arm.saving import write_whole
+
+
+class Recovery:
+    """The recovery copies of one sitting.
+
+    Args:
+        session: whose program is kept.
+        lesson: the positions taught, kept as a program of them.
+        folder: where copies are.
+        name: what tells this sitting from others: a time and a number.
+        say: tells its user when no copy can be kept.
+
+    Attributes:
+        program_copy: where the program is kept while it is unsaved.
+        lesson_copy: where a program of the positions is kept while none is written.
+    """
+
+    def __init__(self, session: Session, lesson: Lesson, folder: Path, name: str, say: Say) -> None:
+        self._session = session
+        self._lesson = lesson
+        self._folder = folder
+        self._say = say
+        self._told = False
+        self.program_copy = folder / f"recovered-{name}.bas"
+        self.lesson_copy = folder / f"recovered-{name}-taught.bas"
+
+    def keep(self) -> bool:
+        """Keep what is unsaved, and nothing else; say so once if that cannot be.
+
+        Returns:
+            Whether all is kept that is unsaved.
+        """
+        try:
+            self._keep_program()
+            self._keep_lesson()
+        except (OSError, FileFormatError) as error:
+            if not self._told:
+                self._told = True
+                why = reason(error) if isinstance(error, OSError) else error
+                self._say(f"No recovery copy in {self._folder}: {why}", error=True)
+            return False
+        self._told = False
+        return True
+
+    def tell_again(self) -> None:
+        """Say it the next time, too, if no copy can be kept."""
+        self._told = False
+
+    def _keep_program(self) -> None:
+        if self._session.unsaved:
+            self._folder.mkdir(parents=True, exist_ok=True)
+            save_program(self.program_copy, self._session.program, Kind.CRUNCHED)
+        else:
+            _remove(self.program_copy)
+
+    def _keep_lesson(self) -> None:
+        if self._lesson.unwritten:
+            self._folder.mkdir(parents=True, exist_ok=True)
+            text = in_steps(self._lesson.positions, Manner())
+            write_whole(self.lesson_copy, text.encode("ascii"))
+        else:
+            _remove(self.lesson_copy)
+
+    def drop(self) -> None:
+        """Remove both copies: their owner gave them up."""
+        _remove(self.program_copy)
+        _remove(self.lesson_copy)
+
+    def kept(self) -> Iterator[tuple[str, Path]]:
+        """What is kept now: what it is, in words, and where."""
+        for what, path in (
+            ("the program in memory is kept", self.program_copy),
+            ("the positions taught are kept as a program", self.lesson_copy),
+        ):
+            if path.is_file():
+                yield what, path
+
+    def left_over(self) -> list[Path]:
+        """Copies that sittings that ended badly have left, newest first."""
+        own = self.program_copy.stem
+        copies = [
+            path for path in self._folder.glob("recovered-*.bas") if not path.stem.startswith(own)
+        ]
+        return sorted(copies, key=lambda path: path.name, reverse=True)
+
+    def take_over(self, path: Path) -> None:
+        """The program of an older copy is in memory now: remove it once an own copy is kept."""
+        if self.keep() and self.program_copy.is_file():
+            _remove(path)
+
+
+def _remove(path: Path) -> None:
+    with contextlib.suppress(OSError):
+        path.unlink()

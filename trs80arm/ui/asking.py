@@ -1,0 +1,70 @@
+"""Questions of the desk as dialogs, and dialogs of the screen for who knows no application."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, Protocol, TypeVar
+
+from textual.app import App
+
+from trs80arm.desk.asking import (
+    FileQuestion,
+    Listing,
+    ListQuestion,
+    ProgramQuestion,
+    Question,
+)
+from trs80arm.ui.screens.dialog import Ask, AskPath, Choose, Dialog
+from trs80arm.ui.screens.open import OpenScreen
+from trs80arm.ui.screens.paste import PasteScreen
+
+Answer = TypeVar("Answer")
+
+
+class Screens(Protocol):
+    """Shows a dialog."""
+
+    def open(self, dialog: Dialog[Answer], then: Callable[[Answer], object] | None = None) -> None:
+        """Show it; `then` gets its answer, if it ends with one."""
+
+
+class Dialogs:
+    """Asks by dialogs of an application."""
+
+    def __init__(self, app: App[Any]) -> None:
+        self._app = app
+
+    def open(self, dialog: Dialog[Answer], then: Callable[[Answer], object] | None = None) -> None:
+        """Show a dialog; `then` gets its answer, if it ends with one."""
+
+        def ended(answer: Answer | None) -> None:
+            if answer is not None and then is not None:
+                then(answer)
+
+        self._app.push_screen(dialog, ended)
+
+    def ask(self, question: Question, then: Callable[[str], object]) -> None:
+        """Ask by buttons."""
+        self.open(Ask(question), then)
+
+    def choose(self, question: ListQuestion, then: Callable[[str], object]) -> None:
+        """Let one of a list be chosen."""
+        self.open(Choose(question), then)
+
+    def ask_file(self, question: FileQuestion, then: Callable[[Path], object]) -> None:
+        """Ask for a file's name."""
+        self.open(AskPath(question), then)
+
+    def ask_program(self, question: ProgramQuestion, then: Callable[[Path], object]) -> None:
+        """Ask for a program, with a look into it."""
+        self.open(OpenScreen(question), then)
+
+    def ask_listing(self, then: Callable[[Listing], object]) -> None:
+        """Ask for a listing to be pasted."""
+        self.open(PasteScreen(), then)
+
+    def is_asking(self, question: Question) -> bool:
+        """Whether that question is on the screen."""
+        screen = self._app.screen
+        return isinstance(screen, Ask) and screen.question == question

@@ -1,0 +1,120 @@
+"""The commands of arm and bench: another bench, parts put back, hands on the arm, teaching."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from trs80arm.bundled import programs_folder
+from trs80arm.desk.asking import Asking, Choice, ListQuestion, Say
+from trs80arm.desk.files import SessionFiles
+from trs80arm.desk.hands import move_by_hand
+from trs80arm.desk.session import Session
+from trs80arm.desk.teach import Lesson
+from trs80arm.drawing.readings import Readings
+from trs80arm.ui.asking import Screens
+from trs80arm.ui.screens.hand_move import HandMoveScreen
+from trs80arm.ui.screens.teach import TeachResult, TeachScreen
+
+STANDARD_BENCH = "table"
+
+
+class ArmCommands:
+    """Works the arm and what stands around it.
+
+    Args:
+        session: the machine with its arm.
+        lesson: the positions taught.
+        files: loads a program of them, and sets benches up.
+        ask: a way to ask.
+        say: a way to say something.
+        screens: shows the dialogs of hands and teaching.
+        braille: whether the arm is drawn in braille dots now.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        lesson: Lesson,
+        files: SessionFiles,
+        ask: Asking,
+        say: Say,
+        screens: Screens,
+        braille: Callable[[], bool],
+    ) -> None:
+        self._session = session
+        self._lesson = lesson
+        self._files = files
+        self._ask = ask
+        self._say = say
+        self._screens = screens
+        self._braille = braille
+
+    def look(self) -> Readings:
+        """What there is to see of arm and machine now."""
+        return Readings.of(self._session.rig)
+
+    # -- the bench --------------------------------------------------------------------------------
+
+    def choose_bench(self) -> None:
+        """Choose a bench."""
+        choices = [Choice("", STANDARD_BENCH, "a table and one part at (8, 0)")]
+        for path in self._benches():
+            choices.append(Choice(str(path), path.stem, str(path.parent)))
+        standing = self._session.bench_path
+        question = ListQuestion(
+            "Bench", tuple(choices), str(standing.resolve()) if standing else ""
+        )
+        self._ask.choose(question, lambda name: self.set_up_bench(Path(name) if name else None))
+
+    def _benches(self) -> list[Path]:
+        folders = {Path.cwd(), programs_folder()}
+        if self._session.path is not None:
+            folders.add(self._session.path.resolve().parent)
+        found = {
+            path.resolve()
+            for folder in folders
+            if folder is not None
+            for path in (*folder.glob("*.toml"), *folder.glob("benches/*.toml"))
+            if path.name != "pyproject.toml"
+        }
+        return sorted(found)
+
+    def set_up_bench(self, path: Path | None) -> None:
+        """Clear the table and set up a bench, None for the standard one; or say why not."""
+        if self._files.set_up_bench(path):
+            self._say(f"Bench: {path.stem if path else STANDARD_BENCH}.")
+
+    def refill(self) -> None:
+        """Put the parts back."""
+        self._session.rig.refill()
+        self._say("The parts are back where they were at the start.")
+
+    # -- the arm ----------------------------------------------------------------------------------
+
+    def move_by_hand(self) -> None:
+        """Move the arm by hand."""
+        self._screens.open(
+            HandMoveScreen(
+                self.look,
+                lambda move: move_by_hand(self._session, move),
+                braille=self._braille(),
+            )
+        )
+
+    def teach(self) -> None:
+        """The list of positions."""
+        folder = self._session.path.parent if self._session.path else Path.cwd()
+        self._screens.open(TeachScreen(self._lesson, self.look, folder), self._taught)
+
+    def _taught(self, result: TeachResult) -> None:
+        def load() -> None:
+            if self._files.load_listing(result.listing):
+                self._lesson.written()
+
+        self._files.if_program_may_go("Load the lesson", load)
+
+    def teach_here(self) -> None:
+        """Add where the arm is to the lesson."""
+        self._lesson.add(self.look())
+        self._say(f"Position {len(self._lesson)} is taught: F12 lists them.")

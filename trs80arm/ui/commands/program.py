@@ -1,0 +1,119 @@
+"""The commands about the program itself: help, settings, theme, to the shell, leaving."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from trs80arm.desk.leaving import Leaving
+from trs80arm.desk.pacing import Pacer
+from trs80arm.desk.session import Session
+from trs80arm.options import TerminalOptions
+from trs80arm.plain_values import as_table
+from trs80arm.ui.asking import Screens
+from trs80arm.ui.commands.view import View
+from trs80arm.ui.keys.keyboard import Keyboard
+from trs80arm.ui.screens.help import HelpScreen
+from trs80arm.ui.screens.settings import SettingsScreen
+
+
+class Shell(Protocol):
+    """What Textual does for every program."""
+
+    theme: str
+
+    def action_change_theme(self) -> None:
+        """Let a theme be chosen."""
+
+    def action_suspend_process(self) -> None:
+        """Go to the shell for a while."""
+
+
+class ProgramCommands:
+    """Help, settings, themes, and ways out.
+
+    Args:
+        session: the machine.
+        pacer: how fast its time goes.
+        keyboard: the operator's hands.
+        view: what is seen.
+        options: how the program was started.
+        leaving: asks before it ends.
+        shell: what Textual does for every program.
+        screens: shows the pages.
+        help_text: the page of help for the keys as they work now.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        pacer: Pacer,
+        keyboard: Keyboard,
+        view: View,
+        options: TerminalOptions,
+        leaving: Leaving,
+        shell: Shell,
+        screens: Screens,
+        help_text: Callable[[], str],
+    ) -> None:
+        self._session = session
+        self._pacer = pacer
+        self._keyboard = keyboard
+        self._view = view
+        self._options = options
+        self._leaving = leaving
+        self._shell = shell
+        self._screens = screens
+        self._help_text = help_text
+
+    def help(self) -> None:
+        """The page of help."""
+        self._screens.open(HelpScreen(self._help_text()))
+
+    def theme(self) -> None:
+        """Choose a theme."""
+        self._shell.action_change_theme()
+
+    def suspend(self) -> None:
+        """To the shell."""
+        self._shell.action_suspend_process()
+
+    def leave(self) -> None:
+        """Leave."""
+        self._leaving.leave()
+
+    def settings(self) -> None:
+        """What is set."""
+        shown = {
+            name: {key: json.dumps(value) for key, value in table.items()}
+            for name, table in self._tables().items()
+        }
+        self._screens.open(SettingsScreen(self._options.settings_file, shown))
+
+    def _tables(self) -> dict[str, dict[str, Any]]:
+        rig, speed = self._session.rig.settings, self._pacer.speed
+        return {
+            "terminal": {
+                "speed": "max" if speed is None else f"{speed:g}",
+                "keys": self._keyboard.mode.value,
+                "glyphs": self._view.glyph_set.value,
+                "theme": self._shell.theme,
+                "arm": self._view.arm_style.value,
+                "cursor": self._view.cursor_style.value,
+                "fps": self._options.fps,
+                "tap_ms": self._options.tap_ms,
+                "repeat_ms": self._options.repeat_ms,
+            },
+            "machine": {
+                "ram": rig.ram_kib,
+                "memory_size": rig.memory_size,
+                "armbasic": rig.armbasic,
+                "ghosting": rig.ghosting,
+                "tapes": str(rig.tape_folder or ""),
+                "printer": str(rig.printer_file or ""),
+            },
+            "card": as_table(rig.card, with_defaults=True),
+            "driver": as_table(rig.driver, with_defaults=True),
+            "arm": as_table(rig.arm, with_defaults=True),
+        }

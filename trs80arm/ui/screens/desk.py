@@ -1,0 +1,221 @@
+"""The screen of the desk: all panels in their places, drawn when their time has come.
+
+It knows what is shown and how, and no machine: the program hands it a rig to look at. When the
+keyboard goes elsewhere, all hands leave the TRS-80.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from textual.app import ComposeResult
+from textual.geometry import Offset
+from textual.screen import Screen
+from textual.widget import Widget
+from textual.widgets import Static
+
+from trs80arm.drawing.readings import Readings
+from trs80arm.options import ArmStyle, CursorStyle, GlyphSet
+from trs80arm.rig import Rig
+from trs80arm.ui import layout
+from trs80arm.ui.panels.arm_view import ArmView
+from trs80arm.ui.panels.registry import Cadence, PanelRow, groups
+from trs80arm.ui.panels.status import Pace, StatusLine
+from trs80arm.ui.panels.tube import Tube
+
+BLINK_SECONDS = 0.5
+NUMBERS_EVERY = 0.1
+"""Seconds of the wall between two looks of the panels with numbers."""
+TOO_SMALL = (
+    "trs80arm needs {0} columns and {1} rows.\nThis terminal has {2} and {3}.\nCtrl+Q leaves."
+)
+
+
+class DeskScreen(Screen[None]):
+    """All panels, and what of them is shown.
+
+    Args:
+        rows: the panels.
+        bar: the line of commands at the bottom.
+        let_go: takes all hands off the machine's keys.
+
+    Attributes:
+        panels: the widgets, by their ids.
+        tube: the one that has the keyboard.
+        side: the arm from the side.
+        status: the line under everything.
+        bottom: the group that is shown under the tube.
+        zoomed: the panel or group that fills the screen, or None.
+        arm_style: how the arm is drawn.
+        cursor_style: whether the cursor blinks.
+        numbers_due: the wall's time at which numbers are to be drawn again.
+    """
+
+    def __init__(
+        self,
+        rows: Sequence[PanelRow],
+        bar: Widget,
+        let_go: Callable[[], None],
+    ) -> None:
+        super().__init__(id="desk")
+        self._rows = rows
+        self._groups = groups(rows)
+        self._let_go = let_go
+        self.panels = {row.id: row.make(id=row.id) for row in rows}
+        [self.tube] = (panel for panel in self.panels.values() if isinstance(panel, Tube))
+        self._arm_views = [panel for panel in self.panels.values() if isinstance(panel, ArmView)]
+        self.side = self._arm_views[0]
+        self.status = StatusLine(id="status")
+        self._bar = bar
+        self._too_small = Static(id="too-small")
+        self.bottom = layout.ARM
+        self.zoomed: str | None = None
+        self.arm_style = ArmStyle.ASCII
+        self.cursor_style = CursorStyle.BLINK
+        self.numbers_due = 0.0
+
+    def compose(self) -> ComposeResult:
+        """All panels; where they stand is decided by `lay_out`."""
+        yield self._too_small
+        for row in self._rows:
+            panel = self.panels[row.id]
+            panel.border_title = row.title
+            panel.add_class("placed")
+            yield panel
+        yield self.status
+        yield self._bar
+
+    def on_mount(self) -> None:
+        """The tube has the keyboard."""
+        self.tube.focus()
+
+    def on_screen_suspend(self) -> None:
+        """A dialog opened."""
+        self._let_go()
+
+    def on_descendant_blur(self) -> None:
+        """The tube lost the keyboard."""
+        self._let_go()
+
+    # -- where panels stand -----------------------------------------------------------------------
+
+    def lay_out(self) -> None:
+        """Put the panels where the layout has them."""
+        width, height = self.app.size
+        places = layout.plan(self._groups, width, height, self.bottom, self.zoomed)
+        framed = layout.shows_everything(width, height) and self.zoomed is None
+        for name, panel in self.panels.items():
+            region = places.get(name)
+            panel.display = region is not None
+            if region is not None:
+                panel.styles.offset = (region.x, region.y)
+                panel.styles.width, panel.styles.height = region.width, region.height
+                panel.set_class(framed or self.zoomed is not None, "titled")
+        self.tube.set_class(framed, "framed")
+        self._too_small.display = not places
+        self._too_small.update(TOO_SMALL.format(*layout.SMALLEST, width, height))
+        self.numbers_due = 0.0
+
+    def _bottoms(self) -> list[str]:
+        return layout.bottoms(self._groups, *self.app.size)
+
+    def next_bottom(self) -> None:
+        """Show the next group of panels under the tube."""
+        choices = self._bottoms()
+        if self.zoomed is not None or self.bottom not in choices:
+            self._show_bottom(choices[0])
+        else:
+            self._show_bottom(choices[(choices.index(self.bottom) + 1) % len(choices)])
+
+    def show_bottom(self, group: str) -> None:
+        """Show a group of panels under the tube; asked for again, the first one."""
+        choices = self._bottoms()
+        if group not in choices:
+            self.zoom(group)
+        elif group == self.bottom and self.zoomed is None:
+            self._show_bottom(choices[0])
+        else:
+            self._show_bottom(group)
+
+    def _show_bottom(self, group: str) -> None:
+        self.bottom = group
+        self.zoomed = None
+        self.lay_out()
+
+    def zoom(self, name: str) -> None:
+        """One panel or group on all of the screen, and back."""
+        self.zoomed = None if self.zoomed is not None else name
+        self.lay_out()
+
+    # -- how they are drawn -----------------------------------------------------------------------
+
+    @property
+    def glyph_set(self) -> GlyphSet:
+        """The set that graphics are drawn with."""
+        return self.tube.glyph_set
+
+    def use_glyphs(self, chosen: GlyphSet) -> None:
+        """Draw graphics with another set; ASCII goes for everything."""
+        self.tube.glyph_set = chosen
+        for panel in self.panels.values():
+            if hasattr(panel, "ascii"):
+                panel.ascii = chosen is GlyphSet.ASCII
+
+    def use_arm_style(self, style: ArmStyle) -> None:
+        """Draw the arm in ASCII or in braille."""
+        self.arm_style = style
+        for view in self._arm_views:
+            view.braille = style is ArmStyle.BRAILLE
+
+    def toggle_arm_option(self, name: str) -> bool:
+        """Turn `envelope`, `trail` or `labels` on or off; whether it is on now."""
+        shown = not getattr(self.side, name)
+        for view in self._arm_views:
+            setattr(view, name, shown)
+        return shown
+
+    def clear_trail(self) -> None:
+        """Forget where the fingertip has been."""
+        for view in self._arm_views:
+            view.clear_trail()
+
+    def zoom_arm(self, way: str) -> None:
+        """Closer (`in`), farther (`out`), or all of it (`fit`)."""
+        for view in self._arm_views:
+            getattr(view, f"zoom_{way}")()
+
+    # -- drawing ----------------------------------------------------------------------------------
+
+    def show(self, rig: Rig, now: float, pace: Pace, *, keys: str, notice: str) -> None:
+        """Draw what differs from what is shown.
+
+        Args:
+            rig: what there is to see.
+            now: the wall's time in seconds.
+            pace: how fast the rig runs.
+            keys: how keys are read.
+            notice: what is to be said now, or nothing.
+        """
+        cursor = rig.cursor
+        blinks = self.cursor_style is CursorStyle.BLINK
+        hidden = blinks and int(now / BLINK_SECONDS) % 2 == 1
+        self.tube.show(rig.video, cursor, cursor_hidden=hidden)
+        if cursor is not None and self.focused is self.tube:
+            self._point_terminal_at(cursor)
+        readings = Readings.of(rig)
+        numbers = now >= self.numbers_due
+        if numbers:
+            self.numbers_due = now + NUMBERS_EVERY
+        for row in self._rows:
+            panel = self.panels[row.id]
+            due = row.cadence is Cadence.FRAME or (row.cadence is Cadence.NUMBERS and numbers)
+            if due and panel.display and not isinstance(panel, Tube):
+                panel.show(readings)
+        if numbers:
+            self.status.show(readings, pace, keys=keys, notice=notice)
+
+    def _point_terminal_at(self, cell: int) -> None:
+        """Let the terminal's own cursor follow, for braille displays and input methods."""
+        place = self.tube.content_region.offset + Offset(cell % 64, cell // 64)
+        if self.app.cursor_position != place:
+            self.app.cursor_position = place

@@ -1,0 +1,66 @@
+"""Opens the terminal program: `run_terminal` is what the command line calls."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+
+from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
+from trs80arm.desk.places import state_folder
+from trs80arm.options import TerminalOptions
+from trs80arm.reasons import one_line
+from trs80arm.ui.app import Trs80Arm
+from trs80arm.ui.themes import THEMES
+
+CRASHED = 3
+
+
+def run_terminal(options: TerminalOptions) -> int:
+    """Open the terminal program and stay until its user leaves.
+
+    Returns:
+        The exit code: 0, 2 when a file of the options cannot be used or there is no terminal, told
+        in one line on standard error, 3 after a fault of the program, 128 and the number of the
+        signal that ended it.
+    """
+    if not _has_terminal():
+        print("trs80arm: this is no terminal; --plain works without one", file=sys.stderr)
+        return USAGE_ERROR
+    try:
+        session = open_session(options)
+    except UNUSABLE as error:
+        print(f"trs80arm: {one_line(error)}", file=sys.stderr)
+        return USAGE_ERROR
+    app = Trs80Arm(session, options, state_folder())
+    if options.theme not in app.available_themes:
+        own = ", ".join(theme.name for theme in THEMES)
+        print(
+            f"trs80arm: theme: there is no theme {options.theme!r}; there are {own} "
+            "and those of Textual",
+            file=sys.stderr,
+        )
+        return USAGE_ERROR
+    result = app.run()
+    if result is None:
+        # Textual has restored the terminal and shown what went wrong.
+        app.recovery.keep()
+        result = CRASHED
+    # The terminal may have been closed.
+    with contextlib.suppress(OSError):
+        _tell_of_copies(app)
+    return result
+
+
+def _tell_of_copies(app: Trs80Arm) -> None:
+    """Where that is kept which is not saved; nothing after an ordinary end."""
+    for what, path in app.recovery.kept():
+        print(f"trs80arm: {what} in {path}", file=sys.stderr)
+
+
+def _has_terminal() -> bool:
+    """Whether there is a terminal, or a browser that stands for one."""
+    if os.environ.get("TEXTUAL_DRIVER"):
+        return True
+    streams = (sys.__stdin__, sys.__stderr__)
+    return all(stream is not None and stream.isatty() for stream in streams)
