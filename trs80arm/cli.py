@@ -57,19 +57,20 @@ def cli() -> None:
 # -- options that several commands share -----------------------------------------------------------
 
 _SETTING_FLAGS = {
-    "ram": ("machine", "K of RAM: 4, 16, 32 or 48."),
-    "memory-size": ("machine", "What is typed at MEMORY SIZE?"),
-    "tapes": ("machine", "The folder of the cassettes."),
-    "printer": ("machine", "The file for the printer's paper."),
+    "ram": ("machine.ram", "K of RAM: 4, 16, 32 or 48."),
+    "memory-size": ("machine.memory_size", "What is typed at MEMORY SIZE?"),
+    "tapes": ("machine.tapes", "The folder of the cassettes."),
+    "printer": ("machine.printer", "The file for the printer's paper."),
+    "arm": ("arm.model", "The arm on the cable: minimover5 or teachmover."),
 }
 _SCREEN_FLAGS = {
-    "speed": ("terminal", "Virtual seconds a second: 1, 2, 5, 20 or max."),
-    "keys": ("terminal", "auto, events, repeat or latch."),
-    "glyphs": ("terminal", "auto, sextant, braille, quadrant or ascii."),
-    "theme": ("terminal", "green, white, amber, contrast or paper."),
-    "arm": ("terminal", "How the arm is drawn: ascii or braille."),
-    "cursor": ("terminal", "blink or steady."),
-    "fps": ("terminal", "The most frames a second."),
+    "speed": ("terminal.speed", "Virtual seconds a second: 1, 2, 5, 20 or max."),
+    "keys": ("terminal.keys", "auto, events, repeat or latch."),
+    "glyphs": ("terminal.glyphs", "auto, sextant, braille, quadrant or ascii."),
+    "theme": ("terminal.theme", "green, white, amber, contrast or paper."),
+    "arm-style": ("terminal.arm", "How the arm is drawn: ascii or braille."),
+    "cursor": ("terminal.cursor", "blink or steady."),
+    "fps": ("terminal.fps", "The most frames a second."),
 }
 
 
@@ -107,10 +108,10 @@ def _take_settings(given: dict[str, Any], *defaults: str) -> Settings:
     from trs80arm import settings
 
     flags = {}
-    for name, (table, _) in (_SETTING_FLAGS | _SCREEN_FLAGS).items():
+    for name, (setting, _) in (_SETTING_FLAGS | _SCREEN_FLAGS).items():
         value = given.pop(name.replace("-", "_"), None)
         if value is not None:
-            flags[f"{table}.{name.replace('-', '_')}={value}"] = f"--{name} {value}"
+            flags[f"{setting}={value}"] = f"--{name} {value}"
     if given.pop("no_armbasic", False):
         flags["machine.armbasic=false"] = "--no-armbasic"
     break_now = given.pop("break_now")

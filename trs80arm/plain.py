@@ -18,7 +18,7 @@ from trs80arm.files import FileFormatError
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.options import TerminalOptions
 from trs80arm.reasons import one_line
-from trs80arm.rig import JOINT_NAMES, Waiting
+from trs80arm.rig import Waiting
 from trs80arm.teletype import Teletype
 
 SLICE = 0.05
@@ -168,7 +168,7 @@ class PlainMode:
 
     def _registers(self) -> None:
         rig = self.session.rig
-        for name, register, true in zip(JOINT_NAMES, rig.registers, rig.joints, strict=True):
+        for name, register, true in zip(rig.joint_names, rig.registers, rig.joints, strict=True):
             lost = "" if register == true else f", {register - true} lost"
             self._tell(f"{name}: {register}, true {true}{lost}")
 

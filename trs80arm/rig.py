@@ -17,8 +17,8 @@ from typing import Any, TypeVar
 
 from trs80arm import files
 from trs80arm.arm.bench import Bench
-from trs80arm.arm.events import MOTOR_NAMES
-from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, MiniMover, Pose
+from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, MiniMover
+from trs80arm.arm.model import Pose
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.interpreter import Interpreter, Outcome
 from trs80arm.basic.interpreter import Listener as StatementListener
@@ -34,7 +34,6 @@ from trs80arm.machine.video import Video
 from trs80arm.works import Input, KeyEvent, Observers, RigSettings, Works, assemble
 
 __all__ = [
-    "JOINT_NAMES",
     "TURNED_BY_HAND",
     "Input",
     "Key",
@@ -43,9 +42,6 @@ __all__ = [
     "RigSettings",
     "Waiting",
 ]
-
-JOINT_NAMES = MOTOR_NAMES[: len(MOTORS)]
-"""What J1 to J6 are called in the article."""
 
 T = TypeVar("T")
 
@@ -442,6 +438,11 @@ class Rig:
         return self._works.driver.registers
 
     @property
+    def joint_names(self) -> tuple[str, ...]:
+        """What J1 to J6 are called."""
+        return self._works.arm.model.motor_names[: len(MOTORS)]
+
+    @property
     def joints(self) -> Counts:
         """Where the joints truly are, in the registers' steps from the same zero.
 
@@ -452,7 +453,7 @@ class Rig:
         j1, j2, j3, j4, j5, j6 = (
             rotor - zero for rotor, zero in zip(rotors, self._works.zero, strict=True)
         )
-        return j1, j2, j3, j4, j5, j6 + j3
+        return j1, j2, j3, j4, j5, j6 - self._works.arm.model.hand_per_elbow * j3
 
     @property
     def state(self) -> ArmState:

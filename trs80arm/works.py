@@ -162,7 +162,7 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
     printer = old.printer if old else Printer(settings.printer_file)
     tape = old.tape if old else Tape(settings.tape_folder)
     card = Card(clock, settings.card, arm)
-    driver = Driver(clock, card, matrix, settings.driver)
+    driver = Driver(clock, card, matrix, settings.driver, arm.model.hand_per_elbow)
     ports = Ports()
     ports.attach(card)
     ports.attach(SystemPort(video))

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trs80arm.arm import Bench, MiniMover
+from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import SWITCH_CLOSED, PulseGenerator, delay_period
 
@@ -42,6 +43,7 @@ class Recorder:
     def __init__(self) -> None:
         self.writes: Writes = []
         self.rotors = (0,) * 6
+        self.model = MINIMOVER5
 
     def apply(self, times: list[int], latches: list[int], nibbles: list[int], stop: object) -> int:
         self.writes += zip(times, latches, nibbles, strict=True)

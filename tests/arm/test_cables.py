@@ -10,16 +10,16 @@ from hypothesis import strategies as st
 
 from trs80arm.arm import Bench, JointAngles, MiniMover, OutOfReach, Pose
 from trs80arm.arm.geometry import (
-    BASE_SHOULDER_STEPS,
-    ELBOW_STEPS,
-    HAND_STEPS,
-    WRIST_STEPS,
     forward,
     inverse,
     pose_of,
 )
+from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 
+BASE_SHOULDER_STEPS, _, ELBOW_STEPS, WRIST_STEPS, _, HAND_STEPS = (
+    drive.steps for drive in MINIMOVER5.drives
+)
 EASY = delay_period(200)
 
 
@@ -163,7 +163,7 @@ def test_inverse_gives_table_4s_angles(
     place: tuple[float, ...], degrees: tuple[float, ...]
 ) -> None:
     # The fact sheet's worked values for the article's data lines.
-    a = inverse(*place)
+    a = inverse(MINIMOVER5, *place)
     found = (a.base, a.shoulder, a.elbow, a.left_gear, a.right_gear)
     assert [math.degrees(value) for value in found] == pytest.approx(degrees, abs=0.006)
 
@@ -181,7 +181,7 @@ def test_inverse_gives_table_4s_angles(
 )
 def test_inverse_refuses_what_the_subroutine_refuses(place: tuple[float, ...]) -> None:
     with pytest.raises(OutOfReach):
-        inverse(*place)
+        inverse(MINIMOVER5, *place)
 
 
 @settings(max_examples=200, deadline=None)
@@ -194,25 +194,25 @@ def test_inverse_refuses_what_the_subroutine_refuses(place: tuple[float, ...]) -
 )
 def test_forward_undoes_inverse(x: float, y: float, z: float, pitch: float, roll: float) -> None:
     try:
-        angles = inverse(x, y, z, pitch, roll)
+        angles = inverse(MINIMOVER5, x, y, z, pitch, roll)
     except OutOfReach:
         return
-    pose = pose_of(angles, 1.0)
+    pose = pose_of(MINIMOVER5, angles, 1.0)
     assert (pose.x, pose.y, pose.z) == pytest.approx((x, y, z), abs=1e-6)
     assert (pose.pitch, pose.roll) == pytest.approx((pitch, roll), abs=1e-6)
 
 
 def test_with_roll_zero_the_fingers_lie_side_by_side() -> None:
-    across = forward(JointAngles(0.0, 0.5, -0.5, 0.0, 0.0)).across
+    across = forward(MINIMOVER5, JointAngles(0.0, 0.5, -0.5, 0.0, 0.0)).across
     assert across == pytest.approx((0, 1, 0))
-    rolled = forward(JointAngles(0.0, 0.5, -0.5, 0.0, math.pi / 2)).across
+    rolled = forward(MINIMOVER5, JointAngles(0.0, 0.5, -0.5, 0.0, math.pi / 2)).across
     assert rolled == pytest.approx((0, 0, 1), abs=1e-12)
 
 
 def test_a_part_keeps_its_turn_when_only_the_base_turns_and_roll_is_kept() -> None:
     # R1 = 1, "flag for world coordinates"
     for y in (-4.0, 0.0, 5.0):
-        across = forward(inverse(6, y, 2, -90, 30)).across
+        across = forward(MINIMOVER5, inverse(MINIMOVER5, 6, y, 2, -90, 30)).across
         assert across == pytest.approx((0.5, math.sqrt(0.75), 0), abs=1e-9)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from trs80arm.arm import Bench, EventKind, MiniMover, Pose, Reason
-from trs80arm.arm.motors import POUND_STEPS
+from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.stepping import SWITCH_CLOSED, PulseGenerator, delay_period
 
 EASY = delay_period(200)
@@ -204,7 +204,7 @@ def test_a_burst_ends_right_after_the_write_that_closes_the_switch() -> None:
     steps = generator.step((0, 0, 0, 0, 0, -2000), D50, SWITCH_CLOSED)
     assert arm.inputs(generator.time) & 1 == 0
     assert arm.rotors[5] == before - steps
-    assert arm.state().force * POUND_STEPS == pytest.approx(7)
+    assert arm.state().force * MINIMOVER5.hand.pound_steps == pytest.approx(7)
 
 
 def test_the_hand_stops_at_3_inches() -> None:

@@ -8,8 +8,8 @@ import pytest
 
 from trs80arm.arm import Bench, EventKind, JointAngles, MiniMover, Pose, Reason
 from trs80arm.arm.experiments import Row, table1
-from trs80arm.arm.geometry import BASE_SHOULDER_STEPS, ELBOW_STEPS
 from trs80arm.arm.limits import load_fraction
+from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.motors import T_STATES_PER_SECOND
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 
@@ -35,8 +35,8 @@ def carrying(weight: float, *degrees: float) -> PulseGenerator:
 
 def lift(generator: PulseGenerator) -> None:
     """Raise upper arm and forearm a little, at Table 1's full-load speeds."""
-    shoulder = round(T_STATES_PER_SECOND / (0.15 * BASE_SHOULDER_STEPS))
-    elbow = round(T_STATES_PER_SECOND / (0.23 * ELBOW_STEPS))
+    shoulder = round(T_STATES_PER_SECOND / MINIMOVER5.drives[1].full_load_rate)
+    elbow = round(T_STATES_PER_SECOND / MINIMOVER5.drives[2].full_load_rate)
     generator.step((0, -100, 0), shoulder)
     generator.step((0, 0, 60), elbow)
 
@@ -78,10 +78,10 @@ def test_the_lever_is_the_links_cosine() -> None:
     level = JointAngles(0.0, 0.0, 0.0, 0.0, 0.0)
     half = JointAngles(0.0, math.pi / 3, -math.pi / 3, -math.pi / 3, 0.0)
     for motor, up in ((1, -1), (2, 1), (3, -1), (4, 1)):
-        assert load_fraction(motor, up, level, 8.0, 0) == pytest.approx(1.0, abs=1e-3)
-        assert load_fraction(motor, up, half, 16.0, 0) == pytest.approx(1.0, abs=2e-3)
-        assert load_fraction(motor, -up, level, 8.0, 0) == 0
-    assert load_fraction(0, 1, level, 8.0, 0) == pytest.approx(1.0, abs=1e-3)
+        assert load_fraction(motor, up, MINIMOVER5, level, 8.0, 0) == pytest.approx(1.0, abs=1e-3)
+        assert load_fraction(motor, up, MINIMOVER5, half, 16.0, 0) == pytest.approx(1.0, abs=2e-3)
+        assert load_fraction(motor, -up, MINIMOVER5, level, 8.0, 0) == 0
+    assert load_fraction(0, 1, MINIMOVER5, level, 8.0, 0) == pytest.approx(1.0, abs=1e-3)
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from trs80arm.arm import Bench, EventKind, MiniMover
+from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
@@ -126,15 +127,15 @@ def carry(generator: PulseGenerator, source: tuple[float, ...], target: tuple[fl
     period = delay_period(60)
     for (x, y, z), squeeze in ((source, 40), (target, 0)):
         high = max(source[2], target[2]) + 1.6
-        generator.go(inverse(x, y, high, -90, 0), period)
+        generator.go(inverse(MINIMOVER5, x, y, high, -90, 0), period)
         if squeeze:
             generator.step((0, 0, 0, 0, 0, 300), period)
-        generator.go(inverse(x, y, z, -90, 0), delay_period(100))
+        generator.go(inverse(MINIMOVER5, x, y, z, -90, 0), delay_period(100))
         if squeeze:
             generator.close(delay_period(50), squeeze)
         else:
             generator.step((0, 0, 0, 0, 0, 200), period)
-        generator.go(inverse(x, y, high, -90, 0), delay_period(100))
+        generator.go(inverse(MINIMOVER5, x, y, high, -90, 0), delay_period(100))
 
 
 def build(generator: PulseGenerator) -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.events import EventKind
+from trs80arm.arm.models import MINIMOVER5
 from trs80arm.basic.activity import Waiting
 from trs80arm.desk.taught_programs import Manner, in_data, in_steps
 from trs80arm.desk.teach import Lesson
@@ -61,7 +62,7 @@ def test_the_steps_carry_on_where_the_teaching_ended() -> None:
 
 def test_the_data_lines_begin_where_the_operator_sets_the_arm(lesson: Lesson) -> None:
     rig = Rig(bench=Bench.load(BENCH))
-    rig.load_text(in_data(lesson.positions, Manner(speed=60)))
+    rig.load_text(in_data(lesson.positions, Manner(speed=60), MINIMOVER5))
     rig.type("RUN\r")
     assert rig.run_until(lambda rig: rig.waiting is Waiting.SET)
     rig.move_to(lesson.positions[0].pose)

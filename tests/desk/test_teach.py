@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 
 import pytest
 from hypothesis import given
@@ -8,7 +9,9 @@ from hypothesis import strategies as st
 
 from tests.drawing import samples
 from tests.goldens import check_golden
-from trs80arm.arm.geometry import JointAngles, OutOfReach, Pose
+from trs80arm.arm.geometry import JointAngles, OutOfReach
+from trs80arm.arm.model import Pose
+from trs80arm.arm.models import MINIMOVER5
 from trs80arm.desk.taught_programs import Manner, in_data, in_steps, moves
 from trs80arm.desk.teach import Lesson, listing_name, steps_between
 from trs80arm.drawing.readings import Posture, Readings
@@ -26,7 +29,7 @@ def standing(
         j1 / 937.8, 0.3 - j2 / 937.8, -1.8 + j3 / 551.4, (left + right) / 2, (left - right) / 2
     )
     return samples.readings(
-        Posture(angles, pose.opening),
+        Posture(MINIMOVER5, angles, pose.opening),
         registers=registers,
         pose=pose,
         inputs=0b1110 if grips else 0b1111,
@@ -152,7 +155,7 @@ def test_a_tighter_hold_comes_before_the_move_and_a_looser_one_after_it() -> Non
     assert [(move.before, move.hand) for move in route[1:4]] == [(0, 0), (-30, 0), (0, 20)]
     steps = in_steps(lesson.positions, Manner())
     assert re.search(r"@STEP S,0,0,0,0,0,-30\n\d+ @STEP S, 0, -132", steps)
-    data = in_data(lesson.positions, Manner())
+    data = in_data(lesson.positions, Manner(), MINIMOVER5)
     assert "DATA 8, 0, 0.5, -90, 0, 0, -30, 50\n" in data
     assert "110 DIM UU(8,10)" in data
 
@@ -174,10 +177,10 @@ def test_program_of_steps() -> None:
 
 
 def test_program_of_data_lines() -> None:
-    check_golden("taught-data", in_data(pick_and_place().positions, Manner(speed=80)))
+    check_golden("taught-data", in_data(pick_and_place().positions, Manner(speed=80), MINIMOVER5))
 
 
-@pytest.mark.parametrize("write", [in_steps, in_data])
+@pytest.mark.parametrize("write", [in_steps, partial(in_data, model=MINIMOVER5)])
 def test_line_numbers_rise_and_every_jump_has_its_line(write: object) -> None:
     assert callable(write)
     listing = write(pick_and_place().positions, Manner())
@@ -192,11 +195,11 @@ def test_a_position_behind_the_base_cannot_be_given_in_coordinates() -> None:
     lesson = pick_and_place()
     lesson.add(standing((0,) * 6, Pose(-3, 2, 5, -90, 0)), "behind")
     with pytest.raises(OutOfReach, match="BEHIND"):
-        in_data(lesson.positions, Manner())
+        in_data(lesson.positions, Manner(), MINIMOVER5)
     assert "BEHIND" in in_steps(lesson.positions, Manner())
 
 
-@pytest.mark.parametrize("write", [in_steps, in_data])
+@pytest.mark.parametrize("write", [in_steps, partial(in_data, model=MINIMOVER5)])
 def test_nothing_taught_is_no_program(write: object) -> None:
     assert callable(write)
     with pytest.raises(ValueError, match="no position"):
@@ -207,4 +210,4 @@ def test_one_position_alone_is_gone_to() -> None:
     lesson = Lesson()
     lesson.add(standing((5, 0, 0, 0, 0, 0), Pose(8, 0, 1.5, -90, 0)))
     assert "@STEP S,5-K1,0-K2" in in_steps(lesson.positions, Manner())
-    assert in_data(lesson.positions, Manner()).count("DATA") == 3
+    assert in_data(lesson.positions, Manner(), MINIMOVER5).count("DATA") == 3

@@ -6,6 +6,7 @@ from math import radians
 
 from trs80arm.arm.events import ArmEvent, EventKind, Reason
 from trs80arm.arm.geometry import JointAngles, pose_of
+from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.shapes import upright
 from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
 from trs80arm.drawing.rows import Row, fitted, text_of
@@ -20,7 +21,7 @@ def posture(
 ) -> Posture:
     """A posture from degrees and inches."""
     angles = (base, shoulder, elbow, pitch, roll)
-    return Posture(JointAngles(*map(radians, angles)), opening)
+    return Posture(MINIMOVER5, JointAngles(*map(radians, angles)), opening)
 
 
 ABOVE_THE_PART = posture(0.0, 31.0, -73.4, -90.0, 0.0, 1.3)
@@ -42,7 +43,7 @@ def readings(stands: Posture = ABOVE_THE_PART, **others: object) -> Readings:
     """Readings of an arm on a bench with two parts and a tray."""
     values: dict[str, object] = {
         "posture": stands,
-        "pose": pose_of(stands.angles, stands.opening),
+        "pose": pose_of(MINIMOVER5, stands.angles, stands.opening),
         "things": (TRAY, PART, FAR_PART),
     }
     return Readings(**{**values, **others})  # type: ignore[arg-type]

@@ -102,6 +102,7 @@ def test_screen_registers_and_pose_are_printed_when_asked_for(tmp_path: Path) ->
         ([str(PROGRAMS / "table4.bas"), "--bench", "nowhere.toml"], "nowhere.toml"),
         ([str(PROGRAMS / "table4.bas"), "--set", "9:x"], "KEYS:SECONDS"),
         ([str(PROGRAMS / "table4.bas"), "--ram", "17"], "ram"),
+        ([str(PROGRAMS / "table4.bas"), "--arm", "pump"], "--arm pump: no arm pump: there are min"),
         ([str(PROGRAMS / "table4.bas"), "--trace", "trace.xyz"], "trace.xyz"),
         ([str(PROGRAMS / "table4.bas"), "--seconds", "soon"], "seconds"),
         ([str(PROGRAMS)], "programs"),

@@ -7,7 +7,7 @@ from tests.drawing import samples
 from tests.goldens import check_golden
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
-from trs80arm.arm.geometry import START_POSE
+from trs80arm.arm.models import MINIMOVER5
 from trs80arm.desk.hands import MoveJoint, MoveTo
 from trs80arm.drawing.readings import Readings
 from trs80arm.ui.screens.hand_move import HandMoveScreen
@@ -80,7 +80,7 @@ async def test_home_is_where_table_4_begins() -> None:
     desk = Desk()
     async with desk.run_test(size=(80, 24)) as pilot:
         await pilot.press("home")
-        assert desk.asked == [MoveTo(START_POSE)]
+        assert desk.asked == [MoveTo(MINIMOVER5.start)]
 
 
 @pytest.mark.parametrize("typed", ["1 2", "1 2 3 4 5 6 7"])

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.events import ArmEvent, EventKind, Reason
-from trs80arm.arm.geometry import JointAngles, Motor, OutOfReach, Pose
+from trs80arm.arm.geometry import JointAngles, OutOfReach
 from trs80arm.arm.minimover import ArmState, InTheWay, MiniMover, MotorsOn
+from trs80arm.arm.model import ArmModel, Motor, Pose
 from trs80arm.arm.settings import ArmSettings
 
 __all__ = [
     "ArmEvent",
+    "ArmModel",
     "ArmSettings",
     "ArmState",
     "Bench",

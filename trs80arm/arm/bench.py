@@ -14,7 +14,7 @@ from pathlib import Path
 
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Sensor, Tray, Turntable
-from trs80arm.arm.geometry import Pose
+from trs80arm.arm.model import Pose
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import (
     SKIN,

@@ -20,14 +20,9 @@ from trs80arm.arm.fixtures import (
     Tray,
     Turntable,
 )
-from trs80arm.arm.geometry import (
-    HAND_RANGE,
-    START_POSE,
-    CableDrive,
-    OutOfReach,
-    Pose,
-)
+from trs80arm.arm.geometry import CableDrive, OutOfReach
 from trs80arm.arm.limits import beyond_any_stop
+from trs80arm.arm.model import ArmModel, Pose
 from trs80arm.arm.shapes import Box, Vector, overlap, upright
 from trs80arm.arm.world import World
 from trs80arm.plain_values import SettingsError, Table
@@ -84,8 +79,9 @@ def parse(text: str, name: str = "bench") -> Bench:
 
 def _bench(top: Table, name: str) -> Bench:
     bench = Bench(top.text("name", name))
-    _arm(bench, top.table("arm"))
-    drive = CableDrive.from_pose(bench.start or START_POSE)
+    model = bench.settings.arm_model
+    _arm(bench, model, top.table("arm"))
+    drive = CableDrive.from_pose(model, bench.start or model.start)
     for item in top.tables("obstacle"):
         _obstacle(bench, item)
     for item in top.tables("part"):
@@ -129,7 +125,7 @@ def _size(item: Table) -> Vector:
     return _vector(item.vector("size", 3, 0.1, FAR))
 
 
-def _arm(bench: Bench, item: Table | None) -> None:
+def _arm(bench: Bench, model: ArmModel, item: Table | None) -> None:
     """Where the arm stands when it is switched on."""
     if item is None:
         return
@@ -140,11 +136,11 @@ def _arm(bench: Bench, item: Table | None) -> None:
         z,
         item.number("pitch", -360, 360, -90.0),
         item.number("roll", -360, 360, 0.0),
-        item.number("opening", 0, HAND_RANGE, 0.0),
+        item.number("opening", 0, model.hand.range, 0.0),
     )
     item.done("at, pitch, roll, opening")
     try:
-        drive = CableDrive.from_pose(pose)
+        drive = CableDrive.from_pose(model, pose)
     except OutOfReach as error:
         raise item.fail("at", f"a pose within reach; {error}") from None
     stop = beyond_any_stop(drive, (0,) * 6)

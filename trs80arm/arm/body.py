@@ -11,6 +11,7 @@ from copy import copy
 from dataclasses import dataclass
 
 from trs80arm.arm.geometry import ArmPoints, JointAngles, forward
+from trs80arm.arm.model import ArmModel
 from trs80arm.arm.shapes import Box, Vector, cross, dot, minus, plus
 
 Segment = tuple[Vector, Vector]
@@ -27,8 +28,10 @@ class Body:
 
     __slots__ = ("opening", "points", "segments")
 
-    def __init__(self, angles: JointAngles, opening: float, finger_length: float) -> None:
-        points = forward(angles)
+    def __init__(
+        self, model: ArmModel, angles: JointAngles, opening: float, finger_length: float
+    ) -> None:
+        points = forward(model, angles)
         self.points = points
         self.opening = opening
         tip, u, e = points.fingertip, points.pointing, points.across

@@ -13,24 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from trs80arm.arm.geometry import (
-    BASE_LIMIT,
-    BASE_SHOULDER_STEPS,
-    ELBOW_LIMITS,
-    ELBOW_STEPS,
-    GEAR_LIMIT,
-    HAND_LENGTH,
-    HAND_RANGE,
-    HAND_STEPS,
-    LINK,
-    PITCH_LIMIT,
-    SHOULDER_HEIGHT,
-    SHOULDER_LIMITS,
-    WRIST_STEPS,
-)
-from trs80arm.arm.grip import SWITCH_STEPS
-from trs80arm.arm.limits import MOST_SQUEEZE, load_fractions
-from trs80arm.arm.motors import POUND_STEPS, ROWS, shortest_periods
+from trs80arm.arm.limits import load_fractions
+from trs80arm.arm.motors import ROWS, shortest_periods
 from trs80arm.arm.shapes import Box
 from trs80arm.arm.world import FEED_CLEARANCE
 
@@ -75,7 +59,7 @@ def run_free(
     ended = False
     if stop is not None and count:
         last = np.flatnonzero(ends[:count])
-        closed = stretch.squeeze[last] >= SWITCH_STEPS
+        closed = stretch.squeeze[last] >= arm.model.hand.switch_steps
         inputs = np.where(closed, 0b1110, 0b1111)
         met = np.flatnonzero((inputs & stop[0]) == stop[1])
         if len(met):
@@ -122,7 +106,7 @@ class _Stretch:
         self.rotors = rotors
         self.before = rotors - moves
         drive, grip = arm.drive, arm.grip
-        self.cable = drive.home_cable + rotors[:, 5] + rotors[:, 2]
+        self.cable = drive.cable(rotors.T)
         self.squeeze = np.maximum(0, grip.contact - self.cable)
         self.done: dict[int, Array] = {}
 
@@ -155,11 +139,9 @@ class _Stretch:
             loaded = weight > 0 if latch < 5 else bool(self.squeeze.any() or arm.grip.squeeze)
             if loaded:
                 before = self.before[mine]
-                squeeze = np.maximum(
-                    0, arm.grip.contact - arm.drive.home_cable - before[:, 5] - before[:, 2]
-                )
+                squeeze = np.maximum(0, arm.grip.contact - arm.drive.cable(before.T))
                 load = load_fractions(latch, turns, arm.drive, before, weight, squeeze)
-                periods = shortest_periods(latch, load, margin)
+                periods = shortest_periods(arm.model.drives[latch], load, margin)
             else:
                 periods = np.full(len(mine), arm.free_periods[latch], dtype=np.int64)
             work = np.abs(turns) * periods
@@ -174,10 +156,12 @@ class _Stretch:
 
     def _hand(self) -> None:
         """Cable near its ends, and a grip too weak for what it carries."""
-        grip = self.arm.grip
-        bad = (self.squeeze > MOST_SQUEEZE - 2) | (self.cable > HAND_RANGE * HAND_STEPS - 2)
+        grip, model = self.arm.grip, self.arm.model
+        hand = model.hand
+        bad = self.squeeze > hand.most_squeeze - 2
+        bad |= self.cable > hand.range * model.hand_steps - 2
         if grip.hold is not None:
-            carried = 32 * self.arm.settings.pad_friction * (self.squeeze / POUND_STEPS)
+            carried = 32 * self.arm.settings.pad_friction * (self.squeeze / hand.pound_steps)
             bad |= (carried < grip.weight) | (self.squeeze == 0)
         self._cut(bad)
 
@@ -186,20 +170,19 @@ class _Stretch:
         n = self.free_until
         if not n:
             return
-        home = self.arm.drive.home
-        r = self.rotors[:n]
-        base = home.base + r[:, 0] / BASE_SHOULDER_STEPS
-        shoulder = home.shoulder - r[:, 1] / BASE_SHOULDER_STEPS
-        elbow = home.elbow + r[:, 2] / ELBOW_STEPS
-        left = home.pitch + home.roll - r[:, 3] / WRIST_STEPS
-        right = home.pitch - home.roll + r[:, 4] / WRIST_STEPS
+        home, limits = self.arm.drive.home, self.arm.model.limits
+        a, b, c, d, e = self.arm.model.turned(self.rotors[:n].T)
+        base, shoulder, elbow = home.base + a, home.shoulder + b, home.elbow + c
+        left, right = home.left_gear + d, home.right_gear + e
         pitch = (left + right) / 2
         bend = elbow - shoulder
-        bad = np.abs(base) > BASE_LIMIT - MARGIN
-        bad |= (shoulder > SHOULDER_LIMITS[1] - MARGIN) | (shoulder < SHOULDER_LIMITS[0] + MARGIN)
-        bad |= (bend > ELBOW_LIMITS[1] - MARGIN) | (bend < ELBOW_LIMITS[0] + MARGIN)
-        bad |= np.abs(pitch - elbow) > PITCH_LIMIT - MARGIN
-        bad |= np.maximum(np.abs(left), np.abs(right)) > GEAR_LIMIT - MARGIN
+        low, high = limits.shoulder
+        bent, straight = limits.elbow
+        bad = np.abs(base) > limits.base - MARGIN
+        bad |= (shoulder > high - MARGIN) | (shoulder < low + MARGIN)
+        bad |= (bend > straight - MARGIN) | (bend < bent + MARGIN)
+        bad |= np.abs(pitch - elbow) > limits.pitch - MARGIN
+        bad |= np.maximum(np.abs(left), np.abs(right)) > limits.gear - MARGIN
         self._cut(bad)
         n = self.free_until
         if n:
@@ -207,13 +190,14 @@ class _Stretch:
 
     def _bench(self, base: Floats, shoulder: Floats, elbow: Floats, pitch: Floats) -> None:
         """Spheres around links, hand and carried part, against table, boxes and feeders."""
-        arm = self.arm
+        arm, model = self.arm, self.arm.model
+        height, link, length = model.shoulder_height, model.link, model.hand_length
         c1, s1 = np.cos(base), np.sin(base)
-        r2, z2 = LINK * np.cos(shoulder), SHOULDER_HEIGHT + LINK * np.sin(shoulder)
-        r3, z3 = r2 + LINK * np.cos(elbow), z2 + LINK * np.sin(elbow)
-        r4, z4 = r3 + HAND_LENGTH * np.cos(pitch), z3 + HAND_LENGTH * np.sin(pitch)
+        r2, z2 = link * np.cos(shoulder), height + link * np.sin(shoulder)
+        r3, z3 = r2 + link * np.cos(elbow), z2 + link * np.sin(elbow)
+        r4, z4 = r3 + length * np.cos(pitch), z3 + length * np.sin(pitch)
         n = len(base)
-        opening = np.maximum(self.cable[:n], arm.grip.contact) / HAND_STEPS
+        opening = np.maximum(self.cable[:n], arm.grip.contact) / model.hand_steps
         widest = float(opening.max()) / 2
         # With the hand pointing down both fingertips are level with the point between them.
         tilt = np.abs(np.cos(pitch)) * widest
@@ -229,12 +213,12 @@ class _Stretch:
             far = FEED_CLEARANCE + feeder.place.radius - MARGIN
             bad |= (r4 * c1 - feeder.x) ** 2 + (r4 * s1 - feeder.y) ** 2 > far * far
         if float(lowest.min()) <= world.ceiling + MARGIN:
-            half = HAND_LENGTH / 2
+            half = length / 2
             hand = max(float(np.hypot(half, widest)), half + around) + MARGIN
             links = float(min(z3.min(), z2.min())) - MARGIN
             quarters = [
                 ((a * p + b * q), (a * h + b * k))
-                for p, h, q, k in ((r2, z2, r3, z3), (0 * r2, 0 * z2 + SHOULDER_HEIGHT, r2, z2))
+                for p, h, q, k in ((r2, z2, r3, z3), (0 * r2, 0 * z2 + height, r2, z2))
                 for a, b in ((0.75, 0.25), (0.25, 0.75))
             ]
             for box in world.boxes():
@@ -243,7 +227,7 @@ class _Stretch:
                     bad |= _near(box, (r * c1, r * s1, z), hand)
                 if box.top > links:
                     for r, z in quarters:
-                        bad |= _near(box, (r * c1, r * s1, z), LINK / 4 + MARGIN)
+                        bad |= _near(box, (r * c1, r * s1, z), link / 4 + MARGIN)
         self._cut(bad)
 
     def commit(self, count: int) -> None:

@@ -9,8 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from trs80arm.arm.geometry import Motor
-
 
 class EventKind(Enum):
     """Kinds of event."""
@@ -58,7 +56,3 @@ class ArmEvent:
     steps: int
     reason: Reason | None
     text: str
-
-
-MOTOR_NAMES = (*(m.name.lower().replace("_", " ") for m in Motor), "turntable")
-"""Names of the seven latches' motors as people say them."""

@@ -13,19 +13,10 @@ from dataclasses import dataclass
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.events import EventKind
-from trs80arm.arm.geometry import (
-    BASE_SHOULDER_STEPS,
-    ELBOW_STEPS,
-    HAND_STEPS,
-    SHOULDER_HEIGHT,
-    WRIST_STEPS,
-    JointAngles,
-    Motor,
-    Pose,
-    forward,
-)
+from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.minimover import MiniMover
-from trs80arm.arm.motors import POUND_STEPS, T_STATES_PER_SECOND
+from trs80arm.arm.model import Motor, Pose
+from trs80arm.arm.motors import T_STATES_PER_SECOND
 from trs80arm.arm.stepping import PulseGenerator
 
 SLOW = T_STATES_PER_SECOND // 100
@@ -132,9 +123,9 @@ def _resolution() -> float:
     _set(generator, 0, 60, -60, -60, 0)
     widest = 0.0
     for motor in range(5):
-        before = forward(generator.arm.state().angles)
+        before = forward(generator.arm.model, generator.arm.state().angles)
         generator.turn(motor, 8, SLOW)
-        after = forward(generator.arm.state().angles)
+        after = forward(generator.arm.model, generator.arm.state().angles)
         if motor == Motor.SHOULDER:
             moved = math.dist(before.elbow, after.elbow)
         elif motor == Motor.ELBOW:
@@ -151,7 +142,8 @@ def _capacity(bend: float) -> float:
     Args:
         bend: degrees of the links to the horizontal; 0 stretches the arm out, 60 halves it.
     """
-    rates = {Motor.SHOULDER: 0.15 * BASE_SHOULDER_STEPS, Motor.ELBOW: 0.23 * ELBOW_STEPS}
+    drives = _bare().arm.model.drives
+    rates = {m: drives[m].full_load_rate for m in (Motor.SHOULDER, Motor.ELBOW)}
 
     def lifts(weight: float) -> bool:
         for motor, rate in rates.items():
@@ -189,7 +181,7 @@ def _reach() -> float:
     _set(generator, 0, 30, -10, 0, 0)
     generator.go(JointAngles(0.0, 0.0, 0.0, 0.0, 0.0), SLOW)
     pose = generator.arm.state().pose
-    return math.hypot(pose.x, pose.z - SHOULDER_HEIGHT)
+    return math.hypot(pose.x, pose.z - generator.arm.model.shoulder_height)
 
 
 def _pushing_force() -> float:
@@ -286,13 +278,15 @@ def _speeds() -> list[Row]:
         generator.turn(Motor.HAND, 145, SLOW)
         return generator
 
+    model = _bare().arm.model
+    base, _, elbow, wrist, _, hand = (drive.steps for drive in model.drives)
     rows = []
     listed = (
-        ("base", (600,), (600,), BASE_SHOULDER_STEPS, 0.37, 0.42),
-        ("shoulder", (0, -600), (0, -200), BASE_SHOULDER_STEPS, 0.15, 0.36),
-        ("elbow", (0, 0, 500), (0, 0, 70), ELBOW_STEPS, 0.23, 0.82),
-        ("wrist roll", (0, 0, 0, -250, -250), (0, 0, 0, -250, -250), WRIST_STEPS, 1.31, 2.02),
-        ("wrist pitch", (0, 0, 0, -250, 250), (0, 0, 0, -60, 60), WRIST_STEPS, 1.31, 2.02),
+        ("base", (600,), (600,), base, 0.37, 0.42),
+        ("shoulder", (0, -600), (0, -200), base, 0.15, 0.36),
+        ("elbow", (0, 0, 500), (0, 0, 70), elbow, 0.23, 0.82),
+        ("wrist roll", (0, 0, 0, -250, -250), (0, 0, 0, -250, -250), wrist, 1.31, 2.02),
+        ("wrist pitch", (0, 0, 0, -250, 250), (0, 0, 0, -60, 60), wrist, 1.31, 2.02),
     )
     for name, unloaded, lifting, steps, full, none in listed:
         # A wrist turned in roll lifts nothing; the load is on it in pitch.
@@ -303,8 +297,8 @@ def _speeds() -> list[Row]:
         rows.append(
             Row(f"{name} speed, no load", "rad/s", none, _fastest(free, unloaded) / steps, 0.2)
         )
-    opening = _fastest(free, (0, 0, 0, 0, 0, 900)) / HAND_STEPS
+    opening = _fastest(free, (0, 0, 0, 0, 0, 900)) / hand
     rows.append(Row("hand speed, no load", "in/s", 0.80, opening, 0.2))
-    squeeze = _fastest(squeezing, (0, 0, 0, 0, 0, -148)) / POUND_STEPS
+    squeeze = _fastest(squeezing, (0, 0, 0, 0, 0, -148)) / model.hand.pound_steps
     rows.append(Row("hand force, up to full grip", "lb/s", 3.0, squeeze, 0.7))
     return rows

@@ -1,9 +1,9 @@
-"""Kinematics of the MiniMover 5: rotor positions to joint angles to places, and back.
+"""Kinematics: rotor positions to joint angles to places, and back, for any `ArmModel`.
 
 Cables couple the joints so that shoulder, forearm and hand are all driven in angles to the
 horizontal, which makes the forward solution three sums; the inverse is the article's Table 4
-subroutine, tests and all. `MiniMover` and the figures use it; programs that want to plan a
-motion can too.
+subroutine, tests and all. The arm and the figures use it; programs that want to plan a motion
+can too.
 """
 
 from __future__ import annotations
@@ -11,49 +11,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import IntEnum
+from typing import Any
 
-SHOULDER_HEIGHT = 8.1
-"""H: shoulder above the table, inches (article, Table 4, line 101)."""
-LINK = 7.0
-"""L: shoulder to elbow and elbow to wrist, inches (Table 4, line 102)."""
-HAND_LENGTH = 3.5
-"""LL: wrist to fingertip, inches (Table 4, line 103)."""
-REACH = LINK + LINK + HAND_LENGTH
-"""17.5 inches from the shoulder (article, Table 1)."""
-
-BASE_SHOULDER_STEPS = 937.8
-"""S1: half-steps per radian of base and of shoulder (Table 4, line 121)."""
-ELBOW_STEPS = 551.4
-"""S3: half-steps per radian of the forearm (Table 4, line 122)."""
-WRIST_STEPS = 203.7
-"""S4: half-steps per radian of each wrist gear (Table 4, line 123)."""
-HAND_STEPS = 618
-"""S6: half-steps per inch of hand opening (Table 4, line 124)."""
-HAND_RANGE = 3.0
-"""Widest opening, inches (Table 1)."""
-
-BASE_LIMIT = math.radians(90)
-SHOULDER_LIMITS = (math.radians(-35), math.radians(144))
-ELBOW_LIMITS = (math.radians(-149), 0.0)
-"""Forearm relative to the upper arm (Table 1; the article's note on joint 3)."""
-PITCH_LIMIT = math.radians(90)
-"""Hand relative to the forearm (article, on joints 4 and 5)."""
-GEAR_LIMIT = math.radians(270)
-"""Each wrist gear, from the horizontal (article, on joints 4 and 5)."""
+from trs80arm.arm.model import ArmModel, Pose, Rotors
+from trs80arm.arm.trigonometry import arc_tangent, sin_cos
 
 Point = tuple[float, float, float]
-
-
-class Motor(IntEnum):
-    """The six motors, numbered from 0 in the order of ARMBASIC's J1 to J6 and of the latches."""
-
-    BASE = 0
-    SHOULDER = 1
-    ELBOW = 2
-    LEFT_WRIST = 3
-    RIGHT_WRIST = 4
-    HAND = 5
 
 
 class OutOfReach(ValueError):  # noqa: N818 (the article's words)
@@ -79,6 +42,18 @@ class JointAngles:
     pitch: float
     roll: float
 
+    @classmethod
+    def of_gears(
+        cls, base: float, shoulder: float, elbow: float, left: float, right: float
+    ) -> JointAngles:
+        """The angles with the wrist gears at P + R (left) and P - R (right)."""
+        return cls(base, shoulder, elbow, (left + right) / 2, (left - right) / 2)
+
+    @property
+    def driven(self) -> tuple[float, float, float, float, float]:
+        """What the motors turn: base, upper arm, forearm, left gear, right gear, radians."""
+        return self.base, self.shoulder, self.elbow, self.left_gear, self.right_gear
+
     @property
     def left_gear(self) -> float:
         """Left wrist gear, P + R, radians from the horizontal."""
@@ -91,34 +66,11 @@ class JointAngles:
 
 
 @dataclass(frozen=True, slots=True)
-class Pose:
-    """Where the fingertip is and how the hand is turned.
-
-    Attributes:
-        x: inches forward of the base axis.
-        y: inches to the arm's left.
-        z: inches above the table.
-        pitch: degrees from the horizontal, -90 pointing straight down.
-        roll: degrees about the pointing vector as Table 4 counts them with R1=1: the base angle
-            is taken out, so that with the hand pointing down a part keeps its turn on the table
-            when only x and y change.
-        opening: inches between the fingers.
-    """
-
-    x: float
-    y: float
-    z: float
-    pitch: float
-    roll: float
-    opening: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
 class ArmPoints:
     """The joints as points (x, y, z in inches), and the axes of the hand (unit vectors).
 
     Attributes:
-        shoulder: on the base axis, 8.1 inches up.
+        shoulder: on the base axis.
         elbow: end of the upper arm.
         wrist: end of the forearm.
         fingertip: midway between the fingertips.
@@ -134,27 +86,25 @@ class ArmPoints:
     across: Point
 
 
-START_POSE = Pose(5.0, 0.0, 0.0, -90.0, 0.0, 0.0)
-"""Table 4's initialization point, data line 10000."""
-
-
-def forward(angles: JointAngles) -> ArmPoints:
+def forward(model: ArmModel, angles: JointAngles) -> ArmPoints:
     """Places of the joints for drawing and for contact.
 
     Args:
+        model: of the arm.
         angles: joint angles in radians.
     """
-    c1, s1 = math.cos(angles.base), math.sin(angles.base)
-    c2, s2 = math.cos(angles.shoulder), math.sin(angles.shoulder)
-    c3, s3 = math.cos(angles.elbow), math.sin(angles.elbow)
-    cp, sp = math.cos(angles.pitch), math.sin(angles.pitch)
-    cr, sr = math.cos(angles.roll), math.sin(angles.roll)
-    r2, z2 = LINK * c2, SHOULDER_HEIGHT + LINK * s2
-    r3, z3 = r2 + LINK * c3, z2 + LINK * s3
-    r4, z4 = r3 + HAND_LENGTH * cp, z3 + HAND_LENGTH * sp
+    s1, c1 = sin_cos(angles.base)
+    s2, c2 = sin_cos(angles.shoulder)
+    s3, c3 = sin_cos(angles.elbow)
+    sp, cp = sin_cos(angles.pitch)
+    sr, cr = sin_cos(angles.roll)
+    height, link, hand = model.shoulder_height, model.link, model.hand_length
+    r2, z2 = link * c2, height + link * s2
+    r3, z3 = r2 + link * c3, z2 + link * s3
+    r4, z4 = r3 + hand * cp, z3 + hand * sp
     # With roll 0 the fingers lie left and right; rolling lifts the left one.
     return ArmPoints(
-        (0.0, 0.0, SHOULDER_HEIGHT),
+        (0.0, 0.0, height),
         (r2 * c1, r2 * s1, z2),
         (r3 * c1, r3 * s1, z3),
         (r4 * c1, r4 * s1, z4),
@@ -163,14 +113,15 @@ def forward(angles: JointAngles) -> ArmPoints:
     )
 
 
-def pose_of(angles: JointAngles, opening: float) -> Pose:
+def pose_of(model: ArmModel, angles: JointAngles, opening: float) -> Pose:
     """The pose that these joint angles give.
 
     Args:
+        model: of the arm.
         angles: joint angles in radians.
         opening: hand opening in inches, carried over.
     """
-    x, y, z = forward(angles).fingertip
+    x, y, z = forward(model, angles).fingertip
     return Pose(
         x,
         y,
@@ -182,11 +133,12 @@ def pose_of(angles: JointAngles, opening: float) -> Pose:
 
 
 def inverse(
-    x: float, y: float, z: float, pitch: float, roll: float, r1: float = 1.0
+    model: ArmModel, x: float, y: float, z: float, pitch: float, roll: float, r1: float = 1.0
 ) -> JointAngles:
     """Joint angles for a fingertip place, as Table 4's subroutine at line 5000 finds them.
 
     Args:
+        model: of the arm, whose H, L and LL are put into lines 101 to 103.
         x: inches forward.
         y: inches to the left.
         z: inches above the table.
@@ -202,11 +154,12 @@ def inverse(
             the shoulder's -127 degrees (the stop is at -35) and the .25 inches among them.
     """
     degree = 180 / math.pi
+    link, hand = model.link, model.hand_length
     p, r = pitch / degree, roll / degree
     rr = math.sqrt(x * x + y * y)
     if rr < 0.25:
         raise OutOfReach(f"the fingertip is {rr:.2f} in from the base axis, nearer than .25")
-    t1 = math.copysign(math.pi / 2, y) if x == 0 else math.atan(y / x)
+    t1 = math.copysign(math.pi / 2, y) if x == 0 else arc_tangent(y / x)
     if x < 0:
         raise OutOfReach(f"x = {x:g} is behind the base axis")
     t4 = p + r + r1 * t1
@@ -214,15 +167,16 @@ def inverse(
     for name, gear in (("left", t4), ("right", t5)):
         if abs(gear) > 270 / degree:
             raise OutOfReach(f"the {name} wrist gear would be at {gear * degree:.1f} degrees")
-    r0 = rr - HAND_LENGTH * math.cos(p)
-    z0 = z - HAND_LENGTH * math.sin(p) - SHOULDER_HEIGHT
+    sine, cosine = sin_cos(p)
+    r0 = rr - hand * cosine
+    z0 = z - hand * sine - model.shoulder_height
     if r0 < 0.25:
         raise OutOfReach(f"the wrist would be {r0:.2f} in from the base axis, nearer than .25")
-    g = math.atan(z0 / r0)
-    a = 4 * LINK * LINK / (r0 * r0 + z0 * z0) - 1
+    g = arc_tangent(z0 / r0)
+    a = 4 * link * link / (r0 * r0 + z0 * z0) - 1
     if a < 0:
         raise OutOfReach("the wrist is farther from the shoulder than the two links are long")
-    a = math.atan(math.sqrt(a))
+    a = arc_tangent(math.sqrt(a))
     t2, t3 = a + g, g - a
     if t2 > 144 / degree or t2 < -127 / degree:
         raise OutOfReach(f"the upper arm would be at {t2 * degree:.1f} degrees")
@@ -233,58 +187,53 @@ def inverse(
 
 @dataclass(frozen=True, slots=True)
 class CableDrive:
-    """The cables between rotors and joints: which count turns what, and how far.
+    """The cables between rotors and joints of an arm that was switched on somewhere.
 
-    Rotor positions are half-steps from the position in which the arm was switched on, so the
-    drive is told where that was. Signs are those of Table 4's @STEP (facts 4): a positive count
-    turns the base counter-clockwise, lowers the upper arm, raises the forearm, lowers the left
-    gear, raises the right one, opens the hand.
+    Rotor positions are half-steps from the position in which the arm was switched on, so this
+    knows where that was; how far and which way a count turns what is the model's.
 
     Attributes:
+        model: of the arm.
         home: joint angles at rotor positions 0.
         home_cable: half-steps of hand cable paid out at rotor positions 0, counted from an
             empty hand that has just closed.
     """
 
+    model: ArmModel
     home: JointAngles
     home_cable: int = 0
 
     @classmethod
-    def from_pose(cls, pose: Pose) -> CableDrive:
+    def from_pose(cls, model: ArmModel, pose: Pose) -> CableDrive:
         """The cables of an arm that is switched on in a pose.
 
         Raises:
             OutOfReach: if it cannot take it.
         """
-        angles = inverse(pose.x, pose.y, pose.z, pose.pitch, pose.roll)
-        return cls(angles, round(pose.opening * HAND_STEPS))
+        angles = inverse(model, pose.x, pose.y, pose.z, pose.pitch, pose.roll)
+        return cls(model, angles, round(pose.opening * model.hand_steps))
 
     def angles(self, rotors: Sequence[int]) -> JointAngles:
         """Joint angles (radians) for rotor positions (half-steps)."""
+        a, b, c, d, e = self.model.turned(rotors)
         home = self.home
-        left = home.pitch + home.roll - rotors[3] / WRIST_STEPS
-        right = home.pitch - home.roll + rotors[4] / WRIST_STEPS
-        return JointAngles(
-            home.base + rotors[0] / BASE_SHOULDER_STEPS,
-            home.shoulder - rotors[1] / BASE_SHOULDER_STEPS,
-            home.elbow + rotors[2] / ELBOW_STEPS,
-            (left + right) / 2,
-            (left - right) / 2,
+        return JointAngles.of_gears(
+            home.base + a,
+            home.shoulder + b,
+            home.elbow + c,
+            home.left_gear + d,
+            home.right_gear + e,
         )
 
-    def cable(self, rotors: Sequence[int]) -> int:
-        """Half-steps of hand cable paid out: raising the forearm pays out like the hand motor."""
-        return self.home_cable + rotors[5] + rotors[2]
+    def cable(self, rotors: Rotors) -> Any:
+        """Half-steps of hand cable paid out, by the hand's motor and by the forearm.
+
+        An `int` for one position, an array for arrays.
+        """
+        return self.home_cable + self.model.paid_out(rotors)
 
     def rotors(self, angles: JointAngles, cable: int) -> tuple[int, ...]:
         """Rotor positions nearest to joint angles (radians) and hand cable (half-steps)."""
-        home = self.home
-        elbow = round((angles.elbow - home.elbow) * ELBOW_STEPS)
-        return (
-            round((angles.base - home.base) * BASE_SHOULDER_STEPS),
-            round((home.shoulder - angles.shoulder) * BASE_SHOULDER_STEPS),
-            elbow,
-            round((home.left_gear - angles.left_gear) * WRIST_STEPS),
-            round((angles.right_gear - home.right_gear) * WRIST_STEPS),
-            cable - self.home_cable - elbow,
-        )
+        turns = [to - at for to, at in zip(angles.driven, self.home.driven, strict=True)]
+        counts = (*self.model.counts(turns), 0)
+        return (*counts[:5], cable - self.cable(counts))

@@ -7,19 +7,11 @@ on joint 6; Figures 5 and 6). `World` keeps it in line with the bench.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from trs80arm.arm.body import Hold
-from trs80arm.arm.geometry import HAND_RANGE, HAND_STEPS
-from trs80arm.arm.limits import MOST_SQUEEZE
-from trs80arm.arm.motors import POUND_STEPS
+from trs80arm.arm.model import ArmModel
 from trs80arm.arm.shapes import Box
-
-SWITCH_FORCE = 2 / 16
-"""Pounds at which the tension switch closes: 2 ounces (article, on joint 6)."""
-SWITCH_STEPS = math.ceil(SWITCH_FORCE * POUND_STEPS)
-"""The same in whole half-steps of cable."""
 
 
 @dataclass
@@ -27,6 +19,7 @@ class Grip:
     """What the hand does with its cable.
 
     Attributes:
+        model: of the arm.
         cable: half-steps of cable paid out; 0 where an empty hand has just closed.
         contact: half-steps of cable at which the fingers met what is between them.
         part: name of the part that the fingers press on, or None.
@@ -36,6 +29,7 @@ class Grip:
         slid: how far the part has been pushed along the fingers in this grip, inches.
     """
 
+    model: ArmModel
     cable: int = 0
     contact: int = 0
     part: str | None = None
@@ -52,7 +46,7 @@ class Grip:
     @property
     def force(self) -> float:
         """Gripping force, pounds."""
-        return self.squeeze / POUND_STEPS
+        return self.squeeze / self.model.hand.pound_steps
 
     @property
     def opening(self) -> float:
@@ -60,13 +54,14 @@ class Grip:
         return self.opening_at(self.cable)
 
     def opening_at(self, cable: int) -> float:
-        """Opening (inches) with so much cable paid out; beyond 3 inches the cable is slack."""
-        return min(HAND_RANGE, max(cable, self.contact) / HAND_STEPS)
+        """Opening (inches) with so much cable paid out; beyond the widest the cable is slack."""
+        model = self.model
+        return min(model.hand.range, max(cable, self.contact) / model.hand_steps)
 
     @property
     def switch_closed(self) -> bool:
         """Whether the tension in the cable closes the grip switch."""
-        return self.squeeze >= SWITCH_STEPS
+        return self.squeeze >= self.model.hand.switch_steps
 
     @property
     def held(self) -> str | None:
@@ -75,7 +70,7 @@ class Grip:
 
     def excess(self, cable: int) -> int:
         """Half-steps of squeeze beyond what the hand motor can hold."""
-        return max(0, self.contact - cable - MOST_SQUEEZE)
+        return max(0, self.contact - cable - self.model.hand.most_squeeze)
 
     def carries(self, friction: float) -> float:
         """Ounces that the two pads can carry by friction."""

@@ -12,31 +12,9 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from trs80arm.arm.geometry import (
-    BASE_LIMIT,
-    BASE_SHOULDER_STEPS,
-    ELBOW_LIMITS,
-    ELBOW_STEPS,
-    GEAR_LIMIT,
-    HAND_LENGTH,
-    HAND_RANGE,
-    HAND_STEPS,
-    LINK,
-    PITCH_LIMIT,
-    REACH,
-    SHOULDER_LIMITS,
-    WRIST_STEPS,
-    CableDrive,
-    JointAngles,
-)
-from trs80arm.arm.motors import POUND_STEPS
-
-FULL_LOAD = 8.0
-"""Ounces at full extension (Table 1)."""
-FULL_GRIP = 3.0
-"""Pounds at which the hand motor gives up (Table 1)."""
-MOST_SQUEEZE = round(FULL_GRIP * POUND_STEPS)
-"""The same in half-steps of cable."""
+from trs80arm.arm.geometry import CableDrive, JointAngles
+from trs80arm.arm.model import ArmModel, Motor
+from trs80arm.arm.trigonometry import sin_cos
 
 _HAIR = 1e-9
 
@@ -59,37 +37,47 @@ def beyond_stop(
     Returns:
         The stop's description, or None.
     """
-    if motor == 5:
-        over = drive.cable(rotors) > HAND_RANGE * HAND_STEPS + slack
-        return "hand 0 to 3 in" if step > 0 and over else None
+    model = drive.model
+    limits, turned = model.limits, model.drives[motor]
+    turns, up = turned.turns, step * turned.sign
+    if turns is Motor.HAND:
+        over = drive.cable(rotors) > model.hand.range * model.hand_steps + slack
+        return f"hand 0 to {model.hand.range:g} in" if up > 0 and over else None
     a = drive.angles(rotors)
     hair = _HAIR + slack / 200.0
-    if motor == 0:
-        return "base +-90" if a.base * step > BASE_LIMIT + hair else None
-    if motor == 1:
-        if step < 0 and a.shoulder > SHOULDER_LIMITS[1] + hair:
-            return "shoulder +144"
-        if step > 0 and a.shoulder < SHOULDER_LIMITS[0] - hair:
-            return "shoulder -35"
-    if motor in (1, 2):
+    if turns is Motor.BASE:
+        return f"base +-{_degrees(limits.base)}" if a.base * up > limits.base + hair else None
+    if turns is Motor.SHOULDER:
+        low, high = limits.shoulder
+        if up > 0 and a.shoulder > high + hair:
+            return f"shoulder {_degrees(high):+}"
+        if up < 0 and a.shoulder < low - hair:
+            return f"shoulder {_degrees(low):+}"
+    if turns in (Motor.SHOULDER, Motor.ELBOW):
+        low, high = limits.elbow
         bend = a.elbow - a.shoulder
-        if step > 0 and bend > ELBOW_LIMITS[1] + hair:
-            return "elbow 0"
-        if step < 0 and bend < ELBOW_LIMITS[0] - hair:
-            return "elbow -149"
-        if motor == 1:
+        # Raising the upper arm bends the elbow as lowering the forearm does.
+        opening = up if turns is Motor.ELBOW else -up
+        if opening > 0 and bend > high + hair:
+            return f"elbow {_degrees(high)}"
+        if opening < 0 and bend < low - hair:
+            return f"elbow {_degrees(low)}"
+        if turns is Motor.SHOULDER:
             return None
-        bend = a.pitch - a.elbow
-        if bend * step < -PITCH_LIMIT - hair:
-            return "pitch +-90"
+        if (a.pitch - a.elbow) * up < -limits.pitch - hair:
+            return f"pitch +-{_degrees(limits.pitch)}"
         return None
-    gear = a.left_gear if motor == 3 else a.right_gear
-    up = -step if motor == 3 else step
-    if gear * up > GEAR_LIMIT + hair:
-        return "wrist gear +-270"
-    if (a.pitch - a.elbow) * up > PITCH_LIMIT + hair:
-        return "pitch +-90"
+    gear = a.left_gear if turns is Motor.LEFT_WRIST else a.right_gear
+    if gear * up > limits.gear + hair:
+        return f"wrist gear +-{_degrees(limits.gear)}"
+    if (a.pitch - a.elbow) * up > limits.pitch + hair:
+        return f"pitch +-{_degrees(limits.pitch)}"
     return None
+
+
+def _degrees(radians: float) -> int:
+    """Whole degrees, as stops are called."""
+    return round(math.degrees(radians))
 
 
 def beyond_any_stop(drive: CableDrive, rotors: Sequence[int]) -> str | None:
@@ -102,7 +90,9 @@ def beyond_any_stop(drive: CableDrive, rotors: Sequence[int]) -> str | None:
     return None
 
 
-def load_fraction(motor: int, turn: int, angles: JointAngles, weight: float, squeeze: int) -> float:
+def load_fraction(
+    motor: int, turn: int, model: ArmModel, angles: JointAngles, weight: float, squeeze: int
+) -> float:
     """Torque on a motor as a fraction of its full load; 0 where the load helps.
 
     By virtual work a weight at the hand resists the shoulder and the elbow drive with 7 inches
@@ -113,21 +103,30 @@ def load_fraction(motor: int, turn: int, angles: JointAngles, weight: float, squ
     Args:
         motor: 0 base to 5 hand.
         turn: direction of the field, positive down Figure 8.
+        model: of the arm.
         angles: of the joints, radians.
         weight: in the hand, ounces.
         squeeze: half-steps of cable taken up since the fingers met.
     """
-    if motor == 5:
-        return squeeze / MOST_SQUEEZE if turn < 0 else 0.0
+    drive = model.drives[motor]
+    if drive.turns is Motor.HAND:
+        return squeeze / model.hand.most_squeeze if turn < 0 else 0.0
     if weight <= 0 or turn == 0:
         return 0.0
-    part = weight / FULL_LOAD
-    if motor == 0:
+    part = weight / model.full_load
+    if drive.turns is Motor.BASE:
         upper, fore = _cosine(angles.shoulder), _cosine(angles.elbow)
-        reach = LINK * upper + LINK * fore + HAND_LENGTH * _cosine(angles.pitch)
-        return part * abs(reach) / REACH
-    angle = angles.shoulder if motor == 1 else angles.elbow if motor == 2 else angles.pitch
-    return max(0.0, part * _cosine(angle) * (_LIFTS[motor] if turn > 0 else -_LIFTS[motor]))
+        reach = model.link * upper + model.link * fore + model.hand_length * _cosine(angles.pitch)
+        return part * abs(reach) / model.reach
+    turns = drive.turns
+    angle = (
+        angles.shoulder
+        if turns is Motor.SHOULDER
+        else angles.elbow
+        if turns is Motor.ELBOW
+        else angles.pitch
+    )
+    return max(0.0, part * _cosine(angle) * (drive.sign if turn > 0 else -drive.sign))
 
 
 def load_fractions(
@@ -148,31 +147,37 @@ def load_fractions(
         weight: in the hand, ounces.
         squeeze: half-steps taken up before each write.
     """
-    if motor == 5:
-        return np.where(turns < 0, squeeze / MOST_SQUEEZE, 0.0)
+    model, home = drive.model, drive.home
+    moved = model.drives[motor]
+    if moved.turns is Motor.HAND:
+        return np.where(turns < 0, squeeze / model.hand.most_squeeze, 0.0)
     if weight <= 0:
         return np.zeros(len(turns))
-    home = drive.home
-    part = weight / FULL_LOAD
-    shoulder = home.shoulder - rotors[:, 1] / BASE_SHOULDER_STEPS
-    elbow = home.elbow + rotors[:, 2] / ELBOW_STEPS
-    left = home.pitch + home.roll - rotors[:, 3] / WRIST_STEPS
-    right = home.pitch - home.roll + rotors[:, 4] / WRIST_STEPS
-    pitch = (left + right) / 2
-    if motor == 0:
-        reach = LINK * _cosines(shoulder) + LINK * _cosines(elbow) + HAND_LENGTH * _cosines(pitch)
-        return np.where(turns == 0, 0.0, part * np.abs(reach) / REACH)
-    angle = shoulder if motor == 1 else elbow if motor == 2 else pitch
-    load = part * _cosines(angle) * np.where(turns > 0, _LIFTS[motor], -_LIFTS[motor])
+    part = weight / model.full_load
+    _, b, c, d, e = model.turned(rotors.T)
+    shoulder, elbow = home.shoulder + b, home.elbow + c
+    pitch = ((home.left_gear + d) + (home.right_gear + e)) / 2
+    if moved.turns is Motor.BASE:
+        reach = (
+            model.link * _cosines(shoulder)
+            + model.link * _cosines(elbow)
+            + model.hand_length * _cosines(pitch)
+        )
+        return np.where(turns == 0, 0.0, part * np.abs(reach) / model.reach)
+    angle = (
+        shoulder
+        if moved.turns is Motor.SHOULDER
+        else elbow
+        if moved.turns is Motor.ELBOW
+        else pitch
+    )
+    load = part * _cosines(angle) * np.where(turns > 0, moved.sign, -moved.sign)
     return np.where(turns == 0, 0.0, np.maximum(0.0, load))
 
 
-_LIFTS = (0, -1, 1, -1, 1)
-"""Whether a positive count raises (1) or lowers (-1) what the motor moves (facts 4)."""
-
 # A table instead of math.cos and numpy.cos, which differ in the last bit on some machines.
 _TURN = 4096
-_COSINES = tuple(math.cos(2 * math.pi * i / _TURN) for i in range(_TURN))
+_COSINES = tuple(sin_cos(2 * math.pi * i / _TURN)[1] for i in range(_TURN))
 _COSINE_ARRAY = np.array(_COSINES)
 _PER_RADIAN = _TURN / (2 * math.pi)
 

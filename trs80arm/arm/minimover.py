@@ -14,24 +14,14 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 import numpy.typing as npt
 
-from trs80arm.arm.bench import Bench
+from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.body import Body
 from trs80arm.arm.burst import LONGEST, run_free
-from trs80arm.arm.events import MOTOR_NAMES, ArmEvent, EventKind, Reason
-from trs80arm.arm.geometry import (
-    HAND_RANGE,
-    HAND_STEPS,
-    START_POSE,
-    CableDrive,
-    JointAngles,
-    Motor,
-    OutOfReach,
-    Pose,
-    inverse,
-    pose_of,
-)
+from trs80arm.arm.events import ArmEvent, EventKind, Reason
+from trs80arm.arm.geometry import CableDrive, JointAngles, OutOfReach, inverse, pose_of
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.limits import beyond_any_stop, beyond_stop, load_fraction
+from trs80arm.arm.model import Motor, Pose
 from trs80arm.arm.motors import RING, ROWS, StepperMotor, shortest_period
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.world import World
@@ -94,6 +84,7 @@ class MiniMover:
 
     Attributes:
         settings: the open choices.
+        model: what make of arm it is.
         bench: what the arm works on.
         drive: the cables; it knows the pose in which the arm was switched on.
         motors: six, and the turntable's as the seventh.
@@ -104,9 +95,12 @@ class MiniMover:
 
     def __init__(self, settings: ArmSettings | None = None, bench: Bench | None = None) -> None:
         self.settings = settings or ArmSettings()
+        self.model = self.settings.arm_model
         self.motors = [StepperMotor() for _ in range(7)]
+        # The turntable's motor is of the base's kind.
+        drives = (*self.model.drives, self.model.drives[Motor.BASE])
         self.free_periods = tuple(
-            shortest_period(latch, 0.0, self.settings.speed_margin) for latch in range(7)
+            shortest_period(drive, 0.0, self.settings.speed_margin) for drive in drives
         )
         self.events: list[ArmEvent] = []
         self.event_count = 0
@@ -118,7 +112,13 @@ class MiniMover:
         """Stand at a bench, in the pose in which it has the arm switched on."""
         bench.suit(self.settings)
         self.bench = bench
-        self.drive = CableDrive.from_pose(bench.start or START_POSE)
+        try:
+            self.drive = CableDrive.from_pose(self.model, bench.start or self.model.start)
+        except OutOfReach as error:
+            raise BenchError(
+                f"{bench.name}: arm.at: expected a place that the {self.model.title} can reach; "
+                f"{error}"
+            ) from None
         self._rotors = [0] * 6
         self._world = World(bench, self.settings, self.drive)
         self._world.start()
@@ -250,10 +250,10 @@ class MiniMover:
         if turn == 0 or motor == AUXILIARY or not (squeeze or grip.weight):
             return self.free_periods[motor], False
         angles = self.drive.angles(self._rotors)
-        load = load_fraction(motor, turn, angles, grip.weight, squeeze)
+        load = load_fraction(motor, turn, self.model, angles, grip.weight, squeeze)
         if load <= 0.0:
             return self.free_periods[motor], False
-        return shortest_period(motor, load, self.settings.speed_margin), True
+        return shortest_period(self.model.drives[motor], load, self.settings.speed_margin), True
 
     def _follow(self, latch: int) -> None:
         """Let a rotor go where its field pulls it, as far as it can."""
@@ -326,7 +326,9 @@ class MiniMover:
             motor.trouble is Reason.CONTACT and motor.followed < RING
         ):
             name = self._world.met or "something"
-            self._note(EventKind.CONTACT, f"{MOTOR_NAMES[latch]} blocked by {name}", latch)
+            self._note(
+                EventKind.CONTACT, f"{self.model.motor_names[latch]} blocked by {name}", latch
+            )
         motor.trouble = reason
 
     def _count_rings(self, latch: int, target: int) -> None:
@@ -345,11 +347,17 @@ class MiniMover:
             same = event.reason is reason and (event.steps < 0) == (steps < 0)
             if event.number == motor.losing and same:
                 steps += event.steps
-                text = _slip_text(latch, steps, reason)
+                text = _slip_text(self.model.motor_names[latch], steps, reason)
                 self.events[i] = replace(event, steps=steps, text=text)
                 return
         motor.losing = self.event_count
-        self._note(EventKind.SLIP, _slip_text(latch, steps, reason), latch, steps, reason)
+        self._note(
+            EventKind.SLIP,
+            _slip_text(self.model.motor_names[latch], steps, reason),
+            latch,
+            steps,
+            reason,
+        )
 
     def _tell_news(self) -> None:
         """Turn what the bench has to tell into events."""
@@ -389,7 +397,7 @@ class MiniMover:
             tuple(motor.coils for motor in self.motors),
             any(motor.energised for motor in six),
             angles,
-            pose_of(angles, self._world.body.opening),
+            pose_of(self.model, angles, self._world.body.opening),
             grip.force,
             grip.switch_closed,
             grip.held,
@@ -452,7 +460,7 @@ class MiniMover:
             InTheWay: if something on the bench is there.
             ValueError: if a joint or the hand does not go that far.
         """
-        angles = inverse(pose.x, pose.y, pose.z, pose.pitch, pose.roll)
+        angles = inverse(self.model, pose.x, pose.y, pose.z, pose.pitch, pose.roll)
         self._place(angles, self._cable_for(pose.opening))
 
     def move_joints(self, angles: JointAngles) -> None:
@@ -466,9 +474,10 @@ class MiniMover:
         self._place(angles, self.drive.cable(self._rotors))
 
     def _cable_for(self, opening: float) -> int:
-        if not 0 <= opening <= HAND_RANGE:
-            raise ValueError(f"the hand opens from 0 to {HAND_RANGE:g} in, not {opening:g}")
-        return round(opening * HAND_STEPS)
+        widest = self.model.hand.range
+        if not 0 <= opening <= widest:
+            raise ValueError(f"the hand opens from 0 to {widest:g} in, not {opening:g}")
+        return round(opening * self.model.hand_steps)
 
     def _place(self, angles: JointAngles, cable: int) -> None:
         """Put rotors where the operator's hands want the joints."""
@@ -494,7 +503,7 @@ def _six(numbers: Iterable[int]) -> Six:
     return base, shoulder, elbow, left, right, hand
 
 
-def _slip_text(latch: int, steps: int, reason: Reason) -> str:
+def _slip_text(motor: str, steps: int, reason: Reason) -> str:
     """How a loss reads."""
     why = {
         Reason.RATE: "too fast",
@@ -502,4 +511,4 @@ def _slip_text(latch: int, steps: int, reason: Reason) -> str:
         Reason.STOP: "at its stop",
         Reason.CONTACT: "blocked",
     }[reason]
-    return f"{MOTOR_NAMES[latch]} slipped {abs(steps)} steps: {why}"
+    return f"{motor} slipped {abs(steps)} steps: {why}"

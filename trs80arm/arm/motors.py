@@ -1,4 +1,4 @@
-"""A stepper motor of the MiniMover 5: four coils, a field, and a rotor that follows it or not.
+"""A stepper motor of the arm: four coils, a field, and a rotor that follows it or not.
 
 The card's latch decides which coils carry current (article, Figures 7 and 8). Field and rotor
 are two things: the rotor goes to the nearest equilibrium of the field, so whatever it loses it
@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trs80arm.arm.events import Reason
-from trs80arm.arm.geometry import BASE_SHOULDER_STEPS, ELBOW_STEPS, HAND_STEPS, WRIST_STEPS
+from trs80arm.arm.model import Drive
 
 T_STATES_PER_SECOND = 1_774_080
 """The unit of the times on latch writes."""
@@ -41,54 +41,30 @@ def _row(nibble: int) -> int:
 ROWS = tuple(_row(nibble) for nibble in range(16))
 """Row of Figure 8 for each of the sixteen coil patterns; -1 where there is no field."""
 
-NO_LOAD_RATES = (
-    0.42 * BASE_SHOULDER_STEPS,
-    0.36 * BASE_SHOULDER_STEPS,
-    0.82 * ELBOW_STEPS,
-    2.02 * WRIST_STEPS,
-    2.02 * WRIST_STEPS,
-    0.80 * HAND_STEPS,
-)
-"""Half-steps per second of the six motors with nothing in the hand (Table 1)."""
-
-POUND_STEPS = 52
-"""Half-steps of cable per pound of gripping force (article, on joint 6)."""
-
-FULL_LOAD_RATES = (
-    0.37 * BASE_SHOULDER_STEPS,
-    0.15 * BASE_SHOULDER_STEPS,
-    0.23 * ELBOW_STEPS,
-    1.31 * WRIST_STEPS,
-    1.31 * WRIST_STEPS,
-    3.0 * POUND_STEPS,
-)
-"""Half-steps per second with 8 oz at full extension; the hand against 3 lb (Table 1)."""
-
 NEVER = 1 << 40
 """Period, in T-states, of a motor whose load is more than it can move."""
 
 
-def shortest_period(motor: int, load: float, margin: float) -> int:
+def shortest_period(drive: Drive, load: float, margin: float) -> int:
     """T-states that a motor needs for a half-step.
 
     The rate falls in a straight line from no load through full load and on to zero.
 
     Args:
-        motor: 0 base to 5 hand; the turntable's motor (6) is of the base's kind, unloaded.
+        drive: of the motor.
         load: torque as a fraction of full load.
-        margin: multiple of Table 1's rates at which the motor drops out.
+        margin: multiple of the listed rates at which the motor drops out.
     """
-    index = motor if motor < 6 else 0
-    free, full = NO_LOAD_RATES[index], FULL_LOAD_RATES[index]
+    free, full = drive.no_load_rate, drive.full_load_rate
     rate = margin * (free - (free - full) * load)
     return int(T_STATES_PER_SECOND / rate) if rate > 1.0 else NEVER
 
 
 def shortest_periods(
-    motor: int, load: npt.NDArray[np.float64], margin: float
+    drive: Drive, load: npt.NDArray[np.float64], margin: float
 ) -> npt.NDArray[np.int64]:
     """`shortest_period` for an array of loads, equal to the last T-state."""
-    free, full = NO_LOAD_RATES[motor], FULL_LOAD_RATES[motor]
+    free, full = drive.no_load_rate, drive.full_load_rate
     rate = margin * (free - (free - full) * load)
     able = rate > 1.0
     periods = np.full(len(load), NEVER, dtype=np.int64)

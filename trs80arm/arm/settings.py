@@ -1,7 +1,7 @@
 """What the record of the MiniMover 5 leaves open, decided in one place.
 
 Every field is a choice that neither the article nor the fact sheet settles, or a tolerance of
-the model; what they do settle is a named constant in `geometry` or `motors`. `MiniMover` and its
+the model; what they do settle is data in `models/`. `MiniMover` and its
 `Bench` read these and nothing else. Lengths in inches, weights in ounces, forces in pounds.
 """
 
@@ -9,6 +9,9 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+
+from trs80arm.arm.model import ArmModel
+from trs80arm.arm.models import model_named
 
 _RANGES: dict[str, tuple[float, float]] = {
     "speed_margin": (0.1, 100),
@@ -36,6 +39,7 @@ class ArmSettings:
     """The open choices about arm and hand.
 
     Attributes:
+        model: name of the make of arm: minimover5 or teachmover.
         speed_margin: a motor keeps up to this multiple of Table 1's speed. The article's own
             program drives the shoulder 10 % above the speed listed (facts 8), so the list
             cannot be the limit.
@@ -67,6 +71,7 @@ class ArmSettings:
         ValueError: a value that no arm of this sort could have; the message has the range.
     """
 
+    model: str = "minimover5"
     speed_margin: float = 1.15
     pull_out_lag: int = 4
     pad_friction: float = 0.75
@@ -85,7 +90,13 @@ class ArmSettings:
     events_kept: int = 2000
 
     def __post_init__(self) -> None:
+        model_named(self.model)
         for name, (low, high) in _RANGES.items():
             value = getattr(self, name)
             if not (math.isfinite(value) and low <= value <= high):
                 raise ValueError(f"{name} must be {low:g} to {high:g}, not {value:g}")
+
+    @property
+    def arm_model(self) -> ArmModel:
+        """The make of arm."""
+        return model_named(self.model)

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import zip_longest
 
-from trs80arm.arm.geometry import JointAngles, Motor
+from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.minimover import MiniMover
+from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import PHASES, T_STATES_PER_SECOND
 
 SWITCH_CLOSED = (1, 0)
@@ -43,7 +44,7 @@ class PulseGenerator:
         counts: Sequence[int],
         period: int,
         stop: tuple[int, int] | None = None,
-        compensate: int = 1,
+        compensate: bool = True,
     ) -> int:
         """Move motors together, all beginning and ending at once.
 
@@ -51,7 +52,8 @@ class PulseGenerator:
             counts: half-steps for the motors, from the base on; missing ones are 0.
             period: T-states from step to step of the motor that has most.
             stop: as for `MiniMover.apply`.
-            compensate: hand steps taken back for each step of the elbow, 1 or 0.
+            compensate: whether the hand takes back what each step of the elbow pays out, in an
+                arm whose language does that.
 
         Returns:
             Steps done of the motor that has most.
@@ -63,6 +65,8 @@ class PulseGenerator:
         writes: list[tuple[int, int, int]] = []
         owners: list[tuple[int, int, int]] = []
         done = [0] * 6
+        model = self.arm.model
+        back = model.hand_per_elbow if compensate else 0
         for tick in range(1, longest + 1):
             time = self.time + tick * period
             for motor, count in enumerate(wanted):
@@ -72,9 +76,9 @@ class PulseGenerator:
                 sign = 1 if count > 0 else -1
                 writes.append((time, motor, self._next(motor, sign)))
                 owners.append((tick, motor, sign))
-                if motor == Motor.ELBOW and compensate:
-                    writes.append((time, Motor.HAND, self._next(Motor.HAND, -sign)))
-                    owners.append((tick, -1, -sign))
+                if motor == Motor.ELBOW and back:
+                    writes.append((time, Motor.HAND, self._next(Motor.HAND, back * sign)))
+                    owners.append((tick, -1, back * sign))
         times, latches, nibbles = zip(*writes, strict=True)
         applied = self.arm.apply(times, latches, nibbles, stop)
         for _, motor, sign in owners[applied:]:
@@ -93,7 +97,7 @@ class PulseGenerator:
 
     def turn(self, motor: int, count: int, period: int) -> int:
         """Step one motor, with no compensation; half-steps done."""
-        return self.step([0] * motor + [count], period, compensate=0)
+        return self.step([0] * motor + [count], period, compensate=False)
 
     def close(self, period: int, squeeze: int = 0) -> int:
         """Close the hand until its switch closes, then by `squeeze` more; half-steps closed."""

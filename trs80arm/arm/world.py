@@ -13,9 +13,8 @@ from trs80arm.arm.bench import Bench
 from trs80arm.arm.body import Body, Hold
 from trs80arm.arm.events import EventKind, Reason
 from trs80arm.arm.fixtures import Feeder, Part
-from trs80arm.arm.geometry import HAND_LENGTH, CableDrive
+from trs80arm.arm.geometry import CableDrive
 from trs80arm.arm.grip import Grip
-from trs80arm.arm.limits import MOST_SQUEEZE
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import SKIN, Box, depth, interval, minus, overlap, plus
 
@@ -44,8 +43,9 @@ class World:
         self.bench = bench
         self.settings = settings
         self.drive = drive
-        self.grip = Grip(drive.home_cable)
-        self.body = Body(drive.home, self.grip.opening, settings.finger_length)
+        self.model = drive.model
+        self.grip = Grip(self.model, drive.home_cable)
+        self.body = Body(self.model, drive.home, self.grip.opening, settings.finger_length)
         self.met: str | None = None
         self._things: list[tuple[str, Box, Part | None]] = []
         self.ceiling = 0.0
@@ -85,7 +85,7 @@ class World:
         """
         grip = self.grip
         cable = self.drive.cable(rotors)
-        if latch == HAND and step < 0 and grip.contact - cable > MOST_SQUEEZE:
+        if latch == HAND and step < 0 and grip.excess(cable):
             return Reason.LOAD
         body = self._body(rotors, grip.opening_at(cable))
         hold, slid = grip.hold, grip.slid
@@ -171,7 +171,7 @@ class World:
     # Contact
 
     def _body(self, rotors: Sequence[int], opening: float) -> Body:
-        return Body(self.drive.angles(list(rotors)), opening, self.settings.finger_length)
+        return Body(self.model, self.drive.angles(rotors), opening, self.settings.finger_length)
 
     def _carried(self, body: Body) -> Box | None:
         """The carried part when the arm is there."""
@@ -245,9 +245,10 @@ class World:
         """Things that the arm could touch."""
         wrist, tip = body.points.wrist, body.points.fingertip
         x, y, z = (wrist[0] + tip[0]) / 2, (wrist[1] + tip[1]) / 2, (wrist[2] + tip[2]) / 2
-        reach = HAND_LENGTH / 2 + body.opening / 2
+        half = self.model.hand_length / 2
+        reach = half + body.opening / 2
         if held is not None:
-            reach = max(reach, HAND_LENGTH / 2 + math.dist(tip, held.center) + held.radius)
+            reach = max(reach, half + math.dist(tip, held.center) + held.radius)
         links = min(wrist[2], body.points.elbow[2])
         near = []
         for thing in self._things:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from trs80arm.arm.geometry import START_POSE, OutOfReach
+from trs80arm.arm.geometry import OutOfReach
 from trs80arm.arm.minimover import InTheWay, MotorsOn
 from trs80arm.desk.session import Session
 from trs80arm.rig import Pose
@@ -28,10 +28,6 @@ class MoveTo:
     """Put the hand to a pose."""
 
     pose: Pose
-
-
-HOME = MoveTo(START_POSE)
-"""Where Table 4 wants the arm to begin."""
 
 
 def move_by_hand(session: Session, move: MoveJoint | MoveTo) -> str:

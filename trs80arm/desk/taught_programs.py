@@ -11,7 +11,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from trs80arm.arm.geometry import HAND_STEPS, OutOfReach, inverse
+from trs80arm.arm.geometry import OutOfReach, inverse
+from trs80arm.arm.model import ArmModel, Motor
 from trs80arm.desk.teach import Counts, Lesson, Position, steps_between
 
 
@@ -43,11 +44,13 @@ class Written:
     warning: str = ""
 
 
-def written(lesson: Lesson, manner: Manner, *, in_coordinates: bool) -> Written:
+def written(lesson: Lesson, manner: Manner, model: ArmModel, *, in_coordinates: bool) -> Written:
     """The program of a lesson in the style of Table 4, in coordinates, or of Table 3, in steps."""
-    write = in_data if in_coordinates else in_steps
+    positions = lesson.positions
     try:
-        listing = write(lesson.positions, manner)
+        listing = (
+            in_data(positions, manner, model) if in_coordinates else in_steps(positions, manner)
+        )
     except OutOfReach as error:
         return Written(problem=f"Cannot be given in coordinates: {error}")
     except ValueError as error:
@@ -150,10 +153,15 @@ def in_steps(positions: Sequence[Position], manner: Manner) -> str:
     return lines.text()
 
 
-def in_data(positions: Sequence[Position], manner: Manner) -> str:
+def in_data(positions: Sequence[Position], manner: Manner, model: ArmModel) -> str:
     """A program of coordinates in DATA lines, after the article's Table 4.
 
     The operator sets the arm to the first position by keyboard; then it goes through the others.
+
+    Args:
+        positions: as taught.
+        manner: how the program is to be written.
+        model: of the arm that is to run it; its measures and signs stand in the program.
 
     Raises:
         ValueError: nothing was taught.
@@ -163,7 +171,7 @@ def in_data(positions: Sequence[Position], manner: Manner) -> str:
     for position in positions:
         pose = position.pose
         try:
-            inverse(pose.x, pose.y, pose.z, pose.pitch, pose.roll)
+            inverse(model, pose.x, pose.y, pose.z, pose.pitch, pose.roll)
         except OutOfReach as error:
             raise OutOfReach(f"{position.name}: {error}") from None
     lines = _Lines()
@@ -172,15 +180,21 @@ def in_data(positions: Sequence[Position], manner: Manner) -> str:
     for text in ("REM * TAUGHT POSITIONS IN CARTESIAN COORDINATES", "REM *", "REM *****"):
         lines.add(text)
     data = list(_data_lines(moves(positions, manner), manner.speed))
-    program = _TABLE_4.replace("{moves}", str(max(1, len(data))))
-    again = "1010" if data and manner.repeats else "2000"
-    for line in program.replace("{again}", again).splitlines():
+    blanks = {
+        "moves": str(max(1, len(data))),
+        "again": "1010" if data and manner.repeats else "2000",
+        **_constants(model),
+    }
+    program = _TABLE_4
+    for blank, text in blanks.items():
+        program = program.replace(f"{{{blank}}}", text)
+    for line in program.splitlines():
         lines.quote(line)
     lines.next(9000)
     lines.add("REM DATA: X, Y, Z, PITCH, ROLL, CLOSE (1) OR NOT (0), STEPS OF HAND, SPEED")
     lines.add(f"REM {first.name}: WHERE THE ARM IS SET TO BEGIN")
     lines.next(10000)
-    opening = round(first.pose.opening * HAND_STEPS)
+    opening = round(first.pose.opening * model.hand_steps)
     lines.add(f"DATA {_coordinates(first)}, 0, {opening}, {manner.speed}")
     for line in data:
         lines.add(line)
@@ -219,6 +233,26 @@ def _number(value: float) -> str:
     return text.rstrip("0").rstrip(".")
 
 
+def _constants(model: ArmModel) -> dict[str, str]:
+    """What of Table 4's program tells one arm from another."""
+    base, elbow, wrist = (
+        model.drives[model.latch(motor)].steps
+        for motor in (Motor.BASE, Motor.ELBOW, Motor.LEFT_WRIST)
+    )
+    counts = (
+        f"UU({latch + 1},U)={'-' if drive.sign < 0 else ''}C{drive.turns + 1}"
+        for latch, drive in enumerate(model.drives[:5])
+    )
+    sign = "-" if model.elbow_pays_out > 0 else ""
+    return {
+        "lengths": f"H={model.shoulder_height}:L={model.link}:LL={model.hand_length}",
+        "steps": f"S1={base:.5g}:S3={elbow:.5g}:S4={wrist:.5g}:S6={model.hand_steps:g}",
+        "counts": ":".join(counts),
+        # Where @STEP does not take the hand along with the elbow the program does.
+        "hand": "" if model.compensated else f",{sign}UU(3,I)",
+    }
+
+
 class _Lines:
     """A listing in the making, numbered by tens."""
 
@@ -246,9 +280,9 @@ class _Lines:
 
 _TABLE_4 = """\
 100 REM DEFINE ARM CONSTANTS
-101 H=8.1:L=7.0:LL=3.5
+101 {lengths}
 102 PI=3.14159:C=180/PI:R1=1
-103 S1=937.8:S3=551.4:S4=203.7:S6=618
+103 {steps}
 110 DIM UU(8,{moves})
 111 U=0
 112 @RESET
@@ -274,7 +308,7 @@ _TABLE_4 = """\
 340 C4=INT(S4*T4)-W4:C5=INT(S4*T5)-W5
 410 W1=W1+C1:W2=W2+C2:W3=W3+C3:W4=W4+C4:W5=W5+C5
 420 U=U+1
-430 UU(1,U)=C1:UU(2,U)=-C2:UU(3,U)=C3:UU(4,U)=-C4:UU(5,U)=C5
+430 {counts}
 435 UU(6,U)=GR:UU(7,U)=S:UU(8,U)=K
 440 I=U
 450 GOSUB 3000
@@ -286,7 +320,7 @@ _TABLE_4 = """\
 1040 GOTO 1010
 2000 END
 3000 REM MAKE MOVE I, THEN CLOSE THE HAND IF SO WISHED, THEN STEP IT
-3010 @STEP UU(7,I),UU(1,I),UU(2,I),UU(3,I),UU(4,I),UU(5,I)
+3010 @STEP UU(7,I),UU(1,I),UU(2,I),UU(3,I),UU(4,I),UU(5,I){hand}
 3020 IF UU(8,I)=1 THEN @CLOSE
 3030 IF UU(6,I)<>0 THEN @STEP UU(7,I),0,0,0,0,0,UU(6,I)
 3040 RETURN

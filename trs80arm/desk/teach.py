@@ -12,13 +12,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol
 
-from trs80arm.arm.geometry import BASE_SHOULDER_STEPS, ELBOW_STEPS, WRIST_STEPS, JointAngles
+from trs80arm.arm.geometry import JointAngles
+from trs80arm.arm.model import ArmModel
 from trs80arm.rig import Pose
 
-FORCE_STEPS = 52
-"""Half-steps of the hand for each pound of grip (article, The Hand)."""
-SWITCH_FORCE = 2 / 16
-"""Pounds at which the grip switch closes (article, The Hand)."""
 REGISTER_SPAN = 1 << 16
 SAME_ZERO = 0.004
 """Radians by which the zeros of two positions may differ: less than a motor's loss of one ring."""
@@ -30,6 +27,10 @@ Counts = tuple[int, int, int, int, int, int]
 
 class Standing(Protocol):
     """How arm and registers stand at the moment of teaching."""
+
+    @property
+    def model(self) -> ArmModel:
+        """What make of arm it is."""
 
     @property
     def registers(self) -> Sequence[int]:
@@ -117,14 +118,15 @@ class Lesson:
             standing: how arm and registers stand.
             name: what it is called; the next free letter if empty.
         """
-        beyond = max(0.0, standing.force - SWITCH_FORCE)
+        hand = standing.model.hand
+        beyond = max(0.0, standing.force - hand.switch_force)
         grips = standing.switch_closed
         position = Position(
             name=listing_name(name) or self._free_name(),
             registers=_six(standing.registers),
             pose=standing.pose,
             grips=grips,
-            squeeze=round(beyond * FORCE_STEPS) if grips else 0,
+            squeeze=round(beyond * hand.pound_steps) if grips else 0,
             zero=_zero(standing),
         )
         self.insert(position)
@@ -208,14 +210,8 @@ class Lesson:
 
 
 def _zero(standing: Standing) -> tuple[float, ...]:
-    angles, counts = standing.angles, standing.registers
-    return (
-        angles.base - counts[0] / BASE_SHOULDER_STEPS,
-        angles.shoulder + counts[1] / BASE_SHOULDER_STEPS,
-        angles.elbow - counts[2] / ELBOW_STEPS,
-        angles.left_gear + counts[3] / WRIST_STEPS,
-        angles.right_gear - counts[4] / WRIST_STEPS,
-    )
+    turned = standing.model.turned(standing.registers)
+    return tuple(now - by for now, by in zip(standing.angles.driven, turned, strict=True))
 
 
 def listing_name(text: str) -> str:

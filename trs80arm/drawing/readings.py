@@ -13,7 +13,8 @@ from math import tau
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.events import ArmEvent
 from trs80arm.arm.fixtures import LightBeam, Proximity, Sensor
-from trs80arm.arm.geometry import HAND_RANGE, HAND_STEPS, START_POSE, JointAngles, Pose, inverse
+from trs80arm.arm.geometry import ArmPoints, JointAngles, forward, inverse
+from trs80arm.arm.model import ArmModel, Pose
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box, upright
 from trs80arm.machine.driver import Mode
@@ -52,11 +53,22 @@ class Thing:
 class Posture:
     """How the arm stands: its joint angles, in radians, and the opening of the hand, in inches."""
 
+    model: ArmModel
     angles: JointAngles
     opening: float
 
+    @property
+    def points(self) -> ArmPoints:
+        """The joints as points, and the axes of the hand."""
+        return forward(self.model, self.angles)
 
-_START = inverse(START_POSE.x, START_POSE.y, START_POSE.z, START_POSE.pitch, START_POSE.roll)
+
+def _switched_on() -> Posture:
+    """The arm of the standard settings as it is switched on."""
+    model = ArmSettings().arm_model
+    start = model.start
+    angles = inverse(model, start.x, start.y, start.z, start.pitch, start.roll)
+    return Posture(model, angles, start.opening)
 
 
 @dataclass(frozen=True)
@@ -85,7 +97,7 @@ class Readings:
         jog: the keys of manual mode.
     """
 
-    posture: Posture = Posture(_START, 0.0)
+    posture: Posture = field(default_factory=_switched_on)
     time: float = 0.0
     waiting: Waiting = Waiting.NOTHING
     mode: Mode = Mode.IDLE
@@ -96,7 +108,7 @@ class Readings:
     inputs: int = 0b1111
     motors_on: bool = False
     believed: Posture | None = None
-    pose: Pose = START_POSE
+    pose: Pose = field(default_factory=lambda: ArmSettings().arm_model.start)
     force: float = 0.0
     held: str | None = None
     things: tuple[Thing, ...] = ()
@@ -104,6 +116,11 @@ class Readings:
     fittings: ArmSettings = field(default_factory=ArmSettings)
     keys_down: frozenset[Key] = frozenset()
     jog: JogKeys = field(default_factory=JogKeys)
+
+    @property
+    def model(self) -> ArmModel:
+        """What make of arm it is."""
+        return self.posture.model
 
     @property
     def angles(self) -> JointAngles:
@@ -122,10 +139,11 @@ class Readings:
         arm = rig.arm
         believed = None
         if any(abs(steps) >= RING for steps in state.slipped):
-            cable = arm.drive.cable(state.fields) / HAND_STEPS
-            believed = Posture(arm.drive.angles(state.fields), min(max(cable, 0.0), HAND_RANGE))
+            cable = arm.drive.cable(state.fields) / arm.model.hand_steps
+            opening = min(max(cable, 0.0), arm.model.hand.range)
+            believed = Posture(arm.model, arm.drive.angles(state.fields), opening)
         return cls(
-            posture=Posture(state.angles, state.pose.opening),
+            posture=Posture(arm.model, state.angles, state.pose.opening),
             time=rig.time,
             waiting=rig.waiting,
             mode=rig.driver.mode,

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from math import cos, radians, sin
 from typing import TypeAlias
 
-from trs80arm.arm.geometry import forward
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box
 from trs80arm.drawing.canvas_ascii import Point
@@ -129,7 +128,7 @@ def along(start: Point, angle: float, length: float) -> Point:
 
 def skeleton(posture: Posture) -> tuple[Point, Point, Point, Point]:
     """Shoulder, elbow, wrist and fingertip in the arm's plane, inches."""
-    points = forward(posture.angles)
+    points = posture.points
     c, s = cos(posture.angles.base), sin(posture.angles.base)
 
     def beside(place: tuple[float, float, float]) -> Point:
@@ -145,7 +144,7 @@ def skeleton(posture: Posture) -> tuple[Point, Point, Point, Point]:
 
 def trail_point(posture: Posture) -> TrailPoint:
     """The fingertip of a posture, for a trail."""
-    x, y, _ = forward(posture.angles).fingertip
+    x, y, _ = posture.points.fingertip
     return TrailPoint(skeleton(posture)[3], (x, y))
 
 

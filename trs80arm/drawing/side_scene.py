@@ -8,13 +8,7 @@ from __future__ import annotations
 
 from math import degrees, radians
 
-from trs80arm.arm.geometry import (
-    ELBOW_LIMITS,
-    HAND_LENGTH,
-    LINK,
-    SHOULDER_HEIGHT,
-    SHOULDER_LIMITS,
-)
+from trs80arm.arm.model import ArmModel
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.drawing.canvas_ascii import Point
 from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
@@ -68,7 +62,7 @@ def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     )
     shapes: list[Shape] = []
     if extras.envelope:
-        outline = side_envelope()
+        outline = side_envelope(posture.model)
         bounds = around([*corners_of(bounds), *outline])
         shapes.append(Trace(outline, Ink.FAINT, "++"))
     shapes += [Block(*_side_corners(thing, base), Ink.FAINT, ":") for thing in beside]
@@ -97,7 +91,11 @@ def _pedestal(base: float, fittings: ArmSettings) -> list[Shape]:
         for x in (-fittings.base_rear, fittings.base_front)
         for y in (-half, half)
     ]
-    radius, top, height = fittings.body_radius, fittings.base_height, SHOULDER_HEIGHT
+    radius, top, height = (
+        fittings.body_radius,
+        fittings.base_height,
+        fittings.arm_model.shoulder_height,
+    )
     left, right = min(corners), max(corners)
     return [
         Stroke((left, 0.0), (left, top), Ink.FURNITURE),
@@ -134,8 +132,9 @@ def _hand(wrist: Point, posture: Posture, dotted: bool) -> list[Shape]:
     ink = Ink.GHOST if dotted else Ink.HAND
     pitch = posture.angles.pitch
     left = pitch + QUARTER
-    palm = along(wrist, pitch, HAND_LENGTH - FINGER_LENGTH)
-    tip = along(wrist, pitch, HAND_LENGTH)
+    length = posture.model.hand_length
+    palm = along(wrist, pitch, length - FINGER_LENGTH)
+    tip = along(wrist, pitch, length)
     roots = [along(palm, left, side * PALM_HALF_WIDTH) for side in (-1, 1)]
     ends = [along(tip, left, side * posture.opening / 2) for side in (-1, 1)]
     return [
@@ -162,10 +161,10 @@ def _side_block(thing: Thing, base: float) -> Shape:
     return Block(*_side_corners(thing, base), INK[thing.kind], FILL[thing.kind])
 
 
-def side_envelope() -> tuple[Point, ...]:
+def side_envelope(model: ArmModel) -> tuple[Point, ...]:
     """The outline that the fingertip can reach in the arm's plane with the hand straight."""
-    low, high = (round(degrees(limit)) for limit in SHOULDER_LIMITS)
-    fold = round(-degrees(ELBOW_LIMITS[0]))
+    low, high = (round(degrees(limit)) for limit in model.limits.shoulder)
+    fold = round(-degrees(model.limits.elbow[0]))
     postures = (
         [(shoulder, 0) for shoulder in range(low, high + 1, 4)]
         + [(high, bend) for bend in range(0, fold, 7)]
@@ -174,8 +173,8 @@ def side_envelope() -> tuple[Point, ...]:
     )
     points: list[Point] = []
     for shoulder, bend in postures:
-        elbow = along((0.0, SHOULDER_HEIGHT), radians(shoulder), LINK)
-        tip = along(elbow, radians(shoulder - bend), LINK + HAND_LENGTH)
+        elbow = along((0.0, model.shoulder_height), radians(shoulder), model.link)
+        tip = along(elbow, radians(shoulder - bend), model.link + model.hand_length)
         if tip[1] > 0:
             points.append(tip)
     return tuple(points)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from itertools import pairwise
 from math import atan2, degrees, hypot, radians
 
-from trs80arm.arm.geometry import HAND_LENGTH, REACH, forward
+from trs80arm.arm.model import ArmModel
 from trs80arm.arm.shapes import Box
 from trs80arm.drawing.canvas_ascii import Point
 from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
@@ -48,13 +48,13 @@ SQUARE = 0.05
 def top_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     """Table, base and arm from above, the arm's front to the right and its left side up."""
     posture, fittings = readings.posture, readings.fittings
-    points = forward(posture.angles)
+    points = posture.points
     flat = [point[:2] for point in (points.elbow, points.wrist, points.fingertip)]
     corners = [corner for thing in readings.things for corner in _top_corners(thing)]
     bounds = around([(TOP_LEFT, -4.5), (12.0, 4.5), *flat, *corners])
     shapes: list[Shape] = []
     if extras.envelope:
-        outline = top_envelope()
+        outline = top_envelope(posture.model)
         bounds = around([*corners_of(bounds), *outline])
         shapes.append(Trace(outline, Ink.FAINT, "++"))
     loose = sorted((thing for thing in readings.things if not thing.held), key=_upper_side)
@@ -66,7 +66,7 @@ def top_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
         shapes += _top_block(thing)
     shapes.append(Trace(tuple(point.top for point in extras.trail), Ink.TRAIL, "`,"))
     if readings.believed:
-        ghost = forward(readings.believed.angles)
+        ghost = readings.believed.points
         shapes.append(Stroke((0.0, 0.0), ghost.fingertip[:2], Ink.GHOST, dotted=True))
     for thing in readings.things:
         if thing.held:
@@ -128,7 +128,7 @@ def _rectangle(corner: Point, opposite: Point) -> list[Shape]:
 
 def _top_arm(posture: Posture) -> list[Shape]:
     """The arm as one line; the fingers, two bars with the opening between, where roll puts them."""
-    points = forward(posture.angles)
+    points = posture.points
     centre = (0.0, 0.0)
     elbow, wrist, tip = points.elbow[:2], points.wrist[:2], points.fingertip[:2]
     across = points.across[:2]
@@ -138,8 +138,9 @@ def _top_arm(posture: Posture) -> list[Shape]:
         Joint(centre, Ink.ARM, "O"),
         Joint(elbow, Ink.ARM),
     ]
-    if hypot(tip[0] - wrist[0], tip[1] - wrist[1]) > HAND_LENGTH / 2:
-        palm = _part_way(wrist, tip, 1 - FINGER_LENGTH / HAND_LENGTH)
+    length = posture.model.hand_length
+    if hypot(tip[0] - wrist[0], tip[1] - wrist[1]) > length / 2:
+        palm = _part_way(wrist, tip, 1 - FINGER_LENGTH / length)
         for side in (-1, 1):
             root = _beside(palm, across, side * PALM_HALF_WIDTH)
             shapes.append(Stroke(wrist, root, Ink.HAND))
@@ -170,6 +171,6 @@ def _lying(direction: Point) -> str:
     return "-/|\\"[eighth]
 
 
-def top_envelope() -> tuple[Point, ...]:
+def top_envelope(model: ArmModel) -> tuple[Point, ...]:
     """The furthest that the fingertip reaches over the table, seen from above."""
-    return tuple(along((0.0, 0.0), radians(angle), REACH) for angle in range(-90, 91, 4))
+    return tuple(along((0.0, 0.0), radians(angle), model.reach) for angle in range(-90, 91, 4))

@@ -77,6 +77,10 @@ class Driver:
     Figure 8 that it wrote last, through `@RESET` too; it knows nothing of patterns that a program
     sends with OUT. A motor without current gets it again with its own next step.
 
+    Args:
+        hand_per_elbow: half-steps that the hand's motor is given with each one of the elbow's; -1
+            for the MiniMover, 0 for an arm whose @STEP leaves the hand alone.
+
     Attributes:
         settings: the choices that the record leaves open.
         registers: J1 to J6 as commanded since power-on or the last `@RESET`.
@@ -89,6 +93,7 @@ class Driver:
         card: Card,
         matrix: KeyMatrix,
         settings: DriverSettings | None = None,
+        hand_per_elbow: int = -1,
     ) -> None:
         self.settings = settings or DriverSettings()
         self.registers: Counts = (0, 0, 0, 0, 0, 0)
@@ -97,6 +102,7 @@ class Driver:
         self._card = card
         self._matrix = matrix
         self._rows = [0] * len(MOTORS)
+        self._hand_per_elbow = hand_per_elbow
         self._motion: _Motion | None = None
 
     def __getstate__(self) -> dict[str, Any]:
@@ -117,16 +123,16 @@ class Driver:
     def step(self, delay: int, steps: Sequence[int]) -> None:
         """`@STEP D,J1..J6`: begin a coordinated move.
 
-        The hand motor is given J6 - J3, so that the elbow does not change the hand's opening, and
-        takes part in the coordination with that count: it has as many ticks as the largest count
-        of any motor. A move of no steps writes nothing and takes no time.
+        The hand motor of a MiniMover is given J6 - J3, so that the elbow does not change the
+        hand's opening, and takes part in the coordination with that count: it has as many ticks as
+        the largest count of any motor. A move of no steps writes nothing and takes no time.
 
         Args:
             delay: D, 0 or more; a tick takes 1.2 + 0.03 D ms.
             steps: six relative counts of half-steps.
         """
         j1, j2, j3, j4, j5, j6 = steps
-        move = Coordination((j1, j2, j3, j4, j5, j6 - j3))
+        move = Coordination((j1, j2, j3, j4, j5, j6 + self._hand_per_elbow * j3))
         self._motion = _Step(Pace(self._clock.now, delay), move)
 
     def close(self, delay: int | None = None) -> None:
@@ -198,6 +204,11 @@ class Driver:
         """Which of the keys are down that a motion can be led or ended with."""
         return self.settings.keys.look(self._matrix)
 
+    def directions(self, down: KeysDown) -> tuple[int, ...]:
+        """Where the keys of manual mode want the six motors to go, the hand with the elbow."""
+        *arm, hand = self.settings.keys.directions(down)
+        return (*arm, hand + self._hand_per_elbow * arm[_ELBOW])
+
     def grips(self, time: int) -> bool:
         """Whether the grip switch is closed."""
         return self._card.grip_closed(time)
@@ -254,7 +265,7 @@ class Driver:
         registers[train.motor] = _wrapped(registers[train.motor] + change)
         if train.motor == _ELBOW:
             # An elbow step brings a hand step with it that is no command; this takes it out.
-            registers[_HAND] = _wrapped(registers[_HAND] + change)
+            registers[_HAND] = _wrapped(registers[_HAND] - self._hand_per_elbow * change)
         j1, j2, j3, j4, j5, j6 = registers
         self.registers = (j1, j2, j3, j4, j5, j6)
 
@@ -342,7 +353,7 @@ class _Set:
         elif self.let_go:
             return Progress.DONE
         stop = self.pace.first_tick_from(driver.limit)
-        directions = keys.directions(down)
+        directions = driver.directions(down)
         if any(directions):
             while self.tick < stop:
                 burst_stop = min(stop, self.tick + _LONGEST_BURST)
@@ -352,11 +363,9 @@ class _Set:
         return driver.wait()
 
     def _trains(self, directions: Sequence[int], stop: int) -> list[Train]:
-        wanted = list(directions)
-        wanted[_HAND] -= wanted[_ELBOW]
-        turns = abs(wanted[_HAND]) == 2
+        turns = abs(directions[_HAND]) == 2
         trains = []
-        for motor, direction in enumerate(wanted):
+        for motor, direction in enumerate(directions):
             every = 2 if turns and motor == _ELBOW else 1
             # The elbow's turns are the even ticks, wherever this burst begins.
             first = self.tick + self.tick % every

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from trs80arm.arm.events import MOTOR_NAMES
 from trs80arm.arm.figures.chart import Chart, Figure, FigureError, Series, Style, Table
 from trs80arm.arm.figures.measured import envelope, grip_curves, phase_table, table1_rows
 from trs80arm.arm.minimover import ArmState
 from trs80arm.arm.motors import T_STATES_PER_SECOND
+from trs80arm.arm.settings import ArmSettings
 
 __all__ = ["NAMES", "Chart", "Figure", "FigureError", "Series", "Style", "Table", "figure"]
 
@@ -61,12 +61,13 @@ def figure(name: str, *, writes: Writes | None = None, path: Path | None = None)
 
 def _timing(writes: Writes) -> tuple[Chart, ...]:
     """The pulses of each motor, and its steps, against time in milliseconds."""
+    names = ArmSettings().arm_model.motor_names
     pulses, steps = [], []
     start = writes[0][0]
     motors = sorted({latch for _, latch, _ in writes})
     for i, latch in enumerate(motors):
         times = tuple((t - start) * 1000 / T_STATES_PER_SECOND for t, m, _ in writes if m == latch)
-        label = f"{MOTOR_NAMES[latch]}, {len(times)} steps"
+        label = f"{names[latch]}, {len(times)} steps"
         line = float(len(motors) - i)
         pulses.append(Series(label, times, (line,) * len(times), Style.DOTS, "|"))
         done = tuple(float(k + 1) for k in range(len(times)))
@@ -75,8 +76,7 @@ def _timing(writes: Writes) -> tuple[Chart, ...]:
         Chart(
             "pulses",
             "milliseconds",
-            "one line for each motor, from the top: "
-            + ", ".join(MOTOR_NAMES[latch] for latch in motors),
+            "one line for each motor, from the top: " + ", ".join(names[latch] for latch in motors),
             tuple(pulses),
             rows=2 * len(motors) + 1,
         ),

@@ -13,8 +13,9 @@ from trs80arm.arm.bench import Bench
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.experiments import table1
 from trs80arm.arm.figures.chart import Chart, Series, Style, Table
-from trs80arm.arm.geometry import BASE_SHOULDER_STEPS, JointAngles, Motor, Pose, forward
+from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.minimover import InTheWay, MiniMover
+from trs80arm.arm.model import Motor, Pose
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 
 
@@ -25,7 +26,7 @@ def envelope() -> tuple[Chart, Chart]:
     and its own base refuse the others.
     """
     arm = MiniMover(bench=Bench("empty"))
-    shoulder_height = forward(arm.state().angles).shoulder[2]
+    shoulder_height = forward(arm.model, arm.state().angles).shoulder[2]
     cloud: set[tuple[float, float]] = set()
     outer: dict[int, tuple[float, float, float]] = {}
     on_table = []
@@ -34,7 +35,7 @@ def envelope() -> tuple[Chart, Chart]:
             for pitch in range(elbow - 90, elbow + 91, 30):
                 if not _goes(arm, 0, shoulder, elbow, pitch):
                     continue
-                x, _, z = forward(arm.state().angles).fingertip
+                x, _, z = forward(arm.model, arm.state().angles).fingertip
                 cloud.add((round(x * 2) / 2, round(z * 2) / 2))
                 bearing = round(math.degrees(math.atan2(z - shoulder_height, x)) / 6)
                 far = math.hypot(x, z - shoulder_height)
@@ -75,7 +76,7 @@ def envelope() -> tuple[Chart, Chart]:
 def _links(arm: MiniMover) -> Series:
     """The arm in a posture that shows its links."""
     arm.move_joints(JointAngles(0.0, math.radians(60), math.radians(-30), math.radians(-60), 0.0))
-    points = forward(arm.state().angles)
+    points = forward(arm.model, arm.state().angles)
     places = (points.shoulder, points.elbow, points.wrist, points.fingertip)
     xs = (0.0, *(p[0] for p in places))
     return Series("arm", xs, (0.0, *(p[2] for p in places)), mark="#")
@@ -135,7 +136,7 @@ def _pulled(start: int, nibble: int) -> int:
     """Where a pattern takes the base motor's rotor from a place to which it was turned by hand."""
     arm = MiniMover(bench=Bench("empty"))
     home = arm.state().angles
-    arm.move_joints(replace(home, base=home.base + start / BASE_SHOULDER_STEPS))
+    arm.move_joints(replace(home, base=home.base + start / arm.model.drives[Motor.BASE].steps))
     arm.apply([0], [Motor.BASE], [nibble])
     return arm.rotors[Motor.BASE]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, Span
-from trs80arm.rig import JOINT_NAMES
 from trs80arm.ui.panels.panel import Panel
 
 _WIDE = 34
@@ -44,7 +43,8 @@ switch, then the three free inputs, lit when closed or answering.
         """A row a latch, with what the motors and the hand do below or beside."""
         wide = width >= _WIDE
         gap = "" if wide and width < _SPACED else " "
-        names = [f"J{joint + 1} {name}" for joint, name in enumerate(JOINT_NAMES)] + ["auxiliary"]
+        motor_names = readings.model.motor_names[:6]
+        names = [f"J{joint + 1} {name}" for joint, name in enumerate(motor_names)] + ["auxiliary"]
         rows: list[Row] = [
             (_label(name, wide), *self._lamps(nibble, gap))
             for name, nibble in zip(names, readings.coils, strict=True)

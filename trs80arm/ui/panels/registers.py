@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from trs80arm.drawing.readings import RING, Readings
 from trs80arm.drawing.rows import Ink, Row
-from trs80arm.rig import JOINT_NAMES
 from trs80arm.ui.panels.panel import Panel
 
 _WIDE = 34
@@ -83,7 +82,7 @@ def _wide_row(readings: Readings, joint: int, width: int) -> Row:
     column = _slip_column(width)
     lost = f"{slipped:+{column}d}" if abs(slipped) >= RING else " " * column
     return (
-        (f"J{joint + 1} {JOINT_NAMES[joint]:11}", Ink.LABEL),
+        (f"J{joint + 1} {readings.model.motor_names[joint]:11}", Ink.LABEL),
         (f"{register:7d}{true:7d}{lost}{mark}", ink),
     )
 

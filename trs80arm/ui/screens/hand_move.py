@@ -16,7 +16,7 @@ from textual.containers import Horizontal, Vertical
 from textual.events import Key
 from textual.widgets import Input, Static
 
-from trs80arm.desk.hands import HOME, MoveJoint, MoveTo
+from trs80arm.desk.hands import MoveJoint, MoveTo
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import signed
 from trs80arm.rig import TURNED_BY_HAND
@@ -157,14 +157,15 @@ them off.
     def action_nudge(self, times: int) -> None:
         """Turn the joint a little."""
         joint = TURNED_BY_HAND[self._joint]
-        value = joint_values(self._look())[self._joint] + times * NUDGE.get(joint, 1.0)
+        readings = self._look()
+        value = joint_values(readings)[self._joint] + times * NUDGE.get(joint, 1.0)
         if joint == "hand":
-            value = min(max(value, 0.0), 3.0)
+            value = min(max(value, 0.0), readings.model.hand.range)
         self._do(MoveJoint(joint, value))
 
     def action_home(self) -> None:
         """Put the arm where Table 4 wants it to begin."""
-        self._do(HOME)
+        self._do(MoveTo(self._look().model.start))
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Do what was typed."""

@@ -127,7 +127,8 @@ differences make sense only between positions whose registers count from the sam
 
     def _written(self) -> Written:
         """The program, or why there is none."""
-        return written(self._lesson, self._manner, in_coordinates=self._in_data)
+        model = self._look().model
+        return written(self._lesson, self._manner, model, in_coordinates=self._in_data)
 
     @property
     def _place(self) -> int | None:

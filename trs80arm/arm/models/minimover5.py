@@ -1,0 +1,52 @@
+"""The MiniMover 5 of 1980, from John W. Hill's article, by table and line."""
+
+from __future__ import annotations
+
+from math import radians
+
+from trs80arm.arm.model import ArmModel, Drive, Hand, Limits, Motor, Pose
+
+_S1 = 937.8  # half-steps per radian of base and shoulder: Table 4, line 121
+_S3 = 551.4  # of the forearm: line 122
+_S4 = 203.7  # of each wrist gear: line 123
+_S6 = 618.0  # half-steps per inch of hand opening: line 124
+_POUND = 52  # half-steps of hand cable per pound: article, on joint 6
+
+MINIMOVER5 = ArmModel(
+    name="minimover5",
+    title="MiniMover 5",
+    shoulder_height=8.1,
+    link=7.0,
+    hand_length=3.5,
+    drives=(
+        Drive(Motor.BASE, _S1, 1, 0.42 * _S1, 0.37 * _S1),
+        Drive(Motor.SHOULDER, _S1, -1, 0.36 * _S1, 0.15 * _S1),
+        Drive(Motor.ELBOW, _S3, 1, 0.82 * _S3, 0.23 * _S3),
+        Drive(Motor.LEFT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4),
+        Drive(Motor.RIGHT_WRIST, _S4, 1, 2.02 * _S4, 1.31 * _S4),
+        Drive(Motor.HAND, _S6, 1, 0.80 * _S6, 3.0 * _POUND),
+    ),
+    elbow_pays_out=1,
+    compensated=True,
+    limits=Limits(
+        base=radians(90),
+        shoulder=(radians(-35), radians(144)),
+        elbow=(radians(-149), 0.0),
+        pitch=radians(90),
+        gear=radians(270),
+    ),
+    hand=Hand(range=3.0, pound_steps=_POUND, full_grip=3.0, switch_force=2 / 16),
+    full_load=8.0,
+    start=Pose(5.0, 0.0, 0.0, -90.0, 0.0, 0.0),
+    sources=(
+        ("shoulder_height, link, hand_length", "article, Table 4, lines 101 to 103"),
+        ("drives: steps", "Table 4, lines 121 to 124"),
+        ("drives: signs", "the signs of Table 4's @STEP, line 420; base and hand by inference"),
+        ("drives: rates", "Table 1, speeds without load and at full load"),
+        ("elbow_pays_out, compensated", "article, on joint 6 and on @STEP"),
+        ("limits", "Table 1; gears and pitch from the article on joints 4 and 5"),
+        ("hand", "article, on joint 6; range and greatest force from Table 1"),
+        ("full_load", "Table 1"),
+        ("start", "Table 4's initialization point, data line 10000"),
+    ),
+)

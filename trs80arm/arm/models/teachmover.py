@@ -1,0 +1,58 @@
+"""The TeachMover, the MiniMover 5's successor with a computer of its own in the base.
+
+Here it hangs on the same card. Its manual is known through programs that quote it; what they do
+not settle is the MiniMover's and marked as a guess in `sources`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import tau
+
+from trs80arm.arm.model import Drive, Hand, Motor
+from trs80arm.arm.models.minimover5 import MINIMOVER5
+
+# Half-steps per turn of the joint, 1.2 times the MiniMover's: 7072, 4158 and 1536. (The table of
+# steps per radian that is often quoted has 672 for the elbow and 241 for the wrist, which do not
+# agree with these nor with the manual's own start position.)
+_S1 = 7072 / tau
+_S3 = 4158 / tau
+_S4 = 1536 / tau
+_S6 = 370.8  # half-steps per inch: the hand's drum is twice as large
+_POUND = 32
+
+TEACHMOVER = replace(
+    MINIMOVER5,
+    name="teachmover",
+    title="TeachMover",
+    shoulder_height=7.625,
+    hand_length=3.8,
+    drives=(
+        Drive(Motor.BASE, _S1, 1, 0.42 * _S1, 0.37 * _S1),
+        Drive(Motor.SHOULDER, _S1, -1, 0.36 * _S1, 0.15 * _S1),
+        Drive(Motor.ELBOW, _S3, -1, 0.82 * _S3, 0.23 * _S3),
+        Drive(Motor.RIGHT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4),
+        Drive(Motor.LEFT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4),
+        Drive(Motor.HAND, _S6, 1, 0.80 * _S6, 3.0 * _POUND),
+    ),
+    elbow_pays_out=-1,
+    compensated=False,
+    hand=Hand(range=3.0, pound_steps=_POUND, full_grip=3.0, switch_force=2 / 16),
+    sources=(
+        ("shoulder_height, hand_length", "7.625 and 3.8 in: TeachVal III, Brock University"),
+        ("drives: steps", "7072, 4158, 1536 per turn, 370.8 per inch: TeachMover II programs"),
+        (
+            "drives: signs and order",
+            "its read-back: forearm -J3, pitch -(J4 + J5); J4 is right",
+        ),
+        ("drives: rates", "the MiniMover's in radians per second, as its brochure repeats them"),
+        ("elbow_pays_out", "its read-back: opening (J6 - J3) / 371"),
+        ("compensated", "its @STEP leaves the hand alone; its users add the elbow's steps"),
+        (
+            "hand",
+            "32 steps a pound; the rest guessed to be the MiniMover's",
+        ),
+        ("link", "7 in: TeachVal III"),
+        ("limits, full_load, start", "guessed to be the MiniMover's"),
+    ),
+)
