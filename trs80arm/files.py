@@ -13,10 +13,11 @@ from pathlib import Path
 
 from trs80arm import program_text
 from trs80arm.machine import cassette
-from trs80arm.machine.cassette import FileFormatError, ProgramLine
+from trs80arm.machine.cassette import MAX_LINE_NUMBER, FileFormatError, ProgramLine
 from trs80arm.saving import write_whole
 
 __all__ = [
+    "MAX_LINE_NUMBER",
     "FileFormatError",
     "Kind",
     "convert",

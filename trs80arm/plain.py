@@ -111,6 +111,8 @@ class PlainMode:
                     self._sleep(SLICE / self._speed)
         except KeyboardInterrupt:
             self._press_break()
+        for fault in self.session.new_faults():
+            self._tell(fault)
         if rig.waiting is Waiting.SET:
             self._tell("@SET: which keys? (.help)")
         self._out.flush()

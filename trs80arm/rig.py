@@ -17,13 +17,13 @@ from typing import Any, TypeVar
 
 from trs80arm import files
 from trs80arm.arm.bench import Bench
-from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, MiniMover
+from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, InTheWay, MiniMover, MotorsOn
 from trs80arm.arm.model import Pose
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.interpreter import Interpreter, Outcome
 from trs80arm.basic.interpreter import Listener as StatementListener
 from trs80arm.machine.card import MOTORS, Card, Latch, Observer
-from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
+from trs80arm.machine.clock import END_OF_TIME, T_STATES_PER_SECOND, Clock
 from trs80arm.machine.console import Console
 from trs80arm.machine.driver import Counts, Driver, Mode
 from trs80arm.machine.keys import Key
@@ -43,7 +43,14 @@ __all__ = [
     "Waiting",
 ]
 
+LONGEST_HOLD = 86_400.0
+"""Seconds for which a key can be held, a day."""
+
 T = TypeVar("T")
+
+
+class ReplayError(Exception):
+    """What was recorded cannot be done on this machine; one line that says when and why."""
 
 
 class Rig:
@@ -97,7 +104,13 @@ class Rig:
         self.run_to(self.clock.now + round(seconds * T_STATES_PER_SECOND))
 
     def run_to(self, target: int) -> None:
-        """Run until the clock shows at least `target` T-states."""
+        """Run until the clock shows at least `target` T-states.
+
+        Raises:
+            ValueError: that is after `END_OF_TIME`.
+        """
+        if target > END_OF_TIME:
+            raise ValueError("the clock does not go that far")
         works = self._works
         while works.clock.now < target:
             self._turn(target, until_waiting=works.typist.pending)
@@ -198,10 +211,19 @@ class Rig:
         return _attach(self._observers.inputs, recorder)
 
     def replay(self, inputs: Iterable[Input]) -> None:
-        """Do again what was recorded, each thing at its own virtual time."""
+        """Do again what was recorded, each thing at its own virtual time.
+
+        Raises:
+            ReplayError: something recorded cannot be done, as moving the arm by hand to where
+                something stands. What comes before it is done.
+        """
         for done in inputs:
             self.run_to(done.time)
-            getattr(self, done.action)(*done.arguments)
+            try:
+                getattr(self, done.action)(*done.arguments)
+            except (MotorsOn, InTheWay, ValueError) as error:
+                when = done.time / T_STATES_PER_SECOND
+                raise ReplayError(f"{done.action} at {when:.3f} s: {error}") from None
 
     def press(self, key: Key | str) -> None:
         """Hold a key down from now on.
@@ -232,8 +254,10 @@ class Rig:
         """Press keys together now and let them go after `seconds` of virtual time.
 
         Raises:
-            ValueError: the TRS-80 has no such key.
+            ValueError: the TRS-80 has no such key, or it is no time from 0 to `LONGEST_HOLD`.
         """
+        if not 0 <= seconds <= LONGEST_HOLD:
+            raise ValueError(f"keys can be held for 0 to {LONGEST_HOLD:.0f} seconds")
         held = [Key(key) for key in keys]
         self._record("hold", [str(key) for key in held], seconds)
         end = self.clock.now + round(seconds * T_STATES_PER_SECOND)

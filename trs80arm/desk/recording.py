@@ -2,41 +2,34 @@
 
 The first line says which machine it was; each other line is one `Input` of the rig with its virtual
 time in T-states. Played into the same machine it gives the same run, to the last bit.
+
+A recording may come from a stranger. It names no file and no folder: a machine that plays one has
+its cassettes and its printer's paper in memory. Every line is looked at while it is loaded, so that
+what plays can be done by somebody at the keyboard.
 """
 
 from __future__ import annotations
 
+import contextlib
 import json
-from dataclasses import astuple, dataclass
+from collections.abc import Callable
+from dataclasses import astuple, dataclass, replace
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from trs80arm import __version__
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.desk.greeting import greet
-from trs80arm.plain_values import SettingsError, as_table, from_table
-from trs80arm.rig import Input, Pose, Rig, RigSettings
+from trs80arm.files import MAX_LINE_NUMBER
+from trs80arm.machine.clock import END_OF_TIME
+from trs80arm.plain_values import Range, SettingsError, Table, as_table, fit, from_table
+from trs80arm.rig import LONGEST_HOLD, TURNED_BY_HAND, Input, Key, Pose, Rig, RigSettings
 from trs80arm.saving import write_whole
 
 FORMAT = "trs80arm session 1"
-ACTIONS = frozenset(
-    (
-        "press",
-        "release",
-        "release_all",
-        "hold",
-        "type",
-        "stop_typing",
-        "load_lines",
-        "reset",
-        "set_bench",
-        "refill",
-        "move_joint",
-        "move_to",
-        "step_statement",
-    )
-)
-"""What may stand in a recording: the methods of `Rig` that it records."""
+LARGEST = 64 * 1024 * 1024
+"""Bytes of a recording that is read: some days of somebody at the keyboard."""
 END = "end"
 """The last line: nothing is done, but time passes up to it."""
 
@@ -64,7 +57,7 @@ class Recording:
     end: int
 
     def rig(self) -> Rig:
-        """The machine that it was recorded on, switched on."""
+        """A machine like the one that it was recorded on, switched on, with tapes in memory."""
         rig = Rig(self.settings, _bench(self.bench))
         if self.greeting:
             greet(rig.console)
@@ -86,9 +79,10 @@ class Journal:
 
     Attributes:
         bench_text: the text of the bench that is about to be set up, for a `Bench` has none.
+        fault: why the file that is kept up to date is so no more, in one line; None if all is well.
 
     Raises:
-        OSError: the file cannot be written.
+        OSError: the file cannot be written from the start.
     """
 
     def __init__(
@@ -99,13 +93,16 @@ class Journal:
         head = {
             "format": FORMAT,
             "version": __version__,
-            "machine": as_table(rig.settings),
+            "machine": as_table(replace(rig.settings, tape_folder=None, printer_file=None)),
             "bench": bench,
             "greeting": greeting,
         }
         self._lines = [json.dumps(head)]
+        self.fault: str | None = None
         self._file = path.open("w", encoding="utf-8") if path else None
-        self._write(self._lines[0])
+        if self._file is not None:
+            self._file.write(self._lines[0] + "\n")
+            self._file.flush()
         self._stop = rig.record(self._take)
 
     def _take(self, done: Input) -> None:
@@ -115,9 +112,22 @@ class Journal:
         self._write(line)
 
     def _write(self, line: str) -> None:
-        if self._file is not None:
+        """Add a line to the file; what has become of the disk is no fault of the machine's."""
+        if self._file is None:
+            return
+        try:
             self._file.write(line + "\n")
             self._file.flush()
+        except OSError as error:
+            self.fault = f"{self._file.name}: {error.strerror or error}; recording to it has ended"
+            self._shut()
+
+    def _shut(self) -> None:
+        if self._file is not None:
+            # Closing writes what is left, which may fail again.
+            with contextlib.suppress(OSError):
+                self._file.close()
+            self._file = None
 
     def _plain(self, value: Any) -> Any:
         if isinstance(value, Pose):
@@ -144,69 +154,168 @@ class Journal:
     def close(self) -> None:
         """End the journal and the file that it keeps."""
         self._stop()
-        if self._file is not None:
-            self._write(self._end())
-            self._file.close()
-            self._file = None
+        self._write(self._end())
+        self._shut()
 
 
 def load(path: Path) -> Recording:
-    """Read a recording.
+    """Read a recording from a file.
 
     Raises:
-        RecordingError: a line of it is no part of a recording.
+        RecordingError: it is no recording.
         OSError: it cannot be read.
     """
+    with path.open("rb") as file:
+        data = file.read(LARGEST + 1)
+    return parse(data, str(path))
+
+
+def parse(data: bytes, source: str = "recording") -> Recording:
+    """Read a recording, looking at everything in it.
+
+    Args:
+        data: the content of the file.
+        source: what errors call it.
+
+    Raises:
+        RecordingError: for any bytes that are no recording; one line that names the line.
+    """
+    if len(data) > LARGEST:
+        raise RecordingError(f"{source}: longer than {LARGEST >> 20} MB")
     try:
-        lines = path.read_text(encoding="utf-8").splitlines()
+        lines = data.decode("utf-8").splitlines()
     except UnicodeDecodeError:
-        raise RecordingError(f"{path}: not a recording: it is no text") from None
-    settings, bench, greeting = _head(path, lines[0] if lines else "")
-    inputs: list[Input] = []
-    time = 0
-    for number, line in enumerate(lines[1:], start=2):
-        try:
-            done = _input(line)
-        except (ValueError, TypeError, KeyError, BenchError) as error:
-            raise RecordingError(f"{path}: line {number}: {error}") from None
-        if done.time < time:
-            raise RecordingError(f"{path}: line {number}: goes back in time")
-        time = done.time
-        if done.action != END:
-            inputs.append(done)
+        raise RecordingError(f"{source}: not a recording: it is no text") from None
+    number = 1
+    try:
+        settings, bench, greeting = _head(_object(lines[0] if lines else "", "line 1"))
+        inputs: list[Input] = []
+        time = 0
+        for number, line in enumerate(lines[1:], start=2):
+            done = _input(_object(line, f"line {number}"), earliest=time)
+            time = done.time
+            if done.action != END:
+                inputs.append(done)
+    except (SettingsError, BenchError) as error:
+        raise RecordingError(f"{source}: {error}") from None
+    except ValueError as error:
+        raise RecordingError(f"{source}: line {number}: {error}") from None
     return Recording(settings, bench, greeting, tuple(inputs), time)
 
 
-def _head(path: Path, line: str) -> tuple[RigSettings, str | None, bool]:
+def _object(line: str, where: str) -> Table:
     try:
-        head = json.loads(line)
-        if head["format"] != FORMAT:
-            raise ValueError("of another format")
-        settings = from_table(RigSettings, head["machine"], "machine")
-        _bench(head["bench"])
-        return settings, head["bench"], bool(head.get("greeting"))
-    except (ValueError, TypeError, KeyError, SettingsError, BenchError) as error:
-        raise RecordingError(f"{path}: line 1: no head of a recording ({error})") from None
+        return Table(where, "", json.loads(line))
+    except (ValueError, RecursionError):
+        raise SettingsError(f"{where}: no JSON object") from None
 
 
-def _input(line: str) -> Input:
-    entry = json.loads(line)
-    action = entry["do"]
-    if action not in ACTIONS and action != END:
-        raise ValueError(f"nothing is called {action!r}")
-    return Input(int(entry["t"]), action, tuple(_rich(value) for value in entry["with"]))
+def _head(head: Table) -> tuple[RigSettings, str | None, bool]:
+    if head.data.pop("format", None) != FORMAT:
+        raise head.fail("format", f"the words {FORMAT!r}, with which a recording begins")
+    head.take("version", str, "")
+    machine = head.data.pop("machine", None)
+    if not isinstance(machine, dict):
+        raise head.fail("machine", "a table of settings")
+    for place in ("tape_folder", "printer_file"):
+        if machine.pop(place, None) is not None:
+            raise head.fail(f"machine.{place}", "nothing: a recording names no files")
+    settings = from_table(RigSettings, machine, "line 1: machine")
+    bench = head.take("bench", str | None, None)
+    _bench(bench)
+    greeting = head.take("greeting", bool, False)
+    head.done("format, version, machine, bench, greeting")
+    return settings, bench, greeting
 
 
-def _rich(value: Any) -> Any:
-    if isinstance(value, list):
-        return [_rich(item) for item in value]
-    if not isinstance(value, dict):
-        return value
-    [(kind, content)] = value.items()
-    if kind == "pose":
-        return Pose(*content)
-    if kind == "hex":
-        return bytes.fromhex(content)
-    if kind == "bench":
-        return _bench(content) or Bench.standard()
-    raise ValueError(f"nothing is called {kind!r}")
+def _input(entry: Table, earliest: int) -> Input:
+    time = entry.integer("t", 0, END_OF_TIME)
+    if time < earliest:
+        raise entry.fail("t", f"a time from {earliest} on, for it cannot go back")
+    action = entry.take("do", str)
+    values = entry.data.pop("with", None)
+    if not isinstance(values, list):
+        raise entry.fail("with", "a list")
+    entry.done("t, do, with")
+    if action == END:
+        wanted: tuple[Callable[[Any], Any], ...] = ()
+    elif action in ACTIONS:
+        wanted = ACTIONS[action]
+    else:
+        raise entry.fail("do", f"one of {', '.join(ACTIONS)}, {END}")
+    if len(values) != len(wanted):
+        raise entry.fail("with", f"a list of {len(wanted)}")
+    arguments = []
+    for read, value in zip(wanted, values, strict=True):
+        try:
+            arguments.append(read(value))
+        except SettingsError as error:
+            raise SettingsError(f"{entry.source}: {action}: {error}") from None
+    return Input(time, action, tuple(arguments))
+
+
+def _key(value: Any) -> str:
+    return str(fit(Key, value))
+
+
+def _keys(value: Any) -> list[str]:
+    return list(map(str, fit(tuple[Key, ...], value)))
+
+
+def _joint(value: Any) -> str:
+    if value not in TURNED_BY_HAND:
+        raise SettingsError(f"expected one of {', '.join(TURNED_BY_HAND)}")
+    return str(value)
+
+
+def _program(value: Any) -> list[tuple[int, bytes]]:
+    if not isinstance(value, list):
+        raise SettingsError("expected a list of lines")
+    return [_line(item) for item in value]
+
+
+def _line(value: Any) -> tuple[int, bytes]:
+    if not isinstance(value, list) or len(value) != 2:
+        raise SettingsError("expected lines of a number and a text")
+    number = fit(Annotated[int, Range(0, MAX_LINE_NUMBER)], value[0])
+    text = bytes.fromhex(fit(str, _named(value[1], "hex")))
+    if 0 in text:
+        raise SettingsError("expected a line without a zero in it, which would end it")
+    return number, text
+
+
+def _pose(value: Any) -> Pose:
+    x, y, z, pitch, roll, opening = fit(_SIX_NUMBERS, _named(value, "pose"))
+    return Pose(x, y, z, pitch, roll, opening)
+
+
+def _bench_again(value: Any) -> Bench:
+    return _bench(fit(str | None, _named(value, "bench"))) or Bench.standard()
+
+
+def _named(value: Any, kind: str) -> Any:
+    """What stands in an object of one key, which says what it is."""
+    if not isinstance(value, dict) or list(value) != [kind]:
+        raise SettingsError(f'expected {{"{kind}": ...}}')
+    return value[kind]
+
+
+_Number = Annotated[float, Range(-1000, 1000)]
+_SIX_NUMBERS = tuple[_Number, _Number, _Number, _Number, _Number, _Number]
+
+ACTIONS: dict[str, tuple[Callable[[Any], Any], ...]] = {
+    "press": (_key,),
+    "release": (_key,),
+    "release_all": (),
+    "hold": (_keys, partial(fit, Annotated[float, Range(0, LONGEST_HOLD)])),
+    "type": (partial(fit, str),),
+    "stop_typing": (),
+    "load_lines": (_program,),
+    "reset": (),
+    "set_bench": (_bench_again,),
+    "refill": (),
+    "move_joint": (_joint, partial(fit, _Number)),
+    "move_to": (_pose,),
+    "step_statement": (),
+}
+"""What may stand in a recording: the methods of `Rig` that it records, and what each is given."""

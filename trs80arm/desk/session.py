@@ -17,7 +17,7 @@ from trs80arm.desk.recording import Journal, Recording
 from trs80arm.files import Kind, load_program, parse_program, save_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.jog_keys import JogKeys
-from trs80arm.rig import Input, Rig, RigSettings, Waiting
+from trs80arm.rig import Input, ReplayError, Rig, RigSettings, Waiting
 
 ProgramLines = list[tuple[int, bytes]]
 TRIES = 4
@@ -66,6 +66,8 @@ class Session:
         self._observers: list[Callable[[], None]] = []
         self._played: deque[Input] = deque()
         self._play_end = 0
+        self._play_fault: str | None = None
+        self._told_faults: set[str] = set()
         rig = Rig(self._settings, file.bench if file else None)
         if greeting:
             greet(rig.console)
@@ -116,9 +118,27 @@ class Session:
         rig = self.rig
         while self._played and self._played[0].time <= target:
             done = self._played.popleft()
-            rig.replay([done])
-            self._note_program(done)
+            try:
+                rig.replay([done])
+            except ReplayError as error:
+                self.stop_playing()
+                self._play_fault = f"it ends here, for {error}"
+            else:
+                self._note_program(done)
         rig.run_to(target)
+
+    def new_faults(self) -> list[str]:
+        """What has gone wrong with cassette, paper and recordings, one line each, told once."""
+        found = (
+            ("cassette", self.rig.tape.fault),
+            ("printer", self.rig.printer.fault),
+            ("recording", self._journal.fault),
+            ("recording", self._play_fault),
+        )
+        faults = {f"{what}: {fault}" for what, fault in found if fault is not None}
+        new = faults - self._told_faults
+        self._told_faults = faults
+        return sorted(new)
 
     def _note_program(self, done: Input) -> None:
         if done.action == "load_lines":
@@ -264,6 +284,7 @@ class Session:
         self._journal.close()
         rig = recording.rig()
         self._use(rig, Journal(rig, recording.bench, greeting=recording.greeting))
+        self._play_fault = None
         self._played = deque(recording.inputs)
         self._play_end = recording.end
 

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 T_STATES_PER_SECOND = 1_774_080
 """The Model I's 1.77408 MHz (Level II facts, title)."""
+END_OF_TIME = 1 << 60
+"""The last T-state that a rig runs to, after 20,592 years: times are kept in 64 bits."""
 
 
 class Clock:

@@ -257,6 +257,8 @@ class Trs80Arm(App[int]):
         if now >= self._next_frame:
             self._next_frame = now + 1 / self.options.fps - TICK / 2
             self.draw(now)
+        for fault in self.session.new_faults():
+            self.say(fault, error=True)
 
     def draw(self, now: float | None = None) -> None:
         """Draw what differs from what is shown."""
