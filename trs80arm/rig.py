@@ -10,12 +10,11 @@ from __future__ import annotations
 
 import copy
 import heapq
-import pickle
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, TypeVar
 
-from trs80arm import files
+from trs80arm import files, snapshots
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, InTheWay, MiniMover, MotorsOn
 from trs80arm.arm.model import Pose
@@ -31,6 +30,7 @@ from trs80arm.machine.memory import Memory
 from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
+from trs80arm.snapshots import SnapshotError
 from trs80arm.works import Input, KeyEvent, Observers, RigSettings, Works, assemble
 
 __all__ = [
@@ -38,11 +38,15 @@ __all__ = [
     "Input",
     "Key",
     "Pose",
+    "ReplayError",
     "Rig",
     "RigSettings",
+    "SnapshotError",
     "Waiting",
 ]
 
+_TRIAL = 1 / 60
+"""Virtual seconds that a machine from a snapshot must be able to run for."""
 LONGEST_HOLD = 86_400.0
 """Seconds for which a key can be held, a day."""
 
@@ -532,21 +536,43 @@ class Rig:
         """The complete state of machine, arm and bench, with the settings.
 
         It names no file or folder of this computer: what is on the cassettes of a tape folder and
-        on paper in a file is not in it, but the cassette in the recorder is.
+        on paper in a file is not in it, but the cassette in the recorder is. The bytes are those
+        of `trs80arm.snapshots`; equal machines have equal ones.
         """
-        return pickle.dumps(self._works, protocol=pickle.HIGHEST_PROTOCOL)
+        return snapshots.encode(self._works)
 
     def restore(self, snapshot: bytes) -> None:
-        """Go back to a state that `snapshot` of this program gave. Never feed it foreign bytes.
+        """Go back to a state that `snapshot` gave, here or elsewhere.
 
         The rig is then the one of the snapshot, fittings and all; only its own tape folder and its
         printer's file stay, and whoever looks on.
+
+        Raises:
+            SnapshotError: the bytes are no snapshot of this version, or of a machine that no
+                program could have brought about; the rig stays as it is.
         """
-        works = pickle.loads(snapshot)
-        if not isinstance(works, Works):
-            raise ValueError("not a snapshot of a rig")
+        _try(snapshots.decode(snapshot))
+        works = snapshots.decode(snapshot)
         works.use_places(self.settings)
         self._use(works)
+
+
+def _try(works: Works) -> None:
+    """Let works that came from outside run for a moment, with nobody looking on.
+
+    Raises:
+        SnapshotError: they cannot.
+    """
+    rig = object.__new__(Rig)
+    rig._observers = Observers()
+    rig._use(works)
+    try:
+        rig.run_for(_TRIAL)
+        rig.screen()
+        rig.joints, rig.state, rig.waiting  # noqa: B018
+    except Exception:
+        # Whatever the classes of the machine say to values that they never have.
+        raise SnapshotError("no snapshot: a machine in a state that cannot be") from None
 
 
 def _attach(attached: list[T], observer: T) -> Callable[[], None]:

@@ -1,0 +1,120 @@
+"""The classes of which a snapshot may make objects anew, each by a name that stays.
+
+Devices are not among them: they are assembled, and only given their state (`snapshots`). What
+comes and goes while the machine works is: activities of the language, its variables and loops,
+motions of the driver, key events, what stands on the bench. A class that lacks here is told when a
+snapshot is taken (`TypeError`); it belongs into one of the three tables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import fields
+from enum import Enum
+
+from trs80arm.arm import body, events, fixtures, geometry, shapes
+from trs80arm.arm.model import ArmModel, Motor, Pose
+from trs80arm.arm.models import MODELS
+from trs80arm.arm.settings import ArmSettings
+from trs80arm.basic import errors, interpreter
+from trs80arm.basic.activity import Activity, Waiting
+from trs80arm.basic.control import ForFrame, GosubFrame
+from trs80arm.basic.dialogue import edit, line_range
+from trs80arm.basic.numbers.double import Double
+from trs80arm.basic.runtime.data import ListedTarget, Targets
+from trs80arm.basic.variables import Array, Scalar
+from trs80arm.machine import card, coordination, driver
+from trs80arm.machine.jog_keys import JogKeys
+from trs80arm.machine.keys import Key
+from trs80arm.works import KeyEvent, RigSettings
+
+
+def _by_name(classes: Iterable[type]) -> dict[str, type]:
+    return {cls.__name__.strip("_"): cls for cls in classes}
+
+
+def _activities(cls: type[Activity] = Activity) -> list[type]:
+    """Every class of activity that the language has."""
+    found: list[type] = []
+    for kind in cls.__subclasses__():
+        found += [kind, *_activities(kind)]
+    return found
+
+
+VALUES: dict[str, type] = _by_name(
+    (
+        RigSettings,
+        card.CardSettings,
+        driver.DriverSettings,
+        JogKeys,
+        ArmSettings,
+        coordination.Pace,
+        coordination.Coordination,
+        coordination.Train,
+        interpreter.Outcome,
+        line_range.LineRange,
+        shapes.Box,
+        body.Hold,
+        geometry.JointAngles,
+        Pose,
+        geometry.ArmPoints,
+        geometry.CableDrive,
+        events.ArmEvent,
+        fixtures.Obstacle,
+        fixtures.Proximity,
+        fixtures.Tactile,
+        fixtures.LightBeam,
+        Double,
+        errors.BasicError,
+    )
+)
+"""What never changes: made by calling the class with its `parts_of`."""
+
+
+def parts_of(cls: type) -> tuple[str, ...]:
+    """The attributes of a value that its class is called with, in order."""
+    if cls is Double:
+        return "exponent", "mantissa"
+    if cls is errors.BasicError:
+        return ("code",)
+    return tuple(field.name for field in fields(cls))
+
+
+OBJECTS: dict[str, type] = _by_name(
+    (
+        *_activities(),
+        KeyEvent,
+        driver._Step,
+        driver._Close,
+        driver._Set,
+        ForFrame,
+        GosubFrame,
+        Scalar,
+        Array,
+        Targets,
+        ListedTarget,
+        fixtures.Part,
+        fixtures.Feeder,
+        fixtures.Tray,
+        fixtures.Turntable,
+    )
+)
+"""What has an identity and a state: made without being called, then given its attributes."""
+
+_ENUMS: tuple[type[Enum], ...] = (
+    Key,
+    card.Latch,
+    card.Jumper,
+    Waiting,
+    interpreter.Kind,
+    errors.Code,
+    edit._Mode,
+    events.EventKind,
+    events.Reason,
+    Motor,
+)
+
+NAMED: dict[str, tuple[type, Mapping[str, object]]] = {
+    cls.__name__.strip("_"): (cls, cls.__members__) for cls in _ENUMS
+} | {"ArmModel": (ArmModel, MODELS)}
+"""Kinds of thing of which there are just so many: one is written by its name."""

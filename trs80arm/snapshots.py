@@ -1,0 +1,442 @@
+r"""Snapshots: the complete state of a rig as bytes that any program of this version can read back.
+
+A snapshot is one line and one JSON text. The line is `trs80arm snapshot 1`, the length of the text
+in bytes and its SHA-256. The text is an object:
+
+- `settings`: the machine's fittings, as `as_table` gives them; no file or folder is named.
+- `state`: pairs of a place and what is there, in order, as far as it differs from a machine that
+  was just assembled from these settings. A place is the way to it from the works, as `clock`,
+  `basic.control` or `memory.ram`. An object's entry holds its attributes by name, a container's
+  its content.
+
+Numbers, texts, true, false and null stand for themselves. Everything else is a list that begins
+with its kind: `["bytes", base64]`, `["tuple", ...]`, `["list", ...]`, `["set", ...]`,
+`["dict", [key, value], ...]`, `["named", kind, name]`, `["value", class, field, ...]` for a value
+that never changes, `["new", class, state]` for an object that is made anew, `["same", n]` for the
+n-th thing with an identity of its own that was made so far, and `["at", place]` for what stands at
+a place.
+
+The wiring of the machine is never read: the devices are assembled here, as at power-on, and are
+then given their state. Only classes of `snapshot_classes` are made anew, by names that stand there.
+Equal machines have equal bytes, in every process and on every Python.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import hashlib
+import json
+import math
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass, replace
+from enum import Enum
+from typing import Any
+
+from trs80arm.arm.minimover import MiniMover
+from trs80arm.plain_values import SettingsError, Table, as_table, from_table
+from trs80arm.snapshot_classes import NAMED, OBJECTS, VALUES, parts_of
+from trs80arm.works import RigSettings, Works, assemble
+
+FORMAT = "trs80arm snapshot 1"
+LARGEST = 64 * 1024 * 1024
+"""Bytes of a snapshot that is read; one of a machine at work has some hundred thousand."""
+_DEEPEST = 60
+"""How deep values may lie in one another."""
+_LARGEST_INTEGER = 1 << 64
+_MISSING = object()
+
+_KINDS = {cls: name for name, (cls, _) in NAMED.items()}
+_VALUE_NAMES = {cls: name for name, cls in VALUES.items()}
+_OBJECT_NAMES = {cls: name for name, cls in OBJECTS.items()}
+_PLAIN = (type(None), bool, int, float, str, bytes)
+_CONTAINERS = (list, deque, dict, set, bytearray)
+
+
+class SnapshotError(ValueError):
+    """No snapshot of a rig, or one of another version; one clear line."""
+
+
+def encode(works: Works) -> bytes:
+    """The state of a rig's works.
+
+    Raises:
+        TypeError: something in it is of a class that `snapshot_classes` does not know: a mistake
+            of the program and not of its user.
+    """
+    settings = replace(works.settings, tape_folder=None, printer_file=None)
+    fresh = assemble(settings, MiniMover(settings.arm))
+    places = _Places(fresh, works)
+    writer = _Writer(places.names)
+    entries: list[list[Any]] = []
+    for name, was, now in places.pairs:
+        if isinstance(now, _CONTAINERS):
+            state = writer.content(was, now)
+        else:
+            state = writer.attributes(places.fresh[name], places.states[name])
+        if state is not None:
+            entries.append([name, state])
+    text = json.dumps(
+        {"settings": as_table(settings), "state": entries}, separators=(",", ":"), allow_nan=False
+    ).encode("ascii")
+    head = f"{FORMAT} {len(text)} {hashlib.sha256(text).hexdigest()}\n"
+    return head.encode("ascii") + text
+
+
+def decode(data: bytes) -> Works:
+    """Works in the state of a snapshot, without tape folder and printer file.
+
+    Raises:
+        SnapshotError: for any bytes that are no snapshot.
+    """
+    content = _content(data)
+    try:
+        content = Table("snapshot", "", content)
+        settings = from_table(RigSettings, content.data.pop("settings", None), "settings")
+        if settings.tape_folder is not None or settings.printer_file is not None:
+            raise SnapshotError("no snapshot: it names a file or folder")
+        entries = content.data.pop("state", None)
+        content.done("settings, state")
+        works = assemble(settings, MiniMover(settings.arm))
+        places = _Places(works, works)
+        _Reader(places).read(entries)
+        works.settings = settings
+    except SnapshotError:
+        raise
+    except SettingsError as error:
+        raise SnapshotError(f"no snapshot: {error}") from None
+    except (ValueError, TypeError, LookupError, AttributeError, ArithmeticError) as error:
+        # What classes of the machine say to values that they never have.
+        raise SnapshotError(f"no snapshot: a state that cannot be: {error}") from None
+    return works
+
+
+def _content(data: bytes) -> Any:
+    head, _, text = data[: LARGEST + 1].partition(b"\n")
+    words = head.rsplit(b" ", 2)
+    if len(data) > LARGEST or len(words) != 3 or words[0] != FORMAT.encode():
+        kind = "of another version" if head.startswith(b"trs80arm snapshot") else "no snapshot"
+        raise SnapshotError(f"{kind}: it does not begin with the words {FORMAT!r}")
+    if words[1] != b"%d" % len(text) or words[2] != hashlib.sha256(text).hexdigest().encode():
+        raise SnapshotError("a damaged snapshot: its length or checksum is wrong")
+    try:
+        return json.loads(text)
+    except (ValueError, RecursionError):
+        raise SnapshotError("no snapshot: its content is no JSON") from None
+
+
+# -- places ----------------------------------------------------------------------------------------
+
+
+class _Places:
+    """What has a place in works: devices, and containers that belong to them.
+
+    Works that were just assembled and works in use are gone through side by side, so that one
+    place names the same thing in both.
+
+    Attributes:
+        names: the place of each thing, by its `id`.
+        pairs: place, the thing in the assembled works, the thing in the works in use.
+        fresh: the attributes of each object of the assembled works, by place.
+        states: the same of the works in use.
+    """
+
+    def __init__(self, fresh: Works, used: Works) -> None:
+        self.names: dict[int, str] = {}
+        self.pairs: list[tuple[str, Any, Any]] = []
+        # States may be made up for the occasion: kept, so that no other gets their `id`.
+        self.fresh: dict[str, Any] = {}
+        self.states: dict[str, Any] = {}
+        level = [("works", fresh, used)]
+        while level:
+            # The shortest way is the name, and a public one before a private.
+            level.sort(key=lambda found: ("_" in found[0].rpartition(".")[2][:1], found[0]))
+            level = [part for found in level for part in self._take(*found)]
+
+    def _take(self, place: str, was: Any, now: Any) -> list[tuple[str, Any, Any]]:
+        """Note what stands at a place, unless it is a value; what stands below it."""
+        cls = type(now)
+        if type(was) is not cls or issubclass(cls, (*_PLAIN, Enum)):
+            return []
+        if cls in _KINDS or cls in _VALUE_NAMES or cls in _OBJECT_NAMES:
+            return []
+        if cls is not tuple:
+            if id(was) in self.names or id(now) in self.names:
+                return []
+            self.names[id(was)] = self.names[id(now)] = place
+            self.pairs.append((place, was, now))
+        return list(self._parts(place, was, now))
+
+    def _parts(self, place: str, was: Any, now: Any) -> Iterator[tuple[str, Any, Any]]:
+        if isinstance(now, list | deque | tuple):
+            for index, (one, other) in enumerate(zip(was, now, strict=False)):
+                yield f"{place}[{index}]", one, other
+        elif isinstance(now, dict):
+            for key in now:
+                if key in was and type(key) in (int, str):
+                    yield f"{place}[{key}]", was[key], now[key]
+        elif not isinstance(now, _CONTAINERS):
+            before, state = _state(was), _state(now)
+            self.fresh[place], self.states[place] = before, state
+            if isinstance(state, dict):
+                prefix = "" if place == "works" else f"{place}."
+                for name in sorted(state.keys() & before.keys()):
+                    yield f"{prefix}{name}", before[name], state[name]
+
+
+def _state(thing: Any) -> Any:
+    """The attributes of an object by name, or what its class calls its state."""
+    cls = type(thing)
+    if any("__getstate__" in vars(base) for base in cls.__mro__[:-1]):
+        state = thing.__getstate__()
+        match state:
+            case (None, dict(slots)):
+                return slots
+        return state
+    if is_dataclass(cls):
+        return {field.name: getattr(thing, field.name) for field in fields(cls)}
+    names = [name for base in cls.__mro__ for name in getattr(base, "__slots__", ())]
+    return {name: getattr(thing, name) for name in names if hasattr(thing, name)} | getattr(
+        thing, "__dict__", {}
+    )
+
+
+# -- writing ---------------------------------------------------------------------------------------
+
+
+class _Writer:
+    """Turns what is in the works into JSON values."""
+
+    def __init__(self, places: dict[int, str]) -> None:
+        self._places = places
+        self._numbers: dict[int, int] = {}
+        self._kept: list[Any] = []
+
+    def content(self, was: Any, now: Any) -> Any:
+        """What is to be said of a container that has a place; None if nothing."""
+        return self._differing(was, now, _Writer._inside)
+
+    def attributes(self, was: Any, now: Any) -> Any:
+        """What is to be said of an object that has a place; None if nothing."""
+        if not isinstance(now, dict):
+            return self._differing(was, now, _Writer.value)
+        said = {}
+        for name in sorted(now):
+            value = self._differing(was.get(name), now[name], _Writer.value)
+            if value is not None or (now[name] is None and was.get(name) is not None):
+                said[name] = value
+        return said or None
+
+    def _differing(self, was: Any, now: Any, write: Any) -> Any:
+        """What is written of `now`; None if a machine just assembled has the same there."""
+        scratch = _Writer(self._places)
+        written = write(scratch, now)
+        # Who has an identity is written always, for somebody else may refer to it.
+        if not scratch._numbers and written == write(_Writer(self._places), was):
+            return None
+        return write(self, now)
+
+    def value(self, value: Any, depth: int = 0) -> Any:
+        """A value inside of something else."""
+        cls = type(value)
+        if value is None or cls in (bool, str):
+            return value
+        if cls is int and -_LARGEST_INTEGER < value < _LARGEST_INTEGER:
+            return value
+        if cls is float:
+            return value if math.isfinite(value) else ["float", repr(value)]
+        if cls is bytes:
+            return ["bytes", base64.b64encode(value).decode("ascii")]
+        if cls in _KINDS:
+            return ["named", _KINDS[cls], value.name]
+        if depth > _DEEPEST:
+            raise TypeError("values nested too deeply for a snapshot")
+        if cls is tuple:
+            return ["tuple", *(self.value(item, depth + 1) for item in value)]
+        if cls in _VALUE_NAMES:
+            parts = (self.value(getattr(value, name), depth + 1) for name in parts_of(cls))
+            return ["value", _VALUE_NAMES[cls], *parts]
+        if id(value) in self._places:
+            return ["at", self._places[id(value)]]
+        if id(value) in self._numbers:
+            return ["same", self._numbers[id(value)]]
+        self._numbers[id(value)] = len(self._numbers)
+        self._kept.append(value)
+        if cls in _OBJECT_NAMES:
+            state = _state(value)
+            self._kept.append(state)
+            if isinstance(state, dict):
+                written: Any = {name: self.value(state[name], depth + 1) for name in sorted(state)}
+            else:
+                written = self.value(state, depth + 1)
+            return ["new", _OBJECT_NAMES[cls], written]
+        if cls in _CONTAINERS:
+            return self._inside(value, depth)
+        raise TypeError(f"a snapshot knows nothing of {cls.__module__}.{cls.__qualname__}")
+
+    def _inside(self, value: Any, depth: int = 0) -> list[Any]:
+        """A container with its content."""
+        if isinstance(value, bytearray):
+            return ["bytearray", base64.b64encode(value).decode("ascii")]
+        if isinstance(value, dict):
+            pairs = (
+                [self.value(key, depth + 1), self.value(item, depth + 1)]
+                for key, item in value.items()
+            )
+            return ["dict", *pairs]
+        items = [self.value(item, depth + 1) for item in value]
+        if isinstance(value, set):
+            items.sort(key=json.dumps)
+        return [type(value).__name__, *items]
+
+
+# -- reading ---------------------------------------------------------------------------------------
+
+
+class _Reader:
+    """Gives works that were just assembled the state that JSON values say."""
+
+    def __init__(self, places: _Places) -> None:
+        self._things = {name: now for name, _, now in places.pairs}
+        self._states = places.states
+        self._made: list[Any] = []
+
+    def read(self, entries: Any) -> None:
+        """Take all entries, then give every object its attributes."""
+        if not isinstance(entries, list):
+            raise SnapshotError("no snapshot: its state is no list")
+        seen = set()
+        for entry in entries:
+            name, written = entry
+            if name in seen or name not in self._things:
+                raise SnapshotError("no snapshot: its state has a place that no machine has")
+            seen.add(name)
+            self._entry(name, written)
+        for name, state in self._states.items():
+            _give(self._things[name], state)
+
+    def _entry(self, name: str, written: Any) -> None:
+        thing = self._things[name]
+        if isinstance(thing, _CONTAINERS):
+            _refill(thing, self.value(written, thing))
+            return
+        state = self._states[name]
+        if not isinstance(state, dict):
+            self._states[name] = self.value(written)
+            return
+        for attribute, value in written.items():
+            # What an object has not got yet may have a beginning in its class.
+            was = state.get(attribute, getattr(type(thing), attribute, _MISSING))
+            if was is _MISSING or (attribute not in state and not isinstance(was, _PLAIN)):
+                raise SnapshotError("no snapshot: an attribute that no machine has")
+            state[attribute] = _like(was, self.value(value))
+
+    def value(self, written: Any, container: Any = None, depth: int = 0) -> Any:
+        """What a JSON value says; the content of `container`, if one is given."""
+        if not isinstance(written, list):
+            if isinstance(written, dict):
+                raise SnapshotError("no snapshot: an object where a value should be")
+            return written
+        if depth > _DEEPEST:
+            raise SnapshotError("no snapshot: values nested too deeply")
+        kind, *rest = written
+        match kind, rest:
+            case "float", [text]:
+                return float(text)
+            case "bytes", [str(text)]:
+                return _bytes(text)
+            case "tuple", _:
+                return tuple(self.value(item, depth=depth + 1) for item in rest)
+            case "named", [kind, name]:
+                return NAMED[kind][1][name]
+            case "value", [name, *parts]:
+                return VALUES[name](*(self.value(part, depth=depth + 1) for part in parts))
+            case "at", [place]:
+                return self._things[place]
+            case "same", [int(number)] if number >= 0:
+                return self._made[number]
+            case "new", [name, state]:
+                return self._new(OBJECTS[name], state, depth)
+        return self._container(kind, rest, container, depth)
+
+    def _container(self, kind: Any, rest: list[Any], container: Any, depth: int) -> Any:
+        made: Any = {
+            "list": list,
+            "deque": deque,
+            "set": set,
+            "dict": dict,
+            "bytearray": bytearray,
+        }[kind]()
+        if container is None:
+            self._made.append(made)
+        elif type(container) is not type(made):
+            raise SnapshotError("no snapshot: another kind of content than the machine's")
+        if isinstance(made, bytearray):
+            [text] = rest
+            made += _bytes(text)
+        elif isinstance(made, dict):
+            for key, value in rest:
+                made[self.value(key, depth=depth + 1)] = self.value(value, depth=depth + 1)
+        elif isinstance(made, set):
+            made.update(self.value(item, depth=depth + 1) for item in rest)
+        else:
+            for item in rest:
+                made.append(self.value(item, depth=depth + 1))
+        return made
+
+    def _new(self, cls: type, written: Any, depth: int) -> Any:
+        made: Any = object.__new__(cls)
+        self._made.append(made)
+        if isinstance(written, dict):
+            state: Any = {
+                name: self.value(value, depth=depth + 1) for name, value in written.items()
+            }
+            known = {field.name for field in fields(cls)} if is_dataclass(cls) else state.keys()
+            if state.keys() != known or any(name.startswith("__") for name in state):
+                raise SnapshotError("no snapshot: an object with other attributes than its class")
+        else:
+            state = self.value(written, depth=depth + 1)
+        _give(made, state)
+        return made
+
+
+def _bytes(text: Any) -> bytes:
+    try:
+        return base64.b64decode(text, validate=True)
+    except binascii.Error:
+        raise SnapshotError("no snapshot: bytes that are not base64") from None
+
+
+def _give(thing: Any, state: Any) -> None:
+    """Give an object its attributes."""
+    if hasattr(type(thing), "__setstate__") and not is_dataclass(thing):
+        thing.__setstate__(state)
+    elif state is not None:
+        for name, value in state.items():
+            if getattr(thing, name, _MISSING) is not value:
+                object.__setattr__(thing, name, value)
+
+
+def _like(was: Any, now: Any) -> Any:
+    """A new value of an attribute, which must be of the kind that the machine has there."""
+    both = {type(was), type(now)}
+    if was is None or now is None or len(both) == 1 or both <= {int, float}:
+        return now
+    if type(was) in _OBJECT_NAMES and type(now) in _OBJECT_NAMES:
+        return now
+    raise SnapshotError("no snapshot: another kind of value than the machine's")
+
+
+def _refill(thing: Any, content: Any) -> None:
+    """Let a container of the machine hold other things; it stays the same container."""
+    if isinstance(thing, bytearray):
+        if thing and len(thing) != len(content):
+            raise SnapshotError("no snapshot: memory of another size than the machine's")
+        thing[:] = content
+    elif isinstance(thing, dict | set):
+        thing.clear()
+        thing.update(content)
+    else:
+        thing.clear()
+        thing.extend(content)
