@@ -103,9 +103,15 @@ class Rig:
         """Let `seconds` of virtual time pass.
 
         A statement of BASIC is never cut, so the clock may come to stand a statement later; the
-        next call then has that much less to do.
+        next call then has that much less to do, and many short calls come to where one long one
+        does (but for `seconds`, which are rounded to T-states).
+
+        Raises:
+            ValueError: that is no time, or after `END_OF_TIME`.
         """
-        self.run_to(self.clock.now + round(seconds * T_STATES_PER_SECOND))
+        if not 0 <= seconds <= END_OF_TIME / T_STATES_PER_SECOND:
+            raise ValueError(f"time cannot pass for {seconds} seconds")
+        self.run_to(self._works.asked + round(seconds * T_STATES_PER_SECOND))
 
     def run_to(self, target: int) -> None:
         """Run until the clock shows at least `target` T-states.
@@ -116,8 +122,9 @@ class Rig:
         if target > END_OF_TIME:
             raise ValueError("the clock does not go that far")
         works = self._works
+        works.asked = max(works.asked, target)
         while works.clock.now < target:
-            self._turn(target, until_waiting=works.typist.pending)
+            self._turn(target, until_waiting=works.typist.looks_up)
 
     def run_until(self, condition: Callable[[Rig], bool], seconds: float = 60.0) -> bool:
         """Run until `condition(rig)` holds, looking each time the machine begins to wait, too.
@@ -136,6 +143,7 @@ class Rig:
             if works.clock.now >= end:
                 return False
             self._turn(min(end, works.clock.now + frame), until_waiting=True)
+            works.asked = works.clock.now
         return True
 
     def run_until_waiting(self, seconds: float = 60.0) -> Waiting:
@@ -153,6 +161,7 @@ class Rig:
             ):
                 break
             self._turn(end, until_waiting=True)
+            works.asked = works.clock.now
         return works.basic.waiting
 
     def step_statement(self) -> int | None:
@@ -172,6 +181,7 @@ class Rig:
             self._move_keys()
             clock.limit = clock.now + T_STATES_PER_SECOND // 60
             works.basic.step_statement()
+        works.asked = clock.now
         return works.basic.next_line
 
     def _turn(self, target: int, until_waiting: bool) -> None:
@@ -182,7 +192,11 @@ class Rig:
         for time, key, down in works.typist.due(clock.now, waiting is not Waiting.NOTHING):
             self._at(time, key, down)
         self._move_keys()
-        clock.limit = min(target, works.events[0].time) if works.events else target
+        limits = [target, *(event.time for event in works.events[:1])]
+        look = works.typist.next_look
+        if look is not None and look > clock.now:
+            limits.append(look)
+        clock.limit = min(limits)
         # A machine that waits already is not asked to stop at the wait that it is in.
         works.basic.advance(until_waiting=until_waiting and waiting is Waiting.NOTHING)
 

@@ -135,6 +135,8 @@ class Works:
     typist: Typist
     events: list[KeyEvent] = field(default_factory=list)
     order: int = 0
+    asked: int = 0
+    """The T-state up to which the machine was asked to run; it may stand a statement later."""
     zero: Counts = (0, 0, 0, 0, 0, 0)
     """Where the rotors stood when the registers were last zeroed."""
 

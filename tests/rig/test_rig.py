@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from trs80arm import Rig, RigSettings
 from trs80arm.arm.bench import Bench
@@ -52,6 +54,57 @@ def test_a_run_is_the_same_however_it_is_sliced() -> None:
             rig.run_to(min(target, rig.clock.now + round(step * 1_774_080)))
         ends.add((rig.clock.now, tuple(rig.screen()), rig.registers, rig.joints))
     assert len(ends) == 1
+
+
+def sliced(rig: Rig, seconds: float, slices: int) -> None:
+    for _ in range(slices):
+        rig.run_for(seconds / slices)
+
+
+def test_letting_go_in_the_middle_of_typing_is_the_same_however_it_is_sliced() -> None:
+    ends = set()
+    for slices in (1, 2, 30, 60):
+        rig = Rig()
+        rig.type("PRINT 1\rPRINT 2\r")
+        sliced(rig, 0.5, slices)
+        rig.release_all()
+        sliced(rig, 3, slices)
+        ends.add(rig.snapshot())
+    assert len(ends) == 1
+    assert ">PRINT PRINT 2" in rig.screen()
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    st.lists(
+        st.tuples(
+            st.sampled_from(["type", "program", "hold", "release_all", "stop_typing", "press"]),
+            st.sampled_from([0.0625, 0.125, 0.25, 0.75, 1.5]),
+        ),
+        min_size=1,
+        max_size=8,
+    ),
+    st.sampled_from([2, 8, 32]),
+)
+def test_whatever_the_operator_does_it_is_the_same_however_it_is_sliced(
+    script: list[tuple[str, float]], slices: int
+) -> None:
+    whole, cut = Rig(), Rig()
+    for rig, count in ((whole, 1), (cut, slices)):
+        for what, seconds in script:
+            if what == "type":
+                rig.type("PRINT 1\rPRINT 2\rA$=INKEY$:PRINT A$\r")
+            elif what == "program":
+                rig.load_text("10 PRINT RND(9);:IF INKEY$<>CHR$(13) THEN 10\n20 INPUT A:GOTO 10")
+                rig.type("RUN\r5\r")
+            elif what == "hold":
+                rig.hold(["BREAK"], 0.1)
+            elif what == "press":
+                rig.press("A")
+            else:
+                getattr(rig, what)()
+            sliced(rig, seconds, count)
+    assert cut.snapshot() == whole.snapshot()
 
 
 def test_a_snapshot_in_the_middle_of_a_motion_goes_on_as_if_nothing_had_been() -> None:

@@ -45,6 +45,19 @@ class Typist:
         """Whether there is text whose key events were not yet given out."""
         return bool(self._queue)
 
+    @property
+    def looks_up(self) -> bool:
+        """Whether it watches for the machine to become ready after a line."""
+        return self._line_end is not None
+
+    @property
+    def next_look(self) -> int | None:
+        """The T-state at which it first looks up after a line; None if there was none.
+
+        A machine that is not ready then is looked at when it begins to wait.
+        """
+        return None if self._line_end is None else self._line_end + HOLD
+
     def add(self, text: str) -> str:
         r"""Append text to what is to be typed; `\r`, `\n` or both in a row are one ENTER.
 
