@@ -59,7 +59,11 @@ def run_program(options: BatchOptions, out: TextIO | None = None) -> int:
     stream = out or sys.stdout
     try:
         return _run(options, stream)
+    except BrokenPipeError:
+        raise
     except (UnusableError, ScriptError, FileFormatError, BenchError, TraceError, OSError) as error:
+        if isinstance(error, OSError) and error.filename is None:
+            raise  # Of the stream that is printed to.
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
     return 2
 

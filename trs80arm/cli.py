@@ -7,6 +7,9 @@ unreadable file, with one line on standard error.
 
 from __future__ import annotations
 
+import io
+import math
+import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -15,14 +18,33 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 import click
 
 from trs80arm import __version__
+from trs80arm.shown import shown
 
 if TYPE_CHECKING:
     from trs80arm.options import TerminalOptions
     from trs80arm.settings import Settings
 
 USAGE_ERROR = 2
+LONGEST_RUN = 1e9
+"""Virtual seconds of an unattended run, 31 years."""
+BROKEN_PIPE = 128 + 13
+"""The exit code when whoever read the output has left: that of a program ended by SIGPIPE."""
+INTERRUPTED = 128 + 2
 A_PATH = click.Path(path_type=Path)
 Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+class Finite(click.FloatRange):
+    """A number in a range; neither infinite nor none at all."""
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        """The number that a text says."""
+        number = float(super().convert(value, param, ctx))
+        if not math.isfinite(number):
+            self.fail(f"{value} is not a finite number", param, ctx)
+        return number
 
 
 class ProgramFirst(click.Group):
@@ -41,7 +63,7 @@ class ProgramFirst(click.Group):
 
 def fail(message: object) -> NoReturn:
     """Say one clear line on standard error and leave with the code for bad usage."""
-    click.echo(f"trs80arm: {message}", err=True)
+    click.echo(f"trs80arm: {shown(message)}", err=True)
     sys.exit(USAGE_ERROR)
 
 
@@ -193,7 +215,7 @@ def serve(host: str, port: int, program: Path | None) -> None:
 @click.argument("program", type=A_PATH)
 @click.option(
     "--seconds",
-    type=click.FloatRange(min=0),
+    type=Finite(min=0, max=LONGEST_RUN),
     help="Stop after so many virtual seconds from RUN; 3600 unless given.",
 )
 @click.option("--input", "inputs", multiple=True, help="The answer to the next INPUT.")
@@ -205,7 +227,7 @@ def serve(host: str, port: int, program: Path | None) -> None:
 @click.option("--trace-pose", type=A_PATH, help="Angles, pose, force, switch to .csv or .npz.")
 @click.option(
     "--trace-rate",
-    type=click.FloatRange(min=0, max=100_000, min_open=True),
+    type=Finite(min=0, max=100_000, min_open=True),
     help="Poses a virtual second; one after each step unless given.",
 )
 @_machine_options
@@ -265,10 +287,40 @@ def figure(name: str, output: Path | None, width: int | None) -> None:
 
 def main() -> None:
     """Run the command line; bad usage is told in one line."""
+    _open_streams()
     try:
-        sys.exit(cli.main(prog_name="trs80arm", standalone_mode=False) or 0)
+        # Not `cli.main`, which has its own way with a broken pipe.
+        with cli.make_context("trs80arm", sys.argv[1:]) as context:
+            cli.invoke(context)
+        sys.stdout.flush()
+    except click.exceptions.Exit as ending:
+        sys.exit(ending.exit_code)
     except click.UsageError as error:
         command = error.ctx.command_path if error.ctx else "trs80arm"
         fail(f"{error.format_message().rstrip('.')} ({command} --help tells more)")
-    except click.Abort:
-        sys.exit(USAGE_ERROR)
+    except (click.Abort, KeyboardInterrupt):
+        sys.exit(INTERRUPTED)
+    except BrokenPipeError:
+        _give_up_output()
+        sys.exit(BROKEN_PIPE)
+    except OSError as error:
+        _give_up_output()
+        fail(f"{error.filename or 'standard output'}: {error.strerror or error}")
+
+
+def _open_streams() -> None:
+    """Give every standard stream something to write to and a way with every character."""
+    if sys.stdin is None:
+        sys.stdin = open(os.devnull, encoding="utf-8")  # noqa: SIM115
+    if sys.stdout is None:
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
+    for stream in (sys.stdin, sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
+
+
+def _give_up_output() -> None:
+    """What is still to be printed goes nowhere, or it would be told once more at the very end."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

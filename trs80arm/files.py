@@ -28,6 +28,8 @@ __all__ = [
     "save_program",
 ]
 
+LARGEST = 16 * 1024 * 1024
+"""Bytes of a program file that is read; a machine has 48K."""
 CRUNCHED_MARK = 0xFF
 """The first byte of a crunched program file."""
 _CASSETTE_HEAD = bytes((cassette.SYNC,)) + cassette.PROGRAM_MARK
@@ -100,8 +102,11 @@ def load_program(path: Path, *, keep_good: bool = False) -> list[ProgramLine]:
         FileFormatError: the file is damaged or no program; the message begins with its path.
         OSError: it cannot be read.
     """
-    data = path.read_bytes()
+    with path.open("rb") as file:
+        data = file.read(LARGEST + 1)
     try:
+        if len(data) > LARGEST:
+            raise FileFormatError(f"longer than {LARGEST >> 20} MB, which no program is")
         return parse_program(data, keep_good=keep_good)
     except FileFormatError as error:
         named = FileFormatError(f"{path}: {error}")

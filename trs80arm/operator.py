@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from trs80arm.basic.activity import Waiting
 from trs80arm.machine.keys import Key
-from trs80arm.rig import Rig
+from trs80arm.rig import LONGEST_HOLD, Rig
 
 HAND_PAUSE = 0.1
 """Seconds between two holds, and how long the ending key is held: a person's fingers."""
@@ -39,7 +39,8 @@ def parse_holds(text: str) -> list[Hold]:
             for a short press: `"6:1.0 1+W:0.5 0"`.
 
     Raises:
-        ScriptError: an item is not of that form or names a key that the TRS-80 lacks.
+        ScriptError: an item is not of that form, names a key that the TRS-80 lacks or lasts longer
+            than a key can be held.
     """
     holds = []
     for item in text.split():
@@ -52,6 +53,10 @@ def parse_holds(text: str) -> list[Hold]:
                 f"{item!r} is not KEYS:SECONDS with keys of the TRS-80 joined by +"
             ) from None
         seconds = match["seconds"] if match else None
+        if seconds is not None and not float(seconds) <= LONGEST_HOLD:
+            raise ScriptError(
+                f"a key can be held for {LONGEST_HOLD:.0f} seconds, not {seconds[:40]}"
+            )
         holds.append(Hold(keys, HAND_PAUSE if seconds is None else float(seconds)))
     return holds
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from trs80arm.shown import shown
+
 
 def reason(error: OSError) -> str:
     """Why a file could not be read or written, without the number and name of the system call."""
@@ -11,5 +13,5 @@ def reason(error: OSError) -> str:
 def one_line(error: Exception) -> str:
     """What went wrong in one line, with the file's name before what the system says of it."""
     if isinstance(error, OSError) and error.filename:
-        return f"{error.filename}: {reason(error)}"
-    return str(error).splitlines()[0] if str(error) else type(error).__name__
+        return shown(f"{error.filename}: {reason(error)}")
+    return shown(str(error).splitlines()[0] if str(error) else type(error).__name__)

@@ -313,7 +313,7 @@ class Rig:
             FileFormatError: the file is damaged or no program.
             OSError: the file cannot be read.
         """
-        self.load_bytes(Path(path).read_bytes())
+        self.load_lines(files.load_program(Path(path)))
 
     def load_bytes(self, data: bytes) -> None:
         """Load the content of a program file.

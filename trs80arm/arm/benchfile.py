@@ -27,6 +27,8 @@ from trs80arm.arm.shapes import Box, Vector, overlap, upright
 from trs80arm.arm.world import World
 from trs80arm.plain_values import SettingsError, Table
 
+LARGEST = 1024 * 1024
+"""Bytes of a bench file that is read."""
 FAR = 60.0
 """Farthest that anything may be from the base axis, inches."""
 
@@ -48,7 +50,11 @@ def read(path: str | Path) -> str:
     """
     name = str(path)
     try:
-        return Path(path).read_text(encoding="utf-8")
+        with Path(path).open("rb") as file:
+            data = file.read(LARGEST + 1)
+        if len(data) > LARGEST:
+            raise BenchError(f"{name}: longer than {LARGEST >> 10}K, which no bench is")
+        return data.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError:
         raise BenchError(f"{name}: expected a text file in UTF-8") from None
     except (OSError, ValueError) as error:

@@ -22,6 +22,9 @@ _CONTROL_BLOCK = bytes((0x06, 0x8D, 0x05, 0x43, 0x00, 0x00, 0x50, 0x52))
 LINES_PER_PAGE = 0x4028
 LINES_PRINTED = 0x4029
 
+PAPER = 1 << 19
+"""Codes that are kept in memory, some 130 pages."""
+
 _LINE_FEED, _VERTICAL_TAB, _FORM_FEED, _CARRIAGE_RETURN = 10, 11, 12, 13
 
 # T-states from the call of the output routine at 32AH to its return, as the ROM takes them.
@@ -35,6 +38,9 @@ def _as_text(codes: bytes | bytearray) -> str:
 
 class Printer:
     """A printer and its paper.
+
+    In memory the paper is as long as `PAPER`: what was printed before goes, as it does from a bin
+    under the printer that is full. A file has all of it.
 
     Attributes:
         path: the file that the paper goes to, appended line by line; None for no file.
@@ -54,19 +60,22 @@ class Printer:
 
     @property
     def sent(self) -> bytes:
-        """Every code sent since power-on."""
+        """Every code sent since power-on, as far as it is still on the paper in memory."""
         return bytes(self._sent)
 
     @property
     def text(self) -> str:
-        r"""All that was printed since power-on: CR as `\n`, other codes as they are."""
+        r"""What is on the paper in memory: CR as `\n`, other codes as they are."""
         return _as_text(self._sent)
 
     def put(self, code: int) -> None:
         """Send one character, 0 to 255; with CR the line goes to the file."""
         self._sent.append(code & 0xFF)
-        if code == _CARRIAGE_RETURN:
+        if code == _CARRIAGE_RETURN or len(self._sent) - self._line_start >= PAPER:
             self.flush()
+        if len(self._sent) >= 2 * PAPER:
+            self._line_start -= len(self._sent) - PAPER
+            del self._sent[:-PAPER]
 
     def flush(self) -> None:
         """Bring a line that is not ended yet to the file, as tearing off the paper does."""

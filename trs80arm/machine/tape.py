@@ -6,7 +6,9 @@ program can reach no other file: it never names one.
 
 from __future__ import annotations
 
+import os
 import re
+import stat
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -14,6 +16,8 @@ from trs80arm.machine import cassette
 from trs80arm.saving import write_whole
 
 SUFFIX = ".cas"
+LONGEST = 16 * 1024 * 1024
+"""Bytes of a cassette that is played: a hundred times both sides of a C-60."""
 DATA_CASSETTE = "data"
 """Where PRINT#-1 records while no cassette was put in by hand."""
 _NAME = re.compile(r"""[^./\\:*?"<>|~\x00-\x1f\x7f][^/\\:*?"<>|\x00-\x1f\x7f]{0,99}(?<![ ~])""")
@@ -86,7 +90,13 @@ class FolderShelf:
     def load(self, name: str) -> bytes:
         """What is on a cassette; nothing on a new one."""
         path = self._path(name)
-        return path.read_bytes() if path.exists() else b""
+        if not path.exists():
+            return b""
+        with path.open("rb") as file:
+            content = file.read(LONGEST + 1)
+        if len(content) > LONGEST:
+            raise OSError(f"{path} is longer than any cassette")
+        return content
 
     def store(self, name: str, content: bytes) -> None:
         """Write the file whole, or leave it as it was and raise OSError."""
@@ -105,11 +115,19 @@ class FolderShelf:
         if not path.exists() and capital.exists():
             path = capital
         if not self._is_inside(path):
-            raise OSError(f"{path} is a link that leads out of the tape folder")
+            raise OSError(f"{path} is no file, or a link that leads out of the tape folder")
         return path
 
     def _is_inside(self, path: Path) -> bool:
-        return path.resolve().parent == self._folder.resolve() and not path.is_dir()
+        """Whether it is a file of the folder, or could become one; nothing that would block."""
+        try:
+            if not stat.S_ISREG(os.stat(path).st_mode):
+                return False
+        except FileNotFoundError:
+            pass
+        except OSError:
+            return False  # A loop of links.
+        return os.path.dirname(os.path.realpath(path)) == os.path.realpath(self._folder)
 
 
 class Tape:

@@ -12,6 +12,8 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
+from trs80arm.saving import whole_file
+
 SUFFIXES = (".svg", ".png", ".pdf")
 
 
@@ -145,8 +147,8 @@ class Figure:
         # The same figure gives the same file.
         metadata = {"Date": None} if path.suffix.lower() == ".svg" else None
         try:
-            with matplotlib.rc_context({"svg.hashsalt": self.name}):
-                canvas.savefig(path, metadata=metadata)
+            with matplotlib.rc_context({"svg.hashsalt": self.name}), whole_file(path) as file:
+                canvas.savefig(file, format=path.suffix[1:].lower(), metadata=metadata)
         except OSError as error:
             raise FigureError(f"{path}: cannot be written: {error.strerror}") from None
 
