@@ -19,6 +19,7 @@ from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.options import TerminalOptions
 from trs80arm.reasons import one_line
 from trs80arm.rig import Waiting
+from trs80arm.shown import shown
 from trs80arm.teletype import Teletype
 
 SLICE = 0.05
@@ -68,7 +69,7 @@ class PlainMode:
     def _tell(self, text: object) -> None:
         """Say something that the machine did not, on a line of its own."""
         self._teletype.end_line()
-        print(text, file=self._out)
+        print("\n".join(map(shown, str(text).split("\n"))), file=self._out)
 
     def talk(self, lines: Iterator[str]) -> int:
         """Take lines until `.quit` or the last one.

@@ -154,3 +154,23 @@ def test_mouse_and_paste_pass_in_between() -> None:
         "-97u",
         "Paste",
     ]
+
+
+@pytest.mark.parametrize(
+    "sequence",
+    [
+        "\x1b[1114112u",
+        "\x1b[55296u",
+        "\x1b[97;1;1114112u",
+        "\x1b[97:99999999;2u",
+        "\x1b[97;1;56320:97u",
+        "\x1b[" + "9" * 5000 + "u",
+    ],
+)
+@pytest.mark.parametrize("releases", [False, True])
+def test_codes_of_no_character_are_no_keys(sequence: str, releases: bool) -> None:
+    parser = KeyParser(releases=releases)
+    heard = [*parser.feed(sequence), *parser.feed("a")]
+    for message in heard:
+        assert not getattr(message, "character", None) or message.character.isprintable()
+    assert [getattr(message, "character", None) for message in heard][-1] == "a"

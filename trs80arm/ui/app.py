@@ -22,6 +22,7 @@ from textual import events
 from textual.app import App
 from textual.command import CommandPalette
 from textual.driver import Driver
+from textual.filter import LineFilter
 from textual.screen import Screen
 
 from trs80arm.desk.files import PLAYING, SessionFiles
@@ -35,6 +36,7 @@ from trs80arm.desk.stage import Stage
 from trs80arm.desk.teach import Lesson
 from trs80arm.drawing.glyphs import choose
 from trs80arm.options import TerminalOptions
+from trs80arm.shown import shown
 from trs80arm.ui.asking import Dialogs
 from trs80arm.ui.commands.arm import ArmCommands
 from trs80arm.ui.commands.bar import CommandBar
@@ -55,6 +57,7 @@ from trs80arm.ui.screens.help import page
 from trs80arm.ui.screens.key_test import KeyTest
 from trs80arm.ui.terminal.driver import choose_driver
 from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
+from trs80arm.ui.terminal.no_codes import NoControlCodes
 from trs80arm.ui.themes import THEMES
 
 COPY_EVERY = 5.0
@@ -108,6 +111,7 @@ class Trs80Arm(App[int]):
         self.options = options
         self.session = session
         self.wall = wall
+        self._no_codes = NoControlCodes()
         super().__init__()
         self._ticking = ticking
         self._notice = ""
@@ -248,6 +252,10 @@ class Trs80Arm(App[int]):
 
     # -- time and pictures ------------------------------------------------------------------------
 
+    def get_line_filters(self) -> Sequence[LineFilter]:
+        """Textual's own, and that nothing of what is drawn is a control code."""
+        return [*super().get_line_filters(), self._no_codes]
+
     def tick(self) -> None:
         """Give the machine its time, and draw when it is time to."""
         self.stage.go_on()
@@ -289,11 +297,12 @@ class Trs80Arm(App[int]):
         """Tell the user something: in the status line, and an error in a box as well."""
         if not self.is_running:
             return
+        text = shown(text)
         self._notice = text
         self._notice_until = self.wall() + NOTICE_SECONDS
         self.desk.numbers_due = 0.0
         if error:
-            self.notify(text, severity="error")
+            self.notify(text, severity="error", markup=False)
 
     # -- keys -------------------------------------------------------------------------------------
 

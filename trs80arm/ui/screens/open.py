@@ -16,6 +16,7 @@ from trs80arm.desk.asking import ProgramQuestion, Shelf
 from trs80arm.desk.places import program_files
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.program_text import spell
+from trs80arm.shown import shown
 from trs80arm.ui.screens.dialog import Dialog
 
 PREVIEW_LINES = 40
@@ -76,7 +77,7 @@ class OpenScreen(Dialog[Path]):
                 self._paths.append(Path())
             for path in files:
                 options.add_option(
-                    Option(Text(f"  {path.name}", no_wrap=True, overflow="ellipsis"))
+                    Option(Text(shown(f"  {path.name}"), no_wrap=True, overflow="ellipsis"))
                 )
                 self._paths.append(path)
         first = next((n for n, path in enumerate(self._paths) if path != Path()), None)

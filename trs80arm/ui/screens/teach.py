@@ -10,6 +10,7 @@ from typing import ClassVar
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical, VerticalScroll
+from textual.markup import escape
 from textual.widgets import Footer, Input, OptionList, Static
 
 from trs80arm.desk.asking import FileQuestion
@@ -17,6 +18,7 @@ from trs80arm.desk.taught_programs import Manner, Written, written
 from trs80arm.desk.teach import Lesson, Position
 from trs80arm.drawing.readings import Readings
 from trs80arm.saving import write_whole
+from trs80arm.shown import shown
 from trs80arm.ui.screens.dialog import AskPath, Dialog
 
 _HEADING = " name    hand        J1    J2    J3    J4    J5    J6     x     y     z pitch  roll"
@@ -225,7 +227,7 @@ differences make sense only between positions whose registers count from the sam
                 self.query_one(".wrong", Static).update(f"{path}: {error.strerror or error}")
             else:
                 self._lesson.written()
-                self.notify(f"Written to {path}")
+                self.notify(shown(f"Written to {path}"), markup=False)
 
         self.app.push_screen(
             AskPath(
@@ -286,7 +288,7 @@ class EditPosition(Dialog[Position]):
         """Three lines."""
         position = self._position
         with Vertical(classes="dialog") as box:
-            box.border_title = f"Position {position.name}"
+            box.border_title = f"Position {escape(position.name)}"
             box.border_subtitle = "Enter keeps it, Escape goes back"
             yield Static("Name", classes="hint", markup=False)
             yield Input(position.name, id="name")

@@ -8,6 +8,7 @@ that all that Textual does with keys stays as it is. Pinned by `tests/ui/test_te
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterable
 
 from textual import events
@@ -86,6 +87,8 @@ class KeyParser(XTermParser):
     def _typed(
         self, codes: str, modifiers: str, kind: str, text: str, end: str
     ) -> list[events.Key]:
+        if not all(map(_is_character, re.findall(r"\d+", f"{codes}:{text}"))):
+            return [events.Key(Keys.Ignore, "")]
         code, *alternates = codes.split(":")
         if kind and not self.releases:
             self._found_releases(True)
@@ -103,6 +106,11 @@ class KeyParser(XTermParser):
             key = keys[0]
             self._noticed.append(KeyWentDown(base, key.key, key.character))
         return keys
+
+
+def _is_character(code: str) -> bool:
+    """Whether a number that the terminal sent can be a character: not beyond the last, no half."""
+    return len(code) <= 7 and int(code) <= sys.maxunicode and not 0xD800 <= int(code) <= 0xDFFF
 
 
 def _bare(modifiers: str) -> int:
