@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+PROGRAMS = Path(__file__).parents[1] / "programs"
+
 
 @pytest.fixture(autouse=True)
 def own_places(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

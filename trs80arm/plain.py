@@ -102,19 +102,20 @@ class PlainMode:
             self.session.rig.type(line + "\r")
 
     def _work(self) -> None:
-        """Let the machine work until it waits for the operator; Ctrl+C is BREAK."""
-        rig = self.session.rig
+        """Let the machine work, or a recording play, until the operator is wanted."""
+        session = self.session
         try:
-            while rig.typing or rig.waiting is Waiting.NOTHING:
-                rig.run_for(SLICE)
+            while session.typing or session.waiting is Waiting.NOTHING:
+                session.run_for(SLICE)
                 self._out.flush()
-                if self._speed is not None and rig.waiting is Waiting.NOTHING:
+                if self._speed is not None and session.waiting is Waiting.NOTHING:
                     self._sleep(SLICE / self._speed)
         except KeyboardInterrupt:
+            session.stop_playing()
             self._press_break()
-        for fault in self.session.new_faults():
+        for fault in session.new_faults():
             self._tell(fault)
-        if rig.waiting is Waiting.SET:
+        if session.waiting is Waiting.SET:
             self._tell("@SET: which keys? (.help)")
         self._out.flush()
 

@@ -9,15 +9,14 @@ from typing import Any
 
 import pytest
 
-from tests.own_places import own_places
+from tests.own_places import PROGRAMS, own_places
 from trs80arm.desk.opening import open_session
 from trs80arm.options import TerminalOptions
 from trs80arm.ui.app import Trs80Arm
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 
-__all__ = ["own_places", "sit_down"]
+__all__ = ["PROGRAMS", "own_places", "sit_down"]
 
-PROGRAMS = Path(__file__).parents[2] / "programs"
 FRAME = 1 / 60
 
 

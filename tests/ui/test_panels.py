@@ -40,7 +40,8 @@ def test_every_panel_explains_itself(panel: type[Panel]) -> None:
 def test_panels_can_be_drawn_at_any_size(panel: type[Panel]) -> None:
     for width in (1, 10, 33, 100):
         for height in (1, 4, 30):
-            panel().draw(samples.slipped(), width, height)
+            rows = panel().draw(samples.slipped(), width, height)
+            assert any(text_of(row).strip() for row in rows)
 
 
 def test_a_slipped_joint_is_marked_by_glyph_and_ink() -> None:
