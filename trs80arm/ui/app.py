@@ -140,7 +140,9 @@ class Trs80Arm(App[int]):
         session, lesson, keyboard, desk = self.session, self.lesson, self.keyboard, self.desk
         dialogs, say = Dialogs(self), self.say
         files = SessionFiles(session, self.recovery, recent, dialogs, say)
-        arm = ArmCommands(session, lesson, files, dialogs, say, dialogs, lambda: desk.side.braille)
+        arm = ArmCommands(
+            session, lesson, files, dialogs, say, dialogs, lambda: desk.side.picture.braille
+        )
         leaving = Leaving(
             session, lesson, self.recovery, files, dialogs, arm.teach, lambda: self.exit(0)
         )

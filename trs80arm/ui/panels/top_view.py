@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from trs80arm.drawing.readings import Readings
-from trs80arm.drawing.rows import signed
-from trs80arm.drawing.scene import Extras, Scene
-from trs80arm.drawing.top_scene import top_scene
+from trs80arm.drawing.picture import FROM_ABOVE
 from trs80arm.ui.panels.arm_view import ArmView
 
 
 class TopView(ArmView):
     """Table, base and arm from above; the arm's front is to the right."""
 
+    SUBJECT = FROM_ABOVE
     HELP = """
 ## The arm from above
 
@@ -24,14 +22,3 @@ Table 4 does, with the base's turn taken out.) Small as they are, one of `|` `/`
 sensor. Dots `::` lead to where the fingertip would be if no motor had slipped. On request `+`
 outlines how far the arm reaches, and `,` marks where the fingertip has been.
 """
-
-    def scene(self, readings: Readings, extras: Extras) -> Scene:
-        """The table."""
-        return top_scene(readings, extras)
-
-    def caption(self, readings: Readings, width: int) -> str:
-        """The place of the fingertip, and the roll."""
-        pose = readings.pose
-        place = f"x{signed(pose.x, 1)} y{signed(pose.y, 1)} z{signed(pose.z, 1)}"
-        longer = f"{place} roll{signed(pose.roll, 0)}"
-        return longer if len(longer) <= width else place if len(place) <= width else ""

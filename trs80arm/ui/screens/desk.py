@@ -165,24 +165,28 @@ class DeskScreen(Screen[None]):
         """Draw the arm in ASCII or in braille."""
         self.arm_style = style
         for view in self._arm_views:
-            view.braille = style is ArmStyle.BRAILLE
+            view.picture.braille = style is ArmStyle.BRAILLE
+            view.redraw()
 
     def toggle_arm_option(self, name: str) -> bool:
         """Turn `envelope`, `trail` or `labels` on or off; whether it is on now."""
-        shown = not getattr(self.side, name)
+        shown = not getattr(self.side.picture, name)
         for view in self._arm_views:
-            setattr(view, name, shown)
+            setattr(view.picture, name, shown)
+            view.redraw()
         return shown
 
     def clear_trail(self) -> None:
         """Forget where the fingertip has been."""
         for view in self._arm_views:
-            view.clear_trail()
+            view.picture.clear_trail()
+            view.redraw()
 
     def zoom_arm(self, way: str) -> None:
         """Closer (`in`), farther (`out`), or all of it (`fit`)."""
         for view in self._arm_views:
-            getattr(view, f"zoom_{way}")()
+            getattr(view.picture, f"zoom_{way}")()
+            view.redraw()
 
     # -- drawing ----------------------------------------------------------------------------------
 

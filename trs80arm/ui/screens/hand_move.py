@@ -20,6 +20,7 @@ from trs80arm.desk.hands import MoveJoint, MoveTo
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import signed
 from trs80arm.rig import TURNED_BY_HAND
+from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.side_view import SideView
 from trs80arm.ui.panels.top_view import TopView
 from trs80arm.ui.screens.dialog import Dialog
@@ -106,7 +107,8 @@ them off.
 
     def on_mount(self) -> None:
         """Look at the arm, again and again."""
-        self.query_one(SideView).braille = self.query_one(TopView).braille = self._braille
+        for view in self.query(ArmView):
+            view.picture.braille = self._braille
         self.set_interval(1 / FRAMES_PER_SECOND, self._show)
         self.call_after_refresh(self._show)
 

@@ -9,18 +9,16 @@ from hypothesis import strategies as st
 from tests.drawing import samples
 from tests.goldens import check_golden
 from trs80arm.arm.shapes import upright
+from trs80arm.drawing.picture import FROM_ABOVE, FROM_THE_SIDE, Picture, Subject, angles_text
 from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
 from trs80arm.drawing.rows import Ink, text_of
 from trs80arm.drawing.scene import Extras, Joint, skeleton
 from trs80arm.drawing.top_scene import top_scene
-from trs80arm.ui.panels.arm_view import ArmView
-from trs80arm.ui.panels.side_view import SideView, angles_text
-from trs80arm.ui.panels.top_view import TopView
 
 SIZES = [(76, 28), (50, 18), (40, 12), (16, 8), (46, 6)]
 
 
-def drawing(view: ArmView, readings: Readings, width: int, height: int) -> str:
+def drawing(view: Picture, readings: Readings, width: int, height: int) -> str:
     return samples.picture(view.draw(readings, width, height), width, height)
 
 
@@ -28,7 +26,7 @@ def drawing(view: ArmView, readings: Readings, width: int, height: int) -> str:
 def test_side_view_at_its_sizes(width: int, height: int) -> None:
     check_golden(
         f"side-{width}x{height}",
-        drawing(SideView(), samples.readings(), width, height),
+        drawing(Picture(FROM_THE_SIDE), samples.readings(), width, height),
     )
 
 
@@ -36,7 +34,7 @@ def test_side_view_at_its_sizes(width: int, height: int) -> None:
 def test_top_view_at_its_sizes(width: int, height: int) -> None:
     check_golden(
         f"top-{width}x{height}",
-        drawing(TopView(), samples.readings(samples.TO_THE_LEFT), width, height),
+        drawing(Picture(FROM_ABOVE), samples.readings(samples.TO_THE_LEFT), width, height),
     )
 
 
@@ -45,35 +43,35 @@ def test_top_view_at_its_sizes(width: int, height: int) -> None:
     [("left", samples.TO_THE_LEFT), ("out", samples.STRETCHED_OUT)],
 )
 def test_side_view_of_other_postures(name: str, stands: Posture) -> None:
-    check_golden(f"side-{name}", drawing(SideView(), samples.readings(stands), 50, 18))
+    check_golden(f"side-{name}", drawing(Picture(FROM_THE_SIDE), samples.readings(stands), 50, 18))
 
 
 def test_views_in_braille() -> None:
-    side, top = SideView(), TopView()
+    side, top = Picture(FROM_THE_SIDE), Picture(FROM_ABOVE)
     side.braille = top.braille = True
     check_golden("side-braille", drawing(side, samples.readings(), 50, 18))
     check_golden("top-braille", drawing(top, samples.readings(samples.TO_THE_LEFT), 30, 18))
 
 
 def test_a_slipped_arm_has_a_dotted_twin_where_it_was_told_to_be() -> None:
-    check_golden("side-slipped", drawing(SideView(), samples.slipped(), 50, 18))
-    check_golden("top-slipped", drawing(TopView(), samples.slipped(), 30, 18))
+    check_golden("side-slipped", drawing(Picture(FROM_THE_SIDE), samples.slipped(), 50, 18))
+    check_golden("top-slipped", drawing(Picture(FROM_ABOVE), samples.slipped(), 30, 18))
 
 
 def test_envelope_and_trail_on_request() -> None:
-    side = SideView()
+    side = Picture(FROM_THE_SIDE)
     side.envelope = True
     side.trail = True
     for shoulder in range(0, 90, 3):
-        side.show(samples.readings(samples.posture(0, shoulder, -70, -90, 0, 1)))
+        side.follow(samples.readings(samples.posture(0, shoulder, -70, -90, 0, 1)))
     check_golden("side-envelope-trail", drawing(side, samples.readings(), 60, 24))
-    top = TopView()
+    top = Picture(FROM_ABOVE)
     top.envelope = True
     check_golden("top-envelope", drawing(top, samples.readings(), 44, 20))
 
 
 def test_the_window_grows_when_the_arm_leaves_it_and_stays() -> None:
-    side = SideView()
+    side = Picture(FROM_THE_SIDE)
     before = drawing(side, samples.readings(), 50, 18)
     raised = samples.readings(samples.posture(0, 90, 80, 60, 0, 1))
     assert drawing(side, raised, 50, 18).count("o") >= 2
@@ -83,7 +81,7 @@ def test_the_window_grows_when_the_arm_leaves_it_and_stays() -> None:
 
 
 def test_a_closer_look_keeps_the_hand_in_the_picture() -> None:
-    side = SideView()
+    side = Picture(FROM_THE_SIDE)
     for _ in range(9):
         side.zoom_in()
     for shoulder in range(20, 60):
@@ -93,7 +91,7 @@ def test_a_closer_look_keeps_the_hand_in_the_picture() -> None:
 
 
 def test_parts_beside_the_plane_are_marked() -> None:
-    rows = SideView().draw(samples.readings(), 50, 18)
+    rows = Picture(FROM_THE_SIDE).draw(samples.readings(), 50, 18)
     inks = {ink for row in rows for text, ink in row if "#" in text}
     assert inks == {Ink.PART}
     assert any(":" in text for row in rows for text, ink in row if ink is Ink.FAINT)
@@ -101,7 +99,7 @@ def test_parts_beside_the_plane_are_marked() -> None:
 
 def test_turning_the_base_brings_the_other_part_into_the_plane() -> None:
     stands = samples.posture(39.8, 60, -60, -60, 0, 1)
-    rows = SideView().draw(samples.readings(stands), 50, 18)
+    rows = Picture(FROM_THE_SIDE).draw(samples.readings(stands), 50, 18)
     row = text_of(rows[15])
     assert row.index(":") < row.rindex("#")
 
@@ -150,20 +148,20 @@ def test_every_posture_on_every_bench_can_be_drawn(
     stands: Posture, things: list[Thing], closer: int, braille: bool
 ) -> None:
     readings = samples.readings(stands, things=tuple(things), believed=samples.STRETCHED_OUT)
-    for view in (SideView(), TopView()):
+    for view in (Picture(FROM_THE_SIDE), Picture(FROM_ABOVE)):
         view.braille = braille
         view.envelope = view.trail = True
         for _ in range(closer):
             view.zoom_in()
-        view.show(readings)
+        view.follow(readings)
         rows = view.draw(readings, 50, 18)
         assert [len(text_of(row)) for row in rows] == [50] * 18
 
 
-@pytest.mark.parametrize("view", [SideView, TopView])
-def test_views_can_be_drawn_at_any_size(view: type[ArmView]) -> None:
+@pytest.mark.parametrize("subject", [FROM_THE_SIDE, FROM_ABOVE])
+def test_views_can_be_drawn_at_any_size(subject: Subject) -> None:
     for width in (1, 3, 16, 33, 120):
         for height in (1, 2, 5, 9, 40):
-            rows = view().draw(samples.slipped(), width, height)
+            rows = Picture(subject).draw(samples.slipped(), width, height)
             assert len(rows) == height
             assert all(len(text_of(row)) == width for row in rows)

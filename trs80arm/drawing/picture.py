@@ -1,0 +1,166 @@
+"""A picture of the arm as rows of text: a scene, a window onto it, a canvas, and words below.
+
+It remembers what one looks at, zoom and trail and options, and nothing of a screen: the terminal
+shows it in a panel, a test or a run without a screen prints its rows.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import degrees, dist
+
+from trs80arm.drawing.canvas_ascii import AsciiCanvas
+from trs80arm.drawing.canvas_braille import BrailleCanvas
+from trs80arm.drawing.readings import Readings
+from trs80arm.drawing.rows import Ink, Row, fitted, signed
+from trs80arm.drawing.scene import Extras, Scene, TrailPoint, trail_point
+from trs80arm.drawing.side_scene import side_scene
+from trs80arm.drawing.top_scene import top_scene
+from trs80arm.drawing.viewport import ZOOMS, Viewport, draw
+
+TRAIL_POINTS = 800
+"""How many places of the fingertip a trail keeps."""
+TRAIL_STEP = 0.1
+"""How far the fingertip must have gone for the next one, inches."""
+WITH_CAPTION = 9
+"""Rows from which a picture gives one up for its caption."""
+_LEGENDS = ("  :: where the motors were told to be", "  :: as commanded", " :: told")
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What a picture is of.
+
+    Attributes:
+        scene: what is to be drawn.
+        caption: what is written under it, as wordy as so many cells allow.
+    """
+
+    scene: Callable[[Readings, Extras], Scene]
+    caption: Callable[[Readings, int], str]
+
+
+class Picture:
+    """A picture of the arm.
+
+    Args:
+        subject: what it is of.
+
+    Attributes:
+        braille: whether it is drawn in braille dots instead of plain ASCII.
+        labels: whether the caption is written below.
+    """
+
+    def __init__(self, subject: Subject) -> None:
+        self.braille = False
+        self.labels = True
+        self._subject = subject
+        self._viewport = Viewport()
+        self._trail: deque[TrailPoint] = deque(maxlen=TRAIL_POINTS)
+        self._with_trail = False
+        self._envelope = False
+
+    @property
+    def envelope(self) -> bool:
+        """Whether the reach of the fingertip is outlined."""
+        return self._envelope
+
+    @envelope.setter
+    def envelope(self, value: bool) -> None:
+        self._envelope = value
+        if not value:
+            self._viewport.forget()
+
+    @property
+    def trail(self) -> bool:
+        """Whether the way of the fingertip is marked."""
+        return self._with_trail
+
+    @trail.setter
+    def trail(self, value: bool) -> None:
+        self._with_trail = value
+        self._trail.clear()
+
+    def zoom_in(self) -> None:
+        """Look closer; the picture then follows the hand."""
+        self._viewport.zoom = min(self._viewport.zoom + 1, len(ZOOMS) - 1)
+
+    def zoom_out(self) -> None:
+        """Look from further away."""
+        self._viewport.zoom = max(self._viewport.zoom - 1, 0)
+
+    def zoom_fit(self) -> None:
+        """Show the arm and all that stands near it, as large as it will go."""
+        self._viewport.fit()
+
+    def clear_trail(self) -> None:
+        """Forget where the fingertip has been."""
+        self._trail.clear()
+
+    def follow(self, readings: Readings) -> None:
+        """Lengthen the trail, if it is wanted."""
+        if not self._with_trail:
+            return
+        point = trail_point(readings.posture)
+        last = self._trail[-1] if self._trail else None
+        if last is None or max(dist(last.side, point.side), dist(last.top, point.top)) > TRAIL_STEP:
+            self._trail.append(point)
+
+    def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
+        """The drawing with its words, `height` rows of `width` cells."""
+        captioned = self.labels and height >= WITH_CAPTION
+        caption = self._subject.caption(readings, width) if captioned else ""
+        if caption:
+            height -= 1
+        scene = self._subject.scene(readings, Extras(self._envelope, tuple(self._trail)))
+        canvas = (BrailleCanvas if self.braille else AsciiCanvas)(width, height)
+        draw(scene, self._viewport.window(scene, width, height), canvas)
+        rows = canvas.rows()
+        return [*rows, fitted(((caption, Ink.LABEL),), width)] if caption else rows
+
+
+def angles_text(readings: Readings, width: int) -> str:
+    """The five angles in degrees, as wordy as there is room for in less than `width` cells."""
+    angles = readings.angles
+    values = [
+        *map(degrees, (angles.base, angles.shoulder, angles.elbow, angles.pitch)),
+        readings.pose.roll,
+    ]
+    for names, digits in (
+        (("base ", "shoulder ", "elbow ", "pitch ", "roll "), 1),
+        (("B", "S", "E", "P", "R"), 1),
+        (("B", "S", "E", "P", "R"), 0),
+    ):
+        text = " ".join(
+            name + signed(value, digits) for name, value in zip(names, values, strict=True)
+        )
+        if len(text) < width:
+            return text
+    return ""
+
+
+def _side_caption(readings: Readings, width: int) -> str:
+    """The angles, and what the dots mean while there are any."""
+    if not readings.believed:
+        return angles_text(readings, width)
+    for legend in _LEGENDS:
+        angles = angles_text(readings, width - len(legend))
+        if angles:
+            return angles + legend
+    return angles_text(readings, width)
+
+
+def _top_caption(readings: Readings, width: int) -> str:
+    """The place of the fingertip, and the roll."""
+    pose = readings.pose
+    place = f"x{signed(pose.x, 1)} y{signed(pose.y, 1)} z{signed(pose.z, 1)}"
+    longer = f"{place} roll{signed(pose.roll, 0)}"
+    return longer if len(longer) <= width else place if len(place) <= width else ""
+
+
+FROM_THE_SIDE = Subject(side_scene, _side_caption)
+"""The plane in which the arm stands, seen from the arm's right."""
+FROM_ABOVE = Subject(top_scene, _top_caption)
+"""The table; the arm's front is to the right."""
