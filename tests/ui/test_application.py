@@ -406,3 +406,63 @@ async def test_a_key_ends_the_demonstration_and_is_not_typed(sit_down: Opener) -
         await sitting.pilot.pause()
         await sitting.pass_time(0.5)
         assert sitting.tube.rstrip().endswith(">Y_")
+
+
+async def hide_the_tube(sitting: Sitting, how: str) -> None:
+    """Bring the program to where the tube is not shown, or was not a moment ago."""
+    if how == "zoomed":
+        await sitting.press("f11")
+    elif how == "zoomed and back":
+        await sitting.press("f11", "f11")
+    elif how == "a panel large":
+        await sitting.app.run_action("do('fill_events')")
+    elif how == "too small and back":
+        await sitting.pilot.resize_terminal(50, 12)
+        await sitting.settle()
+        await sitting.pilot.resize_terminal(80, 24)
+    elif how == "a click beside it":
+        await sitting.pilot.click("#side", offset=(3, 3))
+    elif how == "a dialog and back":
+        await sitting.press("f1", "escape")
+    await sitting.settle()
+
+
+HIDDEN = [
+    *("zoomed", "zoomed and back", "a panel large", "too small and back"),
+    *("a click beside it", "a dialog and back"),
+]
+
+
+@pytest.mark.parametrize("how", HIDDEN)
+@piloted
+async def test_plain_keys_are_the_machines_whatever_is_shown(sit_down: Opener, how: str) -> None:
+    async with sit_down() as sitting:
+        await hide_the_tube(sitting, how)
+        await sitting.press("a", "tab", "b")
+        await sitting.pass_time(1)
+        assert ">A      B" in sitting.tube
+
+
+@pytest.mark.parametrize("how", HIDDEN)
+@pytest.mark.parametrize("releases", [True, False])
+@piloted
+async def test_the_arm_is_jogged_and_stopped_whatever_is_shown(
+    sit_down: Opener, how: str, releases: bool
+) -> None:
+    async with sit_down() as sitting:
+        rig = sitting.app.session.rig
+        await in_manual_mode(sitting)
+        await hide_the_tube(sitting, how)
+        if releases:
+            await terminal_says(sitting, KeyReport(True), down("1"))
+            await sitting.pass_time(0.3)
+            await terminal_says(sitting, up("1"), KeyWentDown("27u", "escape", None))
+            await sitting.pass_time(0.2)
+            await terminal_says(sitting, KeyWentUp("27u"))
+        else:
+            await sitting.press("1")
+            await sitting.pass_time(0.3)
+            await sitting.press("escape")
+            await sitting.pass_time(0.3)
+        assert rig.registers[0] > 10
+        assert rig.waiting is Waiting.COMMAND

@@ -51,8 +51,7 @@ from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 from trs80arm.ui.panels.status import Pace
-from trs80arm.ui.panels.tube import Typed
-from trs80arm.ui.screens.desk import DeskScreen
+from trs80arm.ui.screens.desk import DeskScreen, Typed
 from trs80arm.ui.screens.help import page
 from trs80arm.ui.screens.key_test import KeyTest
 from trs80arm.ui.terminal.driver import choose_driver
@@ -311,7 +310,7 @@ class Trs80Arm(App[int]):
     @property
     def at_the_keyboard(self) -> bool:
         """Whether plain keys go to the TRS-80."""
-        return self.screen is self.desk and self.focused is self.desk.tube
+        return self.screen is self.desk
 
     def on_key_went_down(self, message: KeyWentDown) -> None:
         """A key of a terminal that tells presses from releases."""

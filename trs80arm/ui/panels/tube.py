@@ -1,7 +1,6 @@
 """The TRS-80's tube: 64 x 16 cells, drawn row by row from the video memory.
 
-The machine's screen is told which rows changed; only these are drawn again. The widget is what has
-the keyboard: the plain keys that it gets it hands to whoever owns it, as messages.
+The machine's screen is told which rows changed; only these are drawn again.
 """
 
 from __future__ import annotations
@@ -9,16 +8,13 @@ from __future__ import annotations
 from typing import Protocol
 
 from rich.segment import Segment
-from textual import events
 from textual.geometry import Region, Size
-from textual.message import Message
 from textual.strip import Strip
 from textual.widget import Widget
 
 from trs80arm.drawing.glyphs import GLYPHS
 from trs80arm.machine.video import COLUMNS, ROWS
 from trs80arm.options import GlyphSet
-from trs80arm.ui.keys.host_keys import trs80_keys
 
 MANY_ROWS = ROWS // 2
 """From this many changed rows on the whole widget is drawn at once."""
@@ -36,23 +32,14 @@ class Picture(Protocol):
         """The 64 codes of a row."""
 
 
-class Typed(Message):
-    """A plain key was pressed while the tube had the keyboard."""
-
-    def __init__(self, name: str, text: str | None) -> None:
-        super().__init__()
-        self.name = name
-        self.text = text
-
-
-class Tube(Widget, can_focus=True):
+class Tube(Widget):
     """The screen of the TRS-80."""
 
     HELP = """
     # The tube
 
     The TRS-80's screen: 16 lines of 64 characters, or 32 wide ones, with blocks of 2x3 for
-    graphics. Every plain key goes to the TRS-80 while the tube has the keyboard.
+    graphics. Every plain key goes to the TRS-80 while no dialog is open.
     """
     ALLOW_SELECT = False
     DEFAULT_CSS = """
@@ -143,14 +130,3 @@ class Tube(Widget, can_focus=True):
             strip = Strip([Segment(self._text(y), self.rich_style)], COLUMNS)
             self._strips[key] = strip
         return strip.adjust_cell_length(self.size.width, self.rich_style)
-
-    def check_consume_key(self, key: str, character: str | None) -> bool:
-        """Whether the machine eats a key, so that the footer does not promise it to others."""
-        return trs80_keys(key, character) is not None
-
-    def on_key(self, event: events.Key) -> None:
-        """Hand a plain key on; everything else goes its way to the program's commands."""
-        if self.check_consume_key(event.key, event.character):
-            event.stop()
-            event.prevent_default()
-            self.post_message(Typed(event.key, event.character))

@@ -1,15 +1,18 @@
 """The screen of the desk: all panels in their places, drawn when their time has come.
 
-It knows what is shown and how, and no machine: the program hands it a rig to look at. When the
-keyboard goes elsewhere, all hands leave the TRS-80.
+It knows what is shown and how, and no machine: the program hands it a rig to look at. No panel has
+the keyboard: whatever is shown, plain keys are the TRS-80's, and all hands leave it when a dialog
+opens.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from textual import events
 from textual.app import ComposeResult
 from textual.geometry import Offset
+from textual.message import Message
 from textual.screen import Screen
 from textual.widget import Widget
 from textual.widgets import Static
@@ -18,6 +21,7 @@ from trs80arm.drawing.readings import Readings
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet
 from trs80arm.rig import Rig
 from trs80arm.ui import layout
+from trs80arm.ui.keys.host_keys import trs80_keys
 from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.registry import Cadence, PanelRow, groups
 from trs80arm.ui.panels.status import Pace, StatusLine
@@ -31,6 +35,15 @@ TOO_SMALL = (
 )
 
 
+class Typed(Message):
+    """A plain key was pressed while no dialog was open."""
+
+    def __init__(self, name: str, text: str | None) -> None:
+        super().__init__()
+        self.name = name
+        self.text = text
+
+
 class DeskScreen(Screen[None]):
     """All panels, and what of them is shown.
 
@@ -41,7 +54,7 @@ class DeskScreen(Screen[None]):
 
     Attributes:
         panels: the widgets, by their ids.
-        tube: the one that has the keyboard.
+        tube: the screen of the TRS-80.
         side: the arm from the side.
         status: the line under everything.
         bottom: the group that is shown under the tube.
@@ -85,17 +98,16 @@ class DeskScreen(Screen[None]):
         yield self.status
         yield self._bar
 
-    def on_mount(self) -> None:
-        """The tube has the keyboard."""
-        self.tube.focus()
-
     def on_screen_suspend(self) -> None:
         """A dialog opened."""
         self._let_go()
 
-    def on_descendant_blur(self) -> None:
-        """The tube lost the keyboard."""
-        self._let_go()
+    def on_key(self, event: events.Key) -> None:
+        """Hand a plain key on; everything else goes its way to the program's commands."""
+        if trs80_keys(event.key, event.character) is not None:
+            event.stop()
+            event.prevent_default()
+            self.post_message(Typed(event.key, event.character))
 
     # -- where panels stand -----------------------------------------------------------------------
 
@@ -204,7 +216,7 @@ class DeskScreen(Screen[None]):
         blinks = self.cursor_style is CursorStyle.BLINK
         hidden = blinks and int(now / BLINK_SECONDS) % 2 == 1
         self.tube.show(rig.video, cursor, cursor_hidden=hidden)
-        if cursor is not None and self.focused is self.tube:
+        if cursor is not None and self.tube.display:
             self._point_terminal_at(cursor)
         readings = Readings.of(rig)
         numbers = now >= self.numbers_due
