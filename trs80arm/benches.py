@@ -10,12 +10,13 @@ from pathlib import Path
 
 from trs80arm.arm import benchfile
 from trs80arm.arm.bench import Bench
+from trs80arm.paths import is_file
 
 
 def bench_beside(program: Path) -> Path | None:
     """The bench file that is named like a program and stands beside it, if there is one."""
     path = program.with_suffix(".toml")
-    return path if path.is_file() else None
+    return path if is_file(path) else None
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from trs80arm.desk.session import Session
 from trs80arm.files import FileFormatError
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.options import TerminalOptions
+from trs80arm.paths import typed_path
 from trs80arm.reasons import one_line
 from trs80arm.rig import Waiting
 from trs80arm.shown import shown
@@ -160,7 +161,7 @@ class PlainMode:
         if not name.strip():
             self._tell("Which file?")
             return
-        path = Path(name.strip()).expanduser()
+        path = typed_path(name)
         try:
             do(path)
         except FileFormatError as error:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from platformdirs import user_state_path
 
+from trs80arm.paths import is_file
 from trs80arm.saving import write_whole
 
 APP = "trs80arm"
@@ -42,7 +43,7 @@ class RecentFiles:
             return []
         if not isinstance(names, list):
             return []
-        return [path for path in map(Path, filter(_is_text, names)) if path.is_file()]
+        return [path for path in map(Path, filter(_is_text, names)) if is_file(path)]
 
     def add(self, path: Path) -> None:
         """Put a file in front; a state folder that cannot be written is no trouble."""
@@ -62,6 +63,7 @@ def _is_text(value: object) -> bool:
 def program_files(folder: Path) -> Sequence[Path]:
     """The program files of a folder, by name."""
     try:
-        return sorted(path for path in folder.iterdir() if path.suffix.lower() in PROGRAM_SUFFIXES)
-    except OSError:
+        found = [path for path in folder.iterdir() if path.suffix.lower() in PROGRAM_SUFFIXES]
+    except (OSError, ValueError):
         return ()
+    return sorted(filter(is_file, found))

@@ -13,6 +13,7 @@ from textual.widgets import Button, Input, OptionList, Static
 from textual.widgets.option_list import Option
 
 from trs80arm.desk.asking import FileQuestion, ListQuestion, Question
+from trs80arm.paths import is_file, is_folder, refusal, typed_path
 
 Answer = TypeVar("Answer")
 
@@ -127,7 +128,7 @@ class AskPath(Dialog[Path]):
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Answer, if the name can be used."""
-        path = Path(event.value.strip()).expanduser()
+        path = typed_path(event.value)
         problem = self._problem(event.value.strip(), path)
         if problem:
             self.query_one(".wrong", Static).update(problem)
@@ -137,12 +138,14 @@ class AskPath(Dialog[Path]):
     def _problem(self, text: str, path: Path) -> str:
         if not text:
             return "Type a name."
-        if path.is_dir():
+        if is_folder(path):
             return f"{path} is a folder."
         if not self.question.to_write:
-            return "" if path.is_file() else f"There is no file {path}."
-        if not path.parent.is_dir():
+            return "" if is_file(path) else f"There is no file {path}."
+        if not is_folder(path.parent):
             return f"There is no folder {path.parent}."
+        if trouble := refusal(path):
+            return trouble
         if path.exists() and path != self.question.own and text != self._warned:
             self._warned = text
             return f"{path.name} exists. Enter again replaces it."

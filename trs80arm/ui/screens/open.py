@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from pathlib import Path
 from typing import ClassVar
 
@@ -14,8 +15,10 @@ from textual.widgets.option_list import Option
 
 from trs80arm.desk.asking import ProgramQuestion, Shelf
 from trs80arm.desk.places import program_files
-from trs80arm.files import FileFormatError, load_program
+from trs80arm.files import FileFormatError, parse_program
+from trs80arm.paths import is_file, read_beginning, typed_path
 from trs80arm.program_text import spell
+from trs80arm.reasons import reason
 from trs80arm.shown import shown
 from trs80arm.ui.screens.dialog import Dialog
 
@@ -65,7 +68,7 @@ class OpenScreen(Dialog[Path]):
         options.clear_options()
         self._paths = []
         folder, part = self.question.folder, wanted
-        typed = Path(wanted).expanduser() if wanted else Path()
+        typed = typed_path(wanted)
         if wanted and (wanted.endswith("/") or typed.parent != Path()):
             folder = typed if wanted.endswith("/") else typed.parent
             part = "" if wanted.endswith("/") else typed.name
@@ -96,7 +99,12 @@ class OpenScreen(Dialog[Path]):
             self._preview(self._paths[event.option_index])
 
     def _preview(self, path: Path | None) -> None:
-        self.query_one("#preview", Static).update(preview(path) if path else "")
+        self.run_worker(self._show_preview(path), group="preview", exclusive=True)
+
+    async def _show_preview(self, path: Path | None) -> None:
+        """Read a file and show its beginning, while keys go on being taken."""
+        text = await asyncio.to_thread(preview, path) if path else ""
+        self.query_one("#preview", Static).update(text)
 
     def action_to_list(self) -> None:
         """Go from the name to the list."""
@@ -107,8 +115,8 @@ class OpenScreen(Dialog[Path]):
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Open what was typed if it is a file, else what is marked in the list."""
-        path = Path(event.value.strip()).expanduser()
-        if event.value.strip() and path.is_file():
+        path = typed_path(event.value)
+        if is_file(path):
             self.dismiss(path)
             return
         number = self.query_one(OptionList).highlighted
@@ -125,12 +133,13 @@ class OpenScreen(Dialog[Path]):
 def preview(path: Path) -> str:
     """The beginning of a program file as LIST would show it, or why it cannot be opened."""
     try:
-        if path.stat().st_size > MOST_BYTES:
+        content = read_beginning(path, MOST_BYTES + 1)
+        if len(content) > MOST_BYTES:
             return "Too large for a program of the TRS-80."
-        lines = load_program(path)
+        lines = parse_program(content)
     except OSError as error:
-        return error.strerror or str(error)
+        return reason(error)
     except FileFormatError as error:
-        return str(error)
+        return f"{path.name}: {error}"
     shown = [f"{number} {spell(text)}" for number, text in lines[:PREVIEW_LINES]]
     return "\n".join(shown) or "An empty program."

@@ -1,0 +1,97 @@
+"""The dialogs that ask for files: odd names, and previews of what is no file."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from textual.widgets import Input, Static
+
+from tests.ui.conftest import Opener, Sitting
+from tests.ui.piloted import piloted
+from tests.ui.screen_text import screen_text
+from trs80arm.ui.screens.dialog import AskPath
+from trs80arm.ui.screens.open import MOST_BYTES, OpenScreen, preview
+
+
+async def type_name(sitting: Sitting, name: str) -> None:
+    sitting.app.screen.query_one(Input).value = name
+    await sitting.pilot.pause()
+    await sitting.app.workers.wait_for_complete()
+
+
+@pytest.mark.parametrize("name", ["~n", "~nouser/x.bas", "x" * 300, "/none/x", "a\0b"])
+@piloted
+async def test_any_name_can_be_typed_where_a_program_is_opened(sit_down: Opener, name: str) -> None:
+    async with sit_down() as sitting:
+        await sitting.press("f2")
+        await type_name(sitting, name)
+        await sitting.press("enter")
+        await sitting.settle()
+        assert isinstance(sitting.app.screen, OpenScreen)
+        assert "There is no file" in screen_text(sitting.app)
+
+
+@pytest.mark.parametrize("name", ["~nouser/", "/none/", "x" * 300 + "/"])
+@piloted
+async def test_a_folder_that_there_is_none_of_has_nothing_to_offer(
+    sit_down: Opener, name: str
+) -> None:
+    async with sit_down() as sitting:
+        await sitting.press("f2")
+        await type_name(sitting, name)
+        text = screen_text(sitting.app)
+        assert "Coming along" in text
+        assert "none" not in text.partition("Coming along")[2]
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("~nouser/x.bas", "There is no folder ~nouser."),
+        ("x" * 300, "File name too long"),
+        ("/none/x.bas", "There is no folder /none."),
+        ("", "Type a name."),
+    ],
+)
+@piloted
+async def test_a_name_that_cannot_be_saved_under_is_told(
+    sit_down: Opener, name: str, said: str
+) -> None:
+    async with sit_down() as sitting:
+        await sitting.type_line("10 REM")
+        await sitting.press("f3")
+        await type_name(sitting, name)
+        await sitting.press("enter")
+        await sitting.settle()
+        assert isinstance(sitting.app.screen, AskPath)
+        assert said in screen_text(sitting.app)
+
+
+def test_a_preview_is_of_regular_files_of_a_programs_size(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.bas")
+    (tmp_path / "large.bas").write_bytes(b"1" * (MOST_BYTES + 1))
+    (tmp_path / "odd.bas").write_bytes(b"\xff\x01\x02")
+    (tmp_path / "empty.bas").write_bytes(b"")
+    assert preview(tmp_path / "pipe.bas") == "not a file"
+    assert preview(tmp_path / "large.bas") == "Too large for a program of the TRS-80."
+    assert preview(tmp_path / "odd.bas").startswith("odd.bas: ")
+    assert preview(tmp_path / "empty.bas") == "An empty program."
+    assert preview(tmp_path) == "Is a directory"
+    assert preview(tmp_path / "none.bas") == "No such file or directory"
+
+
+@piloted
+async def test_the_preview_follows_what_is_marked(sit_down: Opener, tmp_path: Path) -> None:
+    for number in range(3):
+        (tmp_path / f"zz{number}.bas").write_text(f"10 REM NUMBER {number}\n")
+    async with sit_down() as sitting:
+        await sitting.press("f2")
+        await type_name(sitting, "zz")
+        for number in (1, 2):
+            await sitting.press("down")
+            await sitting.app.workers.wait_for_complete()
+            await sitting.pilot.pause()
+            shown = str(sitting.app.screen.query_one("#preview", Static).render())
+            assert f"NUMBER {number}" in shown

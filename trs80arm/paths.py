@@ -1,0 +1,66 @@
+"""Names of files as people type them: looked at without a surprise, whatever was typed.
+
+The system refuses some names (too long, a user that there is none of) by an exception where the
+question was only what there is. Here such a name is simply one under which there is nothing.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from pathlib import Path
+
+from trs80arm.reasons import reason
+
+
+def typed_path(text: str) -> Path:
+    """The path that was typed; `~` and `~user` are home folders where there is such a user."""
+    path = Path(text.strip())
+    try:
+        return path.expanduser()
+    except RuntimeError:
+        return path
+
+
+def _mode(path: Path) -> int:
+    try:
+        return os.stat(path).st_mode
+    except (OSError, ValueError):
+        return 0
+
+
+def is_file(path: Path) -> bool:
+    """Whether there is a regular file of that name."""
+    return stat.S_ISREG(_mode(path))
+
+
+def is_folder(path: Path) -> bool:
+    """Whether there is a folder of that name."""
+    return stat.S_ISDIR(_mode(path))
+
+
+def refusal(path: Path) -> str:
+    """Why the system takes no file of that name; empty if it does, or if there just is none."""
+    try:
+        os.stat(path)
+    except FileNotFoundError:
+        return ""
+    except OSError as error:
+        return f"{path.name[:40]}: {reason(error)}"
+    except ValueError:
+        return "No file can be called that."
+    return ""
+
+
+def read_beginning(path: Path, most: int) -> bytes:
+    """At most `most` bytes of a regular file.
+
+    Raises:
+        OSError: it cannot be read, or is something that one could wait for: a pipe, a device.
+    """
+    # A pipe opened so does not wait for its other end.
+    descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+    with os.fdopen(descriptor, "rb") as file:
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+            raise OSError(0, "not a file", str(path))
+        return file.read(most)
