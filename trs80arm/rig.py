@@ -190,7 +190,7 @@ class Rig:
         clock = works.clock
         waiting = works.basic.waiting
         for time, key, down in works.typist.due(clock.now, waiting is not Waiting.NOTHING):
-            self._at(time, key, down)
+            self._at(time, key, down, typed=True)
         self._move_keys()
         limits = [target, *(event.time for event in works.events[:1])]
         look = works.typist.next_look
@@ -207,10 +207,10 @@ class Rig:
             event = heapq.heappop(works.events)
             (works.matrix.press if event.down else works.matrix.release)(event.key)
 
-    def _at(self, time: int, key: Key, down: bool) -> None:
+    def _at(self, time: int, key: Key, down: bool, *, typed: bool = False) -> None:
         works = self._works
         works.order += 1
-        heapq.heappush(works.events, KeyEvent(time, works.order, key, down))
+        heapq.heappush(works.events, KeyEvent(time, works.order, key, down, typed))
 
     # -- the operator's hands -----------------------------------------------------------------
 
@@ -294,9 +294,18 @@ class Rig:
         self._works.typist.add(text)
 
     def stop_typing(self) -> None:
-        """Forget what is still to be typed."""
+        """Forget what is still to be typed, in the middle of a line too."""
         self._record("stop_typing")
-        self._works.typist.clear()
+        works = self._works
+        works.typist.clear(works.clock.now)
+        to_come = {event.key for event in works.events if event.typed and not event.down}
+        # A key that is down already goes up once more; all else that was typed is void.
+        up = dict.fromkeys(to_come & works.matrix.held, True)
+        works.events = [
+            event
+            for event in sorted(works.events)
+            if not event.typed or (not event.down and up.pop(event.key, False))
+        ]
 
     def load_text(self, text: str) -> None:
         """Put the program of a listing into memory at once, as CLOAD would.
@@ -409,6 +418,15 @@ class Rig:
     def typing(self) -> bool:
         """Whether typed text is still on its way into the machine."""
         return self._works.typist.pending or bool(self._works.events)
+
+    @property
+    def to_type(self) -> int:
+        """How many characters of a text are still to be typed."""
+        works = self._works
+        given_out = sum(
+            event.typed and event.down and event.key is not Key.SHIFT for event in works.events
+        )
+        return works.typist.left + given_out
 
     @property
     def outcome(self) -> Outcome | None:

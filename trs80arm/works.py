@@ -72,6 +72,8 @@ class KeyEvent:
     order: int
     key: Key = field(compare=False)
     down: bool = field(compare=False)
+    typed: bool = field(default=False, compare=False)
+    """Whether it is the typist's, who may be told to stop."""
 
 
 @dataclass(frozen=True)

@@ -220,10 +220,46 @@ def test_a_program_that_no_text_can_hold_is_told(sitting: Sitting) -> None:
 def test_a_pasted_listing_is_typed_at_the_machines_pace(sitting: Sitting) -> None:
     sitting.answer(Listing("10 REM A\n20 REM B", at_once=False))
     sitting.files.paste()
-    assert sitting.person.told == ["Typing; Escape ends it."]
+    assert sitting.person.told == ["Typing 18 characters; Escape stops it."]
     assert sitting.lines == []
     sitting.session.rig.run_until_waiting(60)
     assert sitting.lines == [10, 20]
+
+
+def test_a_paste_of_program_lines_is_entered_at_once_as_if_typed(sitting: Sitting) -> None:
+    sitting.type('10 PRINT "OLD"', "20 GOTO 10", "30 REM KEPT", "40 REM GOES")
+    before = sitting.session.time
+    sitting.files.take_paste('10 print "new"\r\n20 end\r\n\r\n40\r\n50 rem\r\n')
+    assert sitting.session.time == before
+    assert sitting.lines == [10, 20, 30, 50]
+    assert sitting.person.told == ["4 lines are entered at once; Ctrl+V can have them typed."]
+    sitting.type("RUN")
+    assert "NEW" in "".join(sitting.session.rig.screen())
+    assert sitting.session.unsaved
+
+
+def test_what_follows_a_pasted_listing_is_typed(sitting: Sitting) -> None:
+    sitting.files.take_paste("10 PRINT 6*7\n\nRUN")
+    assert sitting.lines == [10]
+    sitting.session.rig.run_until_waiting(10)
+    assert " 42" in sitting.session.rig.screen()
+
+
+@pytest.mark.parametrize("text", ["PRINT 1\n", "10 PRINT 1", "HELLO\n10 END\n", "70000 END\n20\n"])
+def test_any_other_paste_is_typed(sitting: Sitting, text: str) -> None:
+    sitting.files.take_paste(text)
+    assert sitting.session.rig.to_type == len(text)
+    assert sitting.person.told == [f"Typing {len(text)} characters; Escape stops it."]
+
+
+def test_a_paste_while_a_program_asks_is_typed(sitting: Sitting) -> None:
+    sitting.type("10 INPUT A:PRINT 2*A")
+    sitting.session.rig.type("RUN\r")
+    sitting.session.rig.run_until_waiting(10)
+    sitting.files.take_paste("21\n")
+    sitting.session.rig.run_until_waiting(10)
+    assert " 42" in sitting.session.rig.screen()
+    assert sitting.lines == [10]
 
 
 def test_a_listing_that_is_no_program_is_told(sitting: Sitting) -> None:

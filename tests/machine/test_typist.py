@@ -117,7 +117,7 @@ def test_what_no_key_types_is_told() -> None:
 def test_cleared_text_is_not_typed() -> None:
     desk = Desk()
     desk.typist.add("ABC")
-    desk.typist.clear()
+    desk.typist.clear(0)
     assert desk.run() == ""
     assert not desk.typist.pending
 

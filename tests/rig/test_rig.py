@@ -217,3 +217,34 @@ def test_the_parts_go_back_to_where_they_were() -> None:
     moved = rig.arm.bench.parts["block"].box
     rig.refill()
     assert rig.arm.bench.parts["block"].box != moved
+
+
+def test_typing_that_is_stopped_stops_in_the_middle_of_a_line() -> None:
+    rig = Rig()
+    rig.type('10 PRINT "ABCDEFGHIJKLMNOPQRSTUVWXYZ"\r20 PRINT 2\r')
+    assert rig.run_until(lambda rig: any("ABCD" in line for line in rig.screen()), 10)
+    assert 45 > rig.to_type > 25
+    rig.stop_typing()
+    assert rig.to_type == 0
+    rig.hold(["BREAK"], 0.1)
+    rig.run_for(10)
+    assert not rig.held
+    assert not rig.typing
+    assert list(rig.basic.program.lines()) == []
+    assert rig.waiting is Waiting.COMMAND
+    rig.type("PRINT 6*7\r")
+    rig.run_until_waiting()
+    assert " 42" in rig.screen()
+
+
+@pytest.mark.parametrize("moment", [0.0, 0.03, 0.09, 0.13, 0.2])
+def test_typing_that_is_stopped_leaves_no_key_down(moment: float) -> None:
+    rig = Rig()
+    rig.hold(["A"], 0.5)
+    rig.type('"!#$%&\r')
+    rig.run_for(moment)
+    rig.stop_typing()
+    rig.run_for(0.15)
+    assert rig.held == {"A"}
+    rig.run_for(0.5)
+    assert rig.held == frozenset()

@@ -11,6 +11,7 @@ from textual.widgets import Input, OptionList
 
 from tests.ui.conftest import PROGRAMS, Opener, Sitting
 from tests.ui.piloted import piloted
+from tests.ui.screen_text import screen_text
 from trs80arm.basic.activity import Waiting
 from trs80arm.machine.keys import Key
 from trs80arm.options import GlyphSet, KeyMode
@@ -62,9 +63,33 @@ async def test_typed_keys_reach_the_prompt_in_order(sit_down: Opener) -> None:
 
 
 @piloted
+async def test_escape_in_a_paste_stops_it_at_once(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        sitting.app.post_message(
+            events.Paste("PRINT 1\rPRINT 2222222222222222222222222\rPRINT 3\r")
+        )
+        await sitting.pilot.pause()
+        await sitting.pass_time(3)
+        sitting.wall.now += 10
+        await sitting.settle()
+        assert "to go: Escape stops" in screen_text(sitting.app)
+        await sitting.press("escape")
+        await sitting.pass_time(5)
+        rig = sitting.app.session.rig
+        assert rig.waiting is Waiting.COMMAND
+        assert not rig.typing
+        tube = sitting.tube
+        assert "\n 1\n" in tube
+        assert "\n 2" not in tube
+        assert "\n 3" not in tube
+        await sitting.type_line("PRINT 6*7")
+        assert "\n 42\n" in sitting.tube
+
+
+@piloted
 async def test_a_paste_is_typed_without_losing_a_character(sit_down: Opener) -> None:
     async with sit_down() as sitting:
-        listing = '10 print "ABCDEFGH";\r\n20 goto 30\n30 end\r'
+        listing = 'new\r\n10 print "ABCDEFGH";\r\n20 goto 30\n30 end\r'
         sitting.app.post_message(events.Paste(listing))
         await sitting.pilot.pause()
         await sitting.pass_time(12)

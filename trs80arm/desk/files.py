@@ -5,6 +5,7 @@ Whatever clears the program in memory comes through `if_program_may_go`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -27,8 +28,11 @@ from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.session import Session
 from trs80arm.files import FileFormatError, Kind
 from trs80arm.reasons import reason
+from trs80arm.rig import Waiting
 from trs80arm.saving import write_whole
 
+_IN_LISTING = re.compile(r"\s*(\d|$)")
+"""A line of a listing, or between two of them."""
 PLAYING = "Playing; any key ends it and gives you the machine."
 
 
@@ -206,10 +210,32 @@ class SessionFiles:
 
         self._ask.ask_listing(pasted)
 
+    def take_paste(self, text: str) -> None:
+        """Take what was pasted at the prompt: lines of a program at once, anything else is typed.
+
+        A single line without its end is typed too, for its owner may want to change it.
+        """
+        lines = _lines(text)
+        count = next((n for n, line in enumerate(lines) if not _IN_LISTING.match(line)), len(lines))
+        at_prompt = self._session.waiting is Waiting.COMMAND and not self._session.typing
+        if not at_prompt or not count or (len(lines) == 1 and not text.endswith(("\r", "\n"))):
+            self.type_in(text)
+            return
+        try:
+            entered = self._session.enter("\n".join(lines[:count]) + "\n")
+        except FileFormatError:
+            # The machine has its own words for what is wrong.
+            self.type_in(text)
+            return
+        rest = "\n".join(lines[count:])
+        if rest:
+            self.type_in(rest + "\n")
+        self._say(f"{entered} lines are entered at once; Ctrl+V can have them typed.")
+
     def type_in(self, text: str) -> None:
         """Type a text at the machine's pace; BREAK ends it."""
         self._session.rig.type(text.replace("\r\n", "\r").replace("\n", "\r"))
-        self._say("Typing; Escape ends it.")
+        self._say(f"Typing {self._session.rig.to_type} characters; Escape stops it.")
 
     # -- recordings and other files ---------------------------------------------------------------
 
@@ -260,3 +286,8 @@ class SessionFiles:
             self._say(f"{path}: {reason(error)}", error=True)
         else:
             self._say(f"Saved as {path.name}.")
+
+
+def _lines(text: str) -> list[str]:
+    """The lines of a text with any line ends, blank ones at its end left out."""
+    return text.replace("\r\n", "\n").replace("\r", "\n").rstrip("\n").split("\n")

@@ -6,6 +6,7 @@ keys go down in it at their own virtual times.
 
 from __future__ import annotations
 
+import re
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
@@ -19,6 +20,7 @@ from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.rig import Input, ReplayError, Rig, RigSettings, Waiting
 
+_NUMBERS = re.compile(r"^[ \t]*(\d+)", re.MULTILINE)
 ProgramLines = list[tuple[int, bytes]]
 TRIES = 4
 """How often the operator tries to get the prompt before the machine is switched off."""
@@ -214,6 +216,23 @@ class Session:
         lines = parse_program(data)
         self.ready()
         self.rig.load_lines(lines)
+
+    def enter(self, listing: str) -> int:
+        """Enter the lines of a listing at once, as if they had been typed at the prompt.
+
+        A line takes the place of the one with its number; a number alone takes that line away.
+
+        Returns:
+            How many lines were entered.
+
+        Raises:
+            FileFormatError: one is no line of a program; then none is entered.
+        """
+        entered = dict(parse_program(listing.encode("utf-8")))
+        numbers = [int(number) for number in _NUMBERS.findall(listing)]
+        kept = {number: line for number, line in self.program if number not in set(numbers)}
+        self.rig.load_lines(sorted((kept | entered).items()))
+        return len(numbers)
 
     def ready(self) -> None:
         """Bring the machine back to its prompt as an operator would, or else by switching it off.

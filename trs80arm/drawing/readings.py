@@ -78,6 +78,7 @@ class Readings:
     Attributes:
         time: virtual seconds since power-on.
         waiting: what the machine waits for.
+        to_type: how many characters of a text are still to be typed.
         mode: what the ARMBASIC driver is doing.
         registers: J1 to J6 as commanded, half-steps.
         joints: J1 to J6 as they truly are, in the same steps from the same zero.
@@ -100,6 +101,7 @@ class Readings:
     posture: Posture = field(default_factory=_switched_on)
     time: float = 0.0
     waiting: Waiting = Waiting.NOTHING
+    to_type: int = 0
     mode: Mode = Mode.IDLE
     registers: tuple[int, ...] = (0,) * 6
     joints: tuple[int, ...] = (0,) * 6
@@ -146,6 +148,7 @@ class Readings:
             posture=Posture(arm.model, state.angles, state.pose.opening),
             time=rig.time,
             waiting=rig.waiting,
+            to_type=rig.to_type,
             mode=rig.driver.mode,
             registers=rig.registers,
             joints=rig.joints,

@@ -76,10 +76,22 @@ class Typist:
             self._unasked = bool(self._queue)
         return "".join(unknown)
 
-    def clear(self) -> None:
-        """Forget what is still to be typed."""
+    def clear(self, now: int) -> None:
+        """Forget what is still to be typed, also of the line whose key events were given out.
+
+        Args:
+            now: T-states since power-on; a key that went down before goes up as it was told.
+        """
         self._queue.clear()
         self._unasked = False
+        self._free = min(self._free, now + PERIOD)
+        if self._line_end is not None and self._line_end > now:
+            self._line_end = None
+
+    @property
+    def left(self) -> int:
+        """How many characters are still to be typed, those that were given out left out."""
+        return len(self._queue)
 
     def due(self, now: int, ready: bool) -> list[KeyEvent]:
         """The key events of the next line, if it may begin; times are not before `now`.

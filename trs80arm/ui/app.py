@@ -365,10 +365,10 @@ class Trs80Arm(App[int]):
         self.keyboard.feed()
 
     def on_paste(self, event: events.Paste) -> None:
-        """A paste is typed in, line by line, at the machine's pace."""
+        """A paste at the desk: a listing is entered at once, anything else typed."""
         if self.at_the_keyboard:
             event.stop()
-            self.commands.files.type_in(event.text)
+            self.commands.files.take_paste(event.text)
 
     def on_app_blur(self, event: events.AppBlur) -> None:
         """The window lost the focus: a release would be lost, so take all hands off."""

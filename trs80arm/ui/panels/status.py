@@ -110,6 +110,8 @@ up at the second); and what the machine is doing or waiting for.
 
 def doing_text(readings: Readings) -> str:
     """What the machine does or waits for."""
+    if readings.to_type:
+        return f"typing, {readings.to_type} to go: Escape stops"
     motion = _MOTION.get(readings.mode)
     if readings.waiting is Waiting.NOTHING and motion:
         return f"running {motion}"
