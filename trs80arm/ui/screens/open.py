@@ -141,5 +141,5 @@ def preview(path: Path) -> str:
         return reason(error)
     except FileFormatError as error:
         return f"{path.name}: {error}"
-    shown = [f"{number} {spell(text)}" for number, text in lines[:PREVIEW_LINES]]
-    return "\n".join(shown) or "An empty program."
+    listed = [f"{number} {spell(text)}" for number, text in lines[:PREVIEW_LINES]]
+    return "\n".join(listed) or "An empty program."
