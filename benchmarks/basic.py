@@ -69,7 +69,7 @@ def load(name: str, blocks: bool) -> Interpreter:
 def run(basic: Interpreter) -> float:
     """RUN once; processor seconds."""
     basic.execute_direct(cruncher.crunch(b"RUN"))
-    basic.clock.limit = basic.clock.now + FOREVER
+    basic.state.clock.limit = basic.state.clock.now + FOREVER
     start = time.process_time()
     basic.advance(until_waiting=True)
     return time.process_time() - start

@@ -14,7 +14,7 @@ from typing import TextIO
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.basic.activity import Waiting
-from trs80arm.basic.interpreter import Kind
+from trs80arm.basic.outcome import Ending
 from trs80arm.benches import BenchFile, bench_beside
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
@@ -140,7 +140,7 @@ def _verdict(rig: Rig, options: BatchOptions, waiting: Waiting) -> int:
         if fault is not None:
             print(f"trs80arm: {device}: {fault}", file=sys.stderr)
     outcome = rig.outcome
-    if outcome is not None and outcome.kind is Kind.ERROR:
+    if outcome is not None and outcome.ending is Ending.ERROR:
         return 1
     if waiting in (Waiting.INPUT, Waiting.SET):
         word, option = ("INPUT", "--input") if waiting is Waiting.INPUT else ("@SET", "--set")

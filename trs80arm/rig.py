@@ -19,8 +19,9 @@ from trs80arm.arm.bench import Bench
 from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, InTheWay, MiniMover, MotorsOn
 from trs80arm.arm.model import Pose
 from trs80arm.basic.activity import Waiting
-from trs80arm.basic.interpreter import Interpreter, Outcome
-from trs80arm.basic.interpreter import Listener as StatementListener
+from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.outcome import Outcome
+from trs80arm.basic.state import Listener as StatementListener
 from trs80arm.machine.card import MOTORS, Card, Latch, Observer
 from trs80arm.machine.clock import END_OF_TIME, T_STATES_PER_SECOND, Clock
 from trs80arm.machine.console import Console

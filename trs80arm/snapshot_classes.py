@@ -16,12 +16,15 @@ from trs80arm.arm import body, events, fixtures, geometry, shapes
 from trs80arm.arm.model import ArmModel, Motor, Pose
 from trs80arm.arm.models import MODELS
 from trs80arm.arm.settings import ArmSettings
-from trs80arm.basic import errors, interpreter
-from trs80arm.basic.activity import Activity, Waiting
+from trs80arm.basic import errors
+from trs80arm.basic.activity import Waiting
 from trs80arm.basic.control import ForFrame, GosubFrame
 from trs80arm.basic.dialogue import edit, line_range
+from trs80arm.basic.kinds import Kind
 from trs80arm.basic.numbers.double import Double
+from trs80arm.basic.outcome import Ending, Outcome
 from trs80arm.basic.runtime.data import ListedTarget, Targets
+from trs80arm.basic.state import Activity
 from trs80arm.basic.variables import Array, Scalar
 from trs80arm.machine import card, coordination, driver
 from trs80arm.machine.jog_keys import JogKeys
@@ -51,7 +54,7 @@ VALUES: dict[str, type] = _by_name(
         coordination.Pace,
         coordination.Coordination,
         coordination.Train,
-        interpreter.Outcome,
+        Outcome,
         line_range.LineRange,
         shapes.Box,
         body.Hold,
@@ -106,7 +109,8 @@ _ENUMS: tuple[type[Enum], ...] = (
     card.Latch,
     card.Jumper,
     Waiting,
-    interpreter.Kind,
+    Ending,
+    Kind,
     errors.Code,
     edit._Mode,
     events.EventKind,

@@ -15,7 +15,7 @@ from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic.host import Host
 from trs80arm.basic.interpreter import Interpreter
-from trs80arm.basic.interpreter import Listener as StatementListener
+from trs80arm.basic.state import Listener as StatementListener
 from trs80arm.machine.card import Card, CardSettings, Observer
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.console import Console, Listener

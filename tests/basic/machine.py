@@ -137,8 +137,8 @@ class Machine:
             arm=self.arm,
         )
         self.basic = Interpreter(host, armbasic=armbasic, blocks=blocks)
-        self.basic.stack.pop()
-        self.basic.cold_start(self.memory.top - 1)
+        self.basic.state.stack.pop()
+        self.basic.state.cold_start(self.memory.top - 1)
 
     def load(self, *lines: str) -> None:
         """Put program lines into memory."""
@@ -152,7 +152,7 @@ class Machine:
         start = len(self.screen.printed)
         self.clock.limit = self.clock.now + round(seconds * 1_774_080)
         self.basic.execute_direct(cruncher.crunch(line.encode("latin-1")))
-        while self.basic.execution() is not None and self.clock.now < self.clock.limit:
+        while self.basic.running and self.clock.now < self.clock.limit:
             self.basic.advance(until_waiting=True)
             if self.basic.waiting.value != "nothing":
                 break

@@ -12,26 +12,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from types import CellType, FunctionType
-from typing import TYPE_CHECKING, Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
-from trs80arm.basic import costs, system_area
+from trs80arm.basic import addresses, characters, costs
 from trs80arm.basic.compiler.emitter import Emitter, Mark
 from trs80arm.basic.compiler.reader import Reader
 from trs80arm.basic.compiler.scope import Assumptions, Scope
 from trs80arm.basic.compiler.statements import StatementCompiler
 from trs80arm.basic.control import DIRECT, ForFrame
-from trs80arm.basic.errors import Code
+from trs80arm.basic.engine import Place
+from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.execution import Leave
+from trs80arm.basic.runtime.environment import environment
+from trs80arm.basic.state import State
 from trs80arm.basic.variables import Key
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
 
 MARGIN: Final = 200_000
 """T-states that a block of statements may take at most; near the clock's limit single statements
 are executed instead, so that both ways stop at the same statement."""
 _LONGEST = 40
 """Statements in a block at most."""
-_COLON = 0x3A
 _LOWEST = 0x4000
 _LINE_HEAD = 5
 """A line's final zero, link and number; where these do not fit there is no statement."""
@@ -165,19 +165,54 @@ class CompiledCode:
         statements: one function a statement.
         blocks: one function for a run of statements.
         pace: until when blocks may be begun.
+        environment: the names that compiled statements know; what a single one of them keeps
+            for itself is among its cells.
         stale: the text or the types of names changed under the running statement.
     """
 
-    def __init__(self, basic: Interpreter) -> None:
-        self._basic = basic
-        self.variables = basic.variables
+    def __init__(self, state: State) -> None:
+        self._state = state
+        self.variables = state.variables
         self.pace = Pace()
-        self._environment: dict[str, Any] = {**basic.runtime.environment(), "pace": self.pace}
+        self.environment: dict[str, Any] = {**environment(state), "pace": self.pace}
         self._array_cells: dict[Key, CellType] = {}
-        self._version = basic.program.version
+        self._version = state.program.version
         self.statements = Table(self, self._compile_statement)
         self.blocks = Table(self, self._compile_block)
         self.stale = False
+
+    # -- executing ----------------------------------------------------------------------------
+
+    def run(self, place: Place) -> None:
+        """Execute statements until the clock's limit; near it one by one (`Engine.run`)."""
+        clock = self._state.clock
+        pace = self.pace
+        address = place.next
+        table = self.blocks
+        try:
+            if self._state.blocks:
+                pace.soft = clock.limit - MARGIN
+                while clock.now < pace.soft:
+                    place.statement = address
+                    address = table[address]()
+            table = self.statements
+            while clock.now < clock.limit:
+                place.statement = address
+                address = table[address]()
+        except (BasicError, Leave) as error:
+            place.statement, cost = table.failed(address, error)
+            clock.now += cost
+            raise
+        place.next = address
+
+    def step(self, address: int) -> int:
+        """Execute one statement (`Engine.step`)."""
+        table = self.statements
+        try:
+            return table[address]()
+        except (BasicError, Leave) as error:
+            self._state.clock.now += table.failed(address, error).cost
+            raise
 
     # -- what makes compiled statements invalid -----------------------------------------------
 
@@ -199,14 +234,14 @@ class CompiledCode:
 
     def forget_direct(self) -> None:
         """Another direct line stands in the buffer."""
-        start, stop = system_area.INPUT_BUFFER, self._basic.program.start - 1
+        start, stop = addresses.INPUT_BUFFER, self._state.program.start - 1
         self.statements.forget(start, stop)
         self.blocks.forget(start, stop)
 
     def check_version(self) -> None:
         """Forget what was compiled from another text."""
-        if self._version != self._basic.program.version:
-            self._version = self._basic.program.version
+        if self._version != self._state.program.version:
+            self._version = self._state.program.version
             self.statements.forget_all()
             self.blocks.forget_all()
 
@@ -215,9 +250,9 @@ class CompiledCode:
 
         They are kept apart for a machine with hardly any memory left.
         """
-        ram = self._basic.memory.ram
-        types = bytes(ram[system_area.DEF_TABLE : system_area.DEF_TABLE + 26])
-        return types + b"!" if self._basic.room.tight else types
+        ram = self._state.memory.ram
+        types = bytes(ram[addresses.TYPE_TABLE : addresses.TYPE_TABLE + addresses.LETTERS])
+        return types + b"!" if self._state.room.tight else types
 
     def refresh_cells(self, assumptions: Assumptions) -> None:
         """Arrays made anew have new lists."""
@@ -228,8 +263,8 @@ class CompiledCode:
     # -- compiling ----------------------------------------------------------------------------
 
     def _scope(self, types: bytes) -> Scope:
-        tight = self._basic.room.tight
-        return Scope(self.variables, self._array_cells, self._environment, types, tight)
+        tight = self._state.room.tight
+        return Scope(self.variables, self._array_cells, types, tight)
 
     def _compile_statement(self, address: int, types: bytes) -> Compiled:
         out = Emitter()
@@ -267,27 +302,27 @@ class CompiledCode:
         return self._built(out, scope)
 
     def _built(self, out: Emitter, scope: Scope) -> Compiled:
-        function, first_line = out.build(self._environment)
+        function, first_line = out.build(self.environment)
         return Compiled(function, scope.assumptions(), out.marks, first_line)
 
     def _loops(self) -> list[Key]:
         """The variables of the loops that are open now."""
         return [
             (frame.scalar.name, frame.scalar.kind)
-            for frame in self._basic.control.frames
+            for frame in self._state.control.frames
             if isinstance(frame, ForFrame)
         ]
 
     def _write(self, address: int, out: Emitter, scope: Scope, loops: list[Key]) -> Trial:
         """Write the statement behind a separator."""
-        basic = self._basic
-        ram = basic.memory.ram
-        program = basic.program
+        state = self._state
+        ram = state.memory.ram
+        program = state.program
         out.statement = address
         direct = address < program.start - 1
         start = address + 1
         line = DIRECT
-        if not _LOWEST <= address < basic.memory.top - _LINE_HEAD:
+        if not _LOWEST <= address < state.memory.top - _LINE_HEAD:
             out.fail(Code.SN)
             return Trial(None, False, False, 0)
         if ram[address] == 0:
@@ -297,7 +332,7 @@ class CompiledCode:
             start += 4
             line = ram[address + 3] | ram[address + 4] << 8
             out.cost += costs.NEW_LINE
-        elif ram[address] != _COLON:
+        elif ram[address] != characters.COLON:
             out.cost += costs.STATEMENT
             out.fail(Code.SN)
             return Trial(None, False, False, 0)
@@ -307,7 +342,7 @@ class CompiledCode:
         before = out.cost
         reader = Reader(program.text_from(start), start, out)
         reader.skip()
-        compiler = StatementCompiler(reader, out, scope, program, line, loops, basic.armbasic)
+        compiler = StatementCompiler(reader, out, scope, program, line, loops, state.armbasic)
         goes_on = reader.address if compiler.compile() else None
         return Trial(goes_on, compiler.plain, compiler.observes, out.most_cost - before)
 
@@ -316,12 +351,12 @@ class CompiledCode:
 
         It is made if it is not there, subscripts are evaluated.
         """
-        basic = self._basic
+        state = self._state
         out = Emitter()
-        reader = Reader(basic.program.text_from(address), address, out)
+        reader = Reader(state.program.text_from(address), address, out)
         compiler = StatementCompiler(
-            reader, out, self._scope(self.types()), basic.program, DIRECT, [], basic.armbasic
+            reader, out, self._scope(self.types()), state.program, DIRECT, [], state.armbasic
         )
         compiler.compile_target()
-        function, _ = out.build(self._environment)
+        function, _ = out.build(self.environment)
         return function(), reader.address

@@ -5,15 +5,15 @@ every character read, every constant converted, every variable searched for. The
 statements timed on the ROM between two OUT statements (`10 OUT1,0:A=B:OUT1,0`): what could be told
 apart alone was measured alone, the rest are least squares over all of them, which they meet within
 2 per cent (root mean square). Commands and typed lines were fitted to the segments of the
-conformance cases. What depends on the digits and bits of numbers is in `number_costs`. 1,774,080
-T-states are a second (Level II facts, title).
+conformance cases. What a word takes is in its row in `words`, what depends on the digits and bits
+of numbers in `number_costs`. 1,774,080 T-states are a second (Level II facts, title).
 """
 
 from __future__ import annotations
 
 from typing import Final
 
-from trs80arm.basic import number_costs, tokens
+from trs80arm.basic import number_costs, tokens, words
 from trs80arm.basic.numbers.convert import Number
 
 _BLANK, _QUOTE, _COLON = 0x20, 0x22, 0x3A
@@ -101,37 +101,6 @@ NEGATE: Final = 0
 LOGICAL: Final = 138
 
 FUNCTION: Final = 120
-FUNCTION_WORK: Final[dict[str, int]] = {
-    "SGN": 430,
-    "INT": 145,
-    "ABS": 129,
-    "FRE": 156,
-    "INP": 389,
-    "POS": 142,
-    "RND": 4940,
-    "PEEK": 222,
-    "CINT": 169,
-    "CSNG": 220,
-    "CDBL": 247,
-    "FIX": 306,
-    "LEN": 254,
-    "STR$": 1360,
-    "VAL": 3,
-    "ASC": 425,
-    "CHR$": 1620,
-    "LEFT$": 2300,
-    "RIGHT$": 2320,
-    "MID$": 2760,
-    "STRING$": 2230,
-    "POINT": 1500,
-    "INKEY$": 1370,
-    "MEM": 128,
-    "VARPTR": 181,
-    "USR": 301,
-    "ERR": 117,
-    "ERL": 421,
-}
-
 TRANSCENDENTAL: Final[dict[str, int]] = {
     "SQR": 88300,
     "LOG": 35100,
@@ -160,42 +129,13 @@ POWER_OF_ZERO: Final = 86400
 POWER_OF_ONE: Final = 13300
 POWER_BY_ZERO: Final = 45700
 """What a power takes less."""
-RND_OF_NUMBER: Final = 6080
-"""RND of anything but a plain 0: the product with its argument, and INT."""
 
 # -- statements -----------------------------------------------------------------------------------
-STATEMENT_WORK: Final[dict[str, int]] = {
-    "LET": 453,
-    "FOR": 1850,
-    "STEP": 480,
-    "NEXT": 2440,
-    "NEXT_INTEGER": 976,
-    "GOTO": 273,
-    "GOSUB": 496,
-    "RETURN": 626,
-    "IF": 429,
-    "ON": 605,
-    "READ": 1315,
-    "RESTORE": 131,
-    "SET": 1480,
-    "RESET": 1500,
-    "POKE": 527,
-    "OUT": 897,
-    "CLS": 95,
-    "DIM": 243,
-    "PRINT": 360,
-    "PRINT_ITEM": 313,
-    "PRINT@": 365,
-    "TAB": 251,
-    "CLEAR": 1520,
-    "RUN": 1310,
-    "ERROR": 619,
-    "RESUME": 250,
-    "ON ERROR": 487,
-    "DEF": 257,
-    "RANDOM": 100,
-    "END": 300,
-}
+NEXT_INTEGER: Final = 976
+"""NEXT of an integer variable."""
+ON_ERROR: Final = 487
+PRINT_AT: Final = 365
+PRINT_ITEM: Final = 313
 PRINT_CHARACTER: Final = 68
 """PRINT's own loop for a character, beside the display driver's time."""
 USING_LITERAL: Final = 69
@@ -279,15 +219,14 @@ def store(target: str, value: str) -> int:
     return STORE[target + _TAKEN_FOR.get(value, value)]
 
 
-def constant(text: bytes, value: Number, is_double: bool = False) -> int:
+def constant(value: Number, scanning: int) -> int:
     """T-states to convert a constant each time it is executed.
 
     Args:
-        text: its characters, blanks included.
         value: what it comes to.
-        is_double: whether the conversion begins in double precision (VAL).
+        scanning: what the scan of its characters takes (`number_costs.LiteralMeter`).
     """
-    return CONSTANT[_kind(value)] + number_costs.literal(text, is_double)
+    return CONSTANT[_kind(value)] + scanning
 
 
 def read(target: str, value: Number) -> int:
@@ -322,7 +261,7 @@ def number_field(value: Number, left: int, right: int, exponent: bool) -> int:
 
 
 _PASSED: Final = tuple(
-    sum(len(word) for word in tokens.WORDS[:place]) for place in range(len(tokens.WORDS) + 1)
+    sum(len(word) for word in words.SPELLINGS[:place]) for place in range(len(words.SPELLINGS) + 1)
 )
 
 

@@ -5,7 +5,7 @@ The dialogue hands it every line that was typed; LIST and EDIT have its lines sp
 
 from __future__ import annotations
 
-from trs80arm.basic import tokens
+from trs80arm.basic import tokens, words
 from trs80arm.basic.errors import BasicError, Code
 
 LAST_LINE = 65529
@@ -14,7 +14,7 @@ LAST_LINE = 65529
 _BLANK = 0x20
 _COLON = 0x3A
 _QUOTE = 0x22
-_SEARCHED = tuple(enumerate(tokens.WORDS, tokens.FIRST))
+_SEARCHED = tuple(enumerate(words.SPELLINGS, tokens.FIRST))
 _BY_FIRST: dict[int, list[tuple[int, bytes]]] = {}
 for _code, _word in _SEARCHED:
     _BY_FIRST.setdefault(_word[0], []).append((_code, _word))
@@ -160,6 +160,6 @@ def spell(crunched: bytes) -> bytes:
         if code < tokens.FIRST:
             out.append(code)
         elif code <= tokens.APOSTROPHE:
-            out += tokens.WORDS[code - tokens.FIRST]
+            out += words.SPELLINGS[code - tokens.FIRST]
         position += 1
     return bytes(out)

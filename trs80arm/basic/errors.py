@@ -1,7 +1,8 @@
 """The errors of Level II BASIC: twenty-three codes, each with its two letters.
 
-Everything in `basic` that the user can get wrong raises `BasicError`; the interpreter alone catches
-it and prints `?SN Error in 10` or goes to the program's ON ERROR line.
+Everything in `basic` that the user can get wrong raises `BasicError`. The interpreter's wheel
+hands it to the execution under way, which prints `?SN Error in 10` or goes to the program's ON
+ERROR line.
 """
 
 from __future__ import annotations
@@ -43,12 +44,25 @@ class Code(IntEnum):
 
 
 class BasicError(Exception):
-    """A Level II error on its way to the interpreter.
+    """A Level II error on its way to the interpreter's wheel.
 
     Args:
-        code: the error; a plain `int` from 24 to 255 (from `ERROR n`) becomes `Code.UE`.
+        code: the error.
     """
 
     def __init__(self, code: Code) -> None:
         super().__init__(f"?{code.letters} Error")
         self.code = code
+
+
+class LineError(BasicError):
+    """An error that belongs to another line than the one being executed (a wrong DATA item).
+
+    Args:
+        code: the error.
+        line: where it is reported.
+    """
+
+    def __init__(self, code: Code, line: int) -> None:
+        super().__init__(code)
+        self.line = line

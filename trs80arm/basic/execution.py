@@ -1,28 +1,26 @@
 """Executing a program or a direct line: the statement loop.
 
 Its state is the address of the separator in front of the next statement. While nobody presses a key
-the loop does nothing but call one compiled statement after the other; with a key down, TRON or a
-watcher it looks around before each of them, as the ROM does at 1D1EH.
+the engine calls one statement after the other; with a key down, TRON or a watcher the loop looks
+around before each of them, as the ROM does at 1D1EH.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any, Final, Protocol
 
-from trs80arm.basic import costs, system_area
-from trs80arm.basic.activity import Activity
-from trs80arm.basic.code import MARGIN
+from trs80arm.basic import addresses, costs, endings, keyboard
 from trs80arm.basic.control import DIRECT
-from trs80arm.basic.dialogue.pause import Pause
-from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.errors import BasicError, Code, LineError
+from trs80arm.basic.outcome import Ending
+from trs80arm.basic.pause import Pause
+from trs80arm.basic.program import LINE_HEAD
+from trs80arm.basic.state import Activity, Listener, State
 
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
-
-_BREAK_KEY = 1
-_PAUSE_KEY = 96
-_LINE_HEAD = 5
-"""A line's final zero, link and number."""
+_LONGEST_DIRECT: Final = addresses.PROGRAM - addresses.INPUT_BUFFER - 5
+"""What fits between the buffer's start and the program."""
+DIRECT_LINE: Final = addresses.INPUT_BUFFER
+"""Where a direct line stands while it is executed."""
 
 
 class Leave(Exception):  # noqa: N818 - a way of leaving, not a failure
@@ -37,12 +35,11 @@ class Leave(Exception):  # noqa: N818 - a way of leaving, not a failure
         self.address = address
 
 
-class LineError(BasicError):
-    """An error that belongs to another line than the one being executed (a wrong DATA item)."""
+class Answered(Protocol):
+    """The variables of an INPUT that is under way."""
 
-    def __init__(self, code: Code, line: int) -> None:
-        super().__init__(code)
-        self.line = line
+    def finish(self) -> int:
+        """Where the program goes on when they have their values."""
 
 
 class Execution(Activity):
@@ -54,6 +51,7 @@ class Execution(Activity):
         forced_line: the line number of 40A2H where it is not that of `statement`.
         noted: what 40E6H holds while the first statement of an error trap is executed: that of
             the error, since the jump to the trap notes none.
+        targets: the variables of the INPUT that it waits for.
     """
 
     def __init__(self, address: int) -> None:
@@ -61,157 +59,129 @@ class Execution(Activity):
         self.statement = address
         self.forced_line: int | None = None
         self.noted: int | None = None
-        self.targets: Any = None
+        self.targets: Answered | None = None
 
-    def line(self, basic: Interpreter) -> int:
+    def line(self, state: State) -> int:
         """The number of the line being executed, 65535 in direct mode (40A2H)."""
         if self.forced_line is not None:
             return self.forced_line
-        return self._line_of(basic, self.statement)
+        return self._line_of(state, self.statement)
 
-    def next_line(self, basic: Interpreter) -> int:
+    def next_line(self, state: State) -> int:
         """The number of the line of the statement that is next, 65535 in direct mode."""
-        return self._line_of(basic, self.next)
+        return self._line_of(state, self.next)
 
-    def _line_of(self, basic: Interpreter, address: int) -> int:
-        program = basic.program
-        ram = basic.memory.ram
-        if not program.start - 1 <= address < basic.memory.top - _LINE_HEAD:
+    def _line_of(self, state: State, address: int) -> int:
+        program = state.program
+        ram = state.memory.ram
+        if not program.start - 1 <= address < state.memory.top - LINE_HEAD - 1:
             return DIRECT
         if ram[address] == 0 and (ram[address + 1] or ram[address + 2]):
-            return ram[address + 3] | ram[address + 4] << 8
+            return program.number_at(address + 1)
         link = program.line_at(address)
         return DIRECT if link is None else program.number_at(link)
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Execute statements until the clock's limit, or until another activity is on top."""
-        clock = basic.clock
+        clock = state.clock
         while clock.now < clock.limit:
-            if basic.stack[-1] is not self:
+            if state.stack[-1] is not self:
                 return
             try:
-                if self._must_look(basic):
-                    self._slowly(basic)
+                if self._must_look(state):
+                    self._slowly(state)
                 else:
-                    self._quickly(basic)
+                    self.forced_line = None
+                    state.engine.run(self)
             except Leave as leave:
-                self._left(basic, leave)
+                self._left(state, leave)
 
-    def _must_look(self, basic: Interpreter) -> bool:
+    def _must_look(self, state: State) -> bool:
         """Whether there is something to do or to know before or behind the next statement."""
         return (
-            basic.control.traced
-            or bool(basic.listeners)
-            or not basic.host.console.quiet
+            state.control.traced
+            or bool(state.listeners)
+            or not state.host.console.quiet
             or self.noted is not None
         )
 
-    def step(self, basic: Interpreter) -> None:
+    def step(self, state: State) -> None:
         """Execute one statement, whatever the clock's limit."""
         try:
-            self._one(basic)
+            self._one(state)
         except Leave as leave:
-            self._left(basic, leave)
+            self._left(state, leave)
 
-    def _quickly(self, basic: Interpreter) -> None:
-        clock = basic.clock
-        code = basic.code
-        pace = code.pace
-        address = self.next
-        self.forced_line = None
-        table = code.blocks
-        try:
-            if basic.blocks:
-                pace.soft = clock.limit - MARGIN
-                while clock.now < pace.soft:
-                    self.statement = address
-                    address = table[address]()
-            table = code.statements
-            while clock.now < clock.limit:
-                self.statement = address
-                address = table[address]()
-        except (BasicError, Leave) as error:
-            self.statement, cost = table.failed(address, error)
-            clock.now += cost
-            raise
-        self.next = address
-
-    def _slowly(self, basic: Interpreter) -> None:
-        clock = basic.clock
-        while clock.now < clock.limit and basic.stack[-1] is self:
-            self._one(basic)
-            if not self._must_look(basic):
+    def _slowly(self, state: State) -> None:
+        clock = state.clock
+        while clock.now < clock.limit and state.stack[-1] is self:
+            self._one(state)
+            if not self._must_look(state):
                 return
 
-    def _one(self, basic: Interpreter) -> None:
+    def _one(self, state: State) -> None:
         """One turn of the statement loop with everything that the ROM does in it."""
-        if self.noted is None and self._key(basic):
+        if self.noted is None and self._key(state):
             return
         address = self.next
-        ram = basic.memory.ram
-        clock = basic.clock
-        for listener in basic.listeners:
-            self._tell(basic, listener, address)
+        ram = state.memory.ram
+        for listener in state.listeners:
+            self._tell(state, listener, address)
         self.statement = address
         self.forced_line = None
-        if basic.control.traced and not ram[address] and (ram[address + 1] or ram[address + 2]):
-            number = ram[address + 3] | ram[address + 4] << 8
-            if address >= basic.program.start - 1:
-                basic.print_text(b"<%d>" % number)
-        table = basic.code.statements
-        try:
-            self.next = table[address]()
-        except (BasicError, Leave) as error:
-            clock.now += table.failed(address, error).cost
-            raise
+        if state.control.traced and not ram[address] and (ram[address + 1] or ram[address + 2]):
+            number = state.program.number_at(address + 1)
+            if address >= state.program.start - 1:
+                state.output.show(b"<%d>" % number)
+        self.next = state.engine.step(address)
         self.noted = None
 
-    def _tell(self, basic: Interpreter, listener: Any, address: int) -> None:
+    def _tell(self, state: State, listener: Listener, address: int) -> None:
         before = self.statement, self.forced_line
         self.statement, self.forced_line = address, None
-        line = self.line(basic)
+        line = self.line(state)
         self.statement, self.forced_line = before
         listener.statement(line, address)
 
-    def _key(self, basic: Interpreter) -> bool:
+    def _key(self, state: State) -> bool:
         """The look at the keyboard before a statement; whether something else comes first."""
-        console = basic.host.console
+        console = state.host.console
         if console.quiet:
             return False
         key = console.scan()
         if not key:
             return False
-        if key == _BREAK_KEY:
-            if basic.memory.ram[system_area.BREAK_VECTOR] == system_area.BREAK_ON:
-                self._hold_line(basic)
+        if key == keyboard.BREAK:
+            if state.memory.ram[addresses.BREAK_VECTOR] == addresses.BREAK_ON:
+                self._hold_line(state)
                 self.statement = self.next
-                basic.break_()
+                break_(state)
                 return True
             return False
-        if key == _PAUSE_KEY:
-            basic.begin(Pause())
-            self._hold_line(basic)
+        if key == keyboard.SHIFT_AT:
+            state.begin(Pause())
+            self._hold_line(state)
             self.statement = self.next
             return True
-        basic.clock.now += costs.KEY_LATCHED
-        basic.memory.ram[system_area.KEY_LATCH] = key
+        state.clock.now += costs.KEY_LATCHED
+        state.memory.ram[addresses.KEY_LATCH] = key
         return False
 
-    def _hold_line(self, basic: Interpreter) -> None:
-        self.forced_line = self.line(basic)
+    def _hold_line(self, state: State) -> None:
+        self.forced_line = self.line(state)
 
-    def _left(self, basic: Interpreter, leave: Leave) -> None:
-        basic.code.stale = False
+    def _left(self, state: State, leave: Leave) -> None:
+        state.engine.stale = False
         self.noted = None
         self.next = leave.address
 
     # -- errors -------------------------------------------------------------------------------
 
-    def fail(self, basic: Interpreter, error: BasicError) -> None:
+    def fail(self, state: State, error: BasicError) -> None:
         """An error in the statement under way: to the program's trap, or a message."""
-        control = basic.control
-        line = error.line if isinstance(error, LineError) else self.line(basic)
-        basic.strings.temporaries.clear()
+        control = state.control
+        line = error.line if isinstance(error, LineError) else self.line(state)
+        state.strings.temporaries.clear()
         control.error = (min(int(error.code), 255) - 1) * 2
         control.error_line = line
         control.dot = line
@@ -226,21 +196,62 @@ class Execution(Activity):
             self.noted = noted
             self.next = control.trap - 1
             return
-        basic.clock.now += costs.ERROR_RAISED
-        self.raise_again(basic, error.code)
+        state.clock.now += costs.ERROR_RAISED
+        self._raise_again(state, error.code)
 
-    def raise_again(self, basic: Interpreter, code: Code) -> None:
+    def _raise_again(self, state: State, code: Code) -> None:
         """The message for an error, with the line where it happened, and to command level."""
-        control = basic.control
+        control = state.control
         control.handling = False
         line = control.error_line
-        basic.report(code, None if line == DIRECT else line)
+        endings.report(state, code, None if line == DIRECT else line)
 
-    def resumed(self, basic: Interpreter, result: Any) -> None:
+    def resumed(self, state: State, result: Any) -> None:
         """The activity that a statement began has ended."""
         if isinstance(result, int):
-            if result == _BREAK_KEY:
-                basic.break_()
+            if result == keyboard.BREAK:
+                break_(state)
         elif self.targets is not None:
             targets, self.targets = self.targets, None
             self.next = targets.finish()
+
+
+def under_way(state: State) -> Execution | None:
+    """The program or direct line under way, whatever lies above it."""
+    for activity in reversed(state.stack):
+        if isinstance(activity, Execution):
+            return activity
+    return None
+
+
+def execute_direct(state: State, crunched: bytes) -> None:
+    """Run a direct line."""
+    ram = state.memory.ram
+    crunched = crunched[:_LONGEST_DIRECT]
+    end = DIRECT_LINE + 1 + len(crunched)
+    ram[DIRECT_LINE : end + 3] = b":" + crunched + b"\0\0\0"
+    state.engine.forget_direct()
+    state.strings.temporaries.clear()
+    state.outcome = None
+    state.begin(Execution(DIRECT_LINE))
+
+
+def break_(state: State) -> None:
+    """`Break in n` and to command level; CONT repeats the statement under way."""
+    execution = under_way(state)
+    if execution is None:
+        endings.stop(state, DIRECT, 0, Ending.BREAK)
+    else:
+        endings.stop(state, execution.line(state), execution.statement, Ending.BREAK)
+
+
+def failed(state: State, error: BasicError) -> None:
+    """An error of the activity on top: the running statement's, or the command level's."""
+    execution = under_way(state)
+    if execution is None:
+        execution = Execution(DIRECT_LINE)
+        del state.stack[1:]
+        state.begin(execution)
+    while state.stack[-1] is not execution:
+        state.stack.pop()
+    execution.fail(state, error)

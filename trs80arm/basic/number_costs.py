@@ -11,13 +11,10 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from trs80arm.basic.numbers import decimal, double, registers, single
+from trs80arm.basic.numbers import decimal, double, literal, registers, single
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.numbers.double import Double
 from trs80arm.basic.numbers.registers import Register
-
-_BLANKS = b" \t\n"
-_SIGNS = b"+-\xcd\xce"
 
 
 class Steps(NamedTuple):
@@ -96,11 +93,10 @@ DOUBLE_DOWN: Final = 87567
 DOUBLE_DOWN_BIT: Final = -228
 DOUBLE_COUNT_HIGH: Final = 417
 DOUBLE_COUNT_LOW: Final = 63
+"""A power of ten taken away: the first ten digits are found in double precision."""
 FIELD_SINGLE: Final = 8300
 """A digit too many for a field of PRINT USING."""
-"""A power of ten taken away: the first ten digits are found in double precision."""
 
-SUM: Final = 0
 SUM_SWAP: Final = 570
 SUM_BYTE: Final = 357
 SUM_BIT: Final = 365
@@ -126,107 +122,72 @@ def _carries(mantissa: int, bits: int) -> bool:
     return (abs(mantissa) * 5 >> 2) >> bits > 0
 
 
-def _digit(register: Register, digit: int, steps: Steps) -> tuple[Register, int]:
-    """One more digit behind a number in floating point: the new number, and T-states."""
-    bits = steps.bits
-    size = digit.bit_length()
-    new = (128 + size, digit << (bits - size)) if digit else registers.ZERO
-    if not register[0]:
-        return new, steps.first + steps.digit_bit * size
-    total = steps.digit + steps.digit_bit * size
-    if _carries(register[1], bits):
-        total += steps.digit_carry
-    ten = registers.times_ten(register, bits)
-    if not digit:
-        return ten, total + steps.zero
-    distance = abs(ten[0] - new[0])
-    if distance > bits:
-        return ten, total + steps.zero
-    total += steps.shift_byte * (distance // 8) + steps.shift * (distance % 8)
-    return registers.add(ten, new, bits), total
+def _register(value: float | Double) -> tuple[Steps, Register]:
+    """What a number's steps take, and the number as a register."""
+    if isinstance(value, Double):
+        return DOUBLE, (value.exponent, value.mantissa)
+    return SINGLE, single.to_register(value)
 
 
-def _scaled(register: Register, places: int, steps: Steps) -> int:
-    """T-states to move the point by `places` digits."""
-    total = 0
-    bits = steps.bits
-    for _ in range(places):
-        total += steps.times_ten + (steps.carry if _carries(register[1], bits) else 0)
-        if register[0] > 250:
-            break
-        register = registers.times_ten(register, bits)
-    for _ in range(-places):
-        if not register[0]:
-            break
-        quotient = (abs(register[1]) << (bits + 8)) // steps.ten[1]
-        total += steps.tenth + steps.tenth_bit * quotient.bit_count()
-        if abs(register[1]) < steps.ten[1]:
-            total += steps.tenth_less
-        register = registers.divide(register, steps.ten, bits)
-    return total
+class LiteralMeter(literal.Meter):
+    """Adds up what the scan of a number takes, as often as it is read.
 
-
-def literal(text: bytes, is_double: bool = False) -> int:
-    """T-states to convert the number that a text begins with, as often as it is read.
-
-    Args:
-        text: its characters, tokens of signs included; what stands behind them does not count.
-        is_double: whether the conversion begins in double precision (VAL; READ and INPUT into a
-            double).
+    Attributes:
+        total: T-states so far.
     """
-    code = text.translate(None, _BLANKS).upper()
-    total = 0
-    whole = 0
-    steps: Steps | None = DOUBLE if is_double else None
-    register = registers.ZERO
-    decimals = digits = 0
-    point = False
-    place = 1 if code[:1] in (b"-", b"+") else 0
-    while place < len(code):
-        character = code[place]
-        if 0x30 <= character <= 0x39:
-            if steps is None and whole * 10 + character - 0x30 < 32768:
-                whole = whole * 10 + character - 0x30
-                total += DIGIT
-            else:
-                if steps is None:
-                    steps, register = SINGLE, single.to_register(float(whole))
-                elif steps is SINGLE and single.from_register(register) >= 1000000.0:
-                    steps, register = DOUBLE, (register[0], register[1] << 32)
-                    total += BECOMES_DOUBLE
-                if register[0] > 250:
-                    return total
-                register, more = _digit(register, character - 0x30, steps)
-                total += more
-            decimals += point
-            digits += 1
-        elif character == 0x2E and not point:
-            point = True
-            if steps is None:
-                steps, register = SINGLE, single.to_register(float(whole))
+
+    def __init__(self) -> None:
+        self.total = 0
+
+    def character(self) -> None:
+        """A character was taken."""
+        self.total += CHARACTER
+
+    def integer_digit(self) -> None:
+        """A digit came to an integer."""
+        self.total += DIGIT
+
+    def digit(self, value: float | Double, digit: int) -> None:
+        """Ten times the number, and the digit added."""
+        steps, register = _register(value)
+        bits = steps.bits
+        size = digit.bit_length()
+        self.total += steps.digit_bit * size
+        if not register[0]:
+            self.total += steps.first
+            return
+        self.total += steps.digit + (steps.digit_carry if _carries(register[1], bits) else 0)
+        distance = abs(registers.times_ten(register, bits)[0] - (128 + size))
+        if not digit or distance > bits:
+            self.total += steps.zero
         else:
-            break
-        place += 1
-    if steps is None:
-        steps, register = SINGLE, single.to_register(float(whole))
-    sign = code[place : place + 1]
-    if sign == b"E" and steps is DOUBLE:
-        steps, register = SINGLE, single.to_register(double.to_single(Double(*register)))
-    exponent = 0
-    if sign and sign in b"ED":
-        total += EXPONENT
-        place += 1
-        below = code[place : place + 1] in (b"-", b"\xce")
-        if code[place : place + 1] and code[place] in _SIGNS:
-            place += 1
-        while place < len(code) and 0x30 <= code[place] <= 0x39:
-            exponent = min(exponent * 10 + code[place] - 0x30, 99)
-            place += 1
-        exponent = -exponent if below else exponent
-    if sign and sign in b"D#" and steps is SINGLE:
-        steps, register = DOUBLE, (register[0], register[1] << 32)
-    total += CHARACTER * min(place + 1, len(code))
-    return total + _scaled(register, exponent - decimals, steps)
+            self.total += steps.shift_byte * (distance // 8) + steps.shift * (distance % 8)
+
+    def became_double(self) -> None:
+        """The eighth digit."""
+        self.total += BECOMES_DOUBLE
+
+    def exponent(self) -> None:
+        """An exponent begins."""
+        self.total += EXPONENT
+
+    def ten_up(self, value: float | Double) -> None:
+        """A step of ten up."""
+        steps, register = _register(value)
+        self.total += steps.times_ten + (steps.carry if _carries(register[1], steps.bits) else 0)
+
+    def ten_down(self, value: float | Double) -> None:
+        """A step of ten down, by the bits of the quotient; a zero stays one."""
+        steps, register = _register(value)
+        if register[0]:
+            self.total += _tenth(register, steps)
+
+
+def _tenth(register: Register, steps: Steps) -> int:
+    """T-states to divide by ten."""
+    quotient = (abs(register[1]) << (steps.bits + 8)) // steps.ten[1]
+    less = steps.tenth_less if abs(register[1]) < steps.ten[1] else 0
+    return steps.tenth + steps.tenth_bit * quotient.bit_count() + less
 
 
 def text(value: Number, shown: str) -> int:
@@ -270,7 +231,12 @@ def field(value: Number, left: int, right: int, exponent: bool) -> int:
     unwanted = max(0, count - wanted)
     if isinstance(x, float):
         return FIELD_SINGLE * unwanted
-    return _scaled((x.exponent, x.mantissa), -unwanted, DOUBLE)
+    total = 0
+    while unwanted and x.exponent:
+        total += _tenth((x.exponent, x.mantissa), DOUBLE)
+        x = double.div(x, decimal.TEN)
+        unwanted -= 1
+    return total
 
 
 def single_scaling(value: float) -> int:

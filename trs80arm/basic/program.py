@@ -10,13 +10,13 @@ from __future__ import annotations
 import bisect
 from collections.abc import Iterable, Iterator
 
+from trs80arm.basic import addresses
+from trs80arm.basic.addresses import set_word, word
 from trs80arm.basic.host import Memory
 
-START = 17129
-"""42E9H, where the text of the first line's link stands on a machine without disk."""
 _RAM_START = 0x4000
-_START_POINTER = 0x40A4
-_END_POINTER = 0x40F9
+LINE_HEAD = 4
+"""A line's link and number."""
 
 
 class Program:
@@ -38,8 +38,8 @@ class Program:
     def start(self) -> int:
         """Where the first line's link is (the pointer at 40A4H, if it points into RAM)."""
         ram = self._memory.ram
-        start = ram[_START_POINTER] | ram[_START_POINTER + 1] << 8
-        return start if _RAM_START < start < self._memory.top - 2 else START
+        start = word(ram, addresses.PROGRAM_START)
+        return start if _RAM_START < start < self._memory.top - 2 else addresses.PROGRAM
 
     @property
     def end(self) -> int:
@@ -48,14 +48,13 @@ class Program:
         A pointer that was POKEd to where no program can end counts as one that ends at once.
         """
         ram = self._memory.ram
-        end = ram[_END_POINTER] | ram[_END_POINTER + 1] << 8
+        end = word(ram, addresses.PROGRAM_END)
         first = self.start + 2
         return end if first <= end < self._memory.top else min(first, self._memory.top)
 
     @end.setter
     def end(self, address: int) -> None:
-        self._memory.ram[_END_POINTER] = address & 0xFF
-        self._memory.ram[_END_POINTER + 1] = address >> 8
+        set_word(self._memory.ram, addresses.PROGRAM_END, address)
 
     def changed(self) -> None:
         """The text was changed from outside, by POKE or by a tape."""
@@ -66,19 +65,19 @@ class Program:
         """Addresses of the lines' links and their numbers, in the order of the links."""
         if self._index is None:
             ram = self._memory.ram
-            addresses: list[int] = []
+            places: list[int] = []
             numbers: list[int] = []
             address = self.start
-            while 0x4000 <= address < self._memory.top - 4:
-                link = ram[address] | ram[address + 1] << 8
-                if not ram[address + 1] and not ram[address]:
+            while _RAM_START <= address < self._memory.top - 4:
+                link = word(ram, address)
+                if not link:
                     break
-                addresses.append(address)
-                numbers.append(ram[address + 2] | ram[address + 3] << 8)
+                places.append(address)
+                numbers.append(word(ram, address + 2))
                 if link <= address:
                     break
                 address = link
-            self._index = addresses, numbers
+            self._index = places, numbers
         return self._index
 
     def __len__(self) -> int:
@@ -93,10 +92,10 @@ class Program:
 
         The ROM walks the links and stops at the first number that is not smaller.
         """
-        addresses, numbers = self._walk()
+        places, numbers = self._walk()
         place = self.place(number)
         if place < len(numbers) and numbers[place] == number:
-            return addresses[place]
+            return places[place]
         return None
 
     def place(self, number: int) -> int:
@@ -106,24 +105,23 @@ class Program:
 
     def address_from(self, number: int) -> int | None:
         """The address of the link of the first line not before `number`, if there is one."""
-        addresses, _ = self._walk()
+        places, _ = self._walk()
         place = self.place(number)
-        return addresses[place] if place < len(addresses) else None
+        return places[place] if place < len(places) else None
 
     def line_at(self, address: int) -> int | None:
         """The link's address of the line that holds `address` in its text or its final zero."""
-        addresses = self._walk()[0]
-        place = bisect.bisect_right(addresses, address) - 1
-        return addresses[place] if place >= 0 and address < self.end else None
+        places = self._walk()[0]
+        place = bisect.bisect_right(places, address) - 1
+        return places[place] if place >= 0 and address < self.end else None
 
     def number_at(self, line: int) -> int:
         """The number of the line whose link is at `line`."""
-        ram = self._memory.ram
-        return ram[line + 2] | ram[line + 3] << 8
+        return word(self._memory.ram, line + 2)
 
     def text_at(self, line: int) -> bytes:
         """The crunched text of the line whose link is at `line`."""
-        return self.text_from(line + 4)
+        return self.text_from(line + LINE_HEAD)
 
     def text_from(self, address: int) -> bytes:
         """The text from an address up to the next zero, or to the end of RAM."""
@@ -155,13 +153,13 @@ class Program:
 
     def delete_range(self, first: int, last: int) -> bool:
         """Take the lines from `first` to `last` out; whether there were any."""
-        addresses, numbers = self._walk()
+        places, numbers = self._walk()
         low = bisect.bisect_left(numbers, first)
         high = bisect.bisect_right(numbers, last)
         if low >= high:
             return False
-        start = addresses[low]
-        stop = addresses[high] if high < len(addresses) else self.end - 2
+        start = places[low]
+        stop = places[high] if high < len(places) else self.end - 2
         self._replace(start, stop, b"")
         return True
 
@@ -173,9 +171,9 @@ class Program:
             text: crunched, not empty, without its final zero.
         """
         self.delete(number)
-        addresses, numbers = self._walk()
+        places, numbers = self._walk()
         place = bisect.bisect_left(numbers, number)
-        at = addresses[place] if place < len(addresses) else self.end - 2
+        at = places[place] if place < len(places) else self.end - 2
         line = b"\x01\x01" + number.to_bytes(2, "little") + text.replace(b"\0", b"") + b"\0"
         self._replace(at, at, line)
 
@@ -186,7 +184,7 @@ class Program:
         address = self.start
         for number, text in lines:
             line = text.replace(b"\0", b"") + b"\0"
-            stop = address + 4 + len(line)
+            stop = address + LINE_HEAD + len(line)
             ram[address:stop] = stop.to_bytes(2, "little") + number.to_bytes(2, "little") + line
             address = stop
         ram[address : address + 2] = b"\0\0"
@@ -209,8 +207,8 @@ class Program:
         address = self.start
         end = self.end
         while address < end - 2 and (ram[address] or ram[address + 1]):
-            following = address + 4 + len(self.text_from(address + 4)) + 1
-            ram[address] = following & 0xFF
-            ram[address + 1] = following >> 8
+            text = address + LINE_HEAD
+            following = text + len(self.text_from(text)) + 1
+            set_word(ram, address, following)
             address = following
         self.changed()

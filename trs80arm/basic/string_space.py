@@ -8,16 +8,15 @@ Statements, Strings).
 
 from __future__ import annotations
 
-from trs80arm.basic import costs
+from trs80arm.basic import addresses, costs
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.host import Clock, Memory
-from trs80arm.basic.variables import STRING, Descriptor, Variables
+from trs80arm.basic.kinds import STRING
+from trs80arm.basic.variables import Descriptor, Variables
 
 TEMPORARIES = 10
 """More strings than this pending in one expression are ?ST."""
 LONGEST = 255
-_PLAIN = 0x42E9
-"""From here on a string's bytes are plain RAM unless they lie among the variables."""
 
 
 class StringSpace:
@@ -53,7 +52,10 @@ class StringSpace:
         end = address + length
         if address > self.bottom:
             return bytes(self._ram[address:end])
-        if address >= _PLAIN and (address >= self._variables.end or end <= self._variables.start):
+        # From the program on bytes are plain RAM unless they lie among the variables.
+        if address >= addresses.PROGRAM and (
+            address >= self._variables.end or end <= self._variables.start
+        ):
             return bytes(self._ram[address:end])
         peek = self._memory.peek
         return bytes([peek(place & 0xFFFF) for place in range(address, end)])

@@ -13,22 +13,14 @@ from typing import Any
 
 from trs80arm.basic import costs
 from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.kinds import DOUBLE, INTEGER, SINGLE, SIZES, STRING, Kind
 from trs80arm.basic.numbers import double, single
-from trs80arm.basic.numbers.double import Double
 
-INTEGER = "i"
-STRING = "t"
-SINGLE = "s"
-DOUBLE = "d"
-
-SIZES = {INTEGER: 2, STRING: 3, SINGLE: 4, DOUBLE: 8}
-"""Bytes of a value in memory; the same number is the type's code in the tables (2, 3, 4, 8)."""
-KINDS = {size: kind for kind, size in SIZES.items()}
 SCALAR_HEADER = 3
 """Type and two characters of the name before the value of a simple variable."""
 _MAX_BYTES = 0x10000
 
-Key = tuple[str, str]
+Key = tuple[str, Kind]
 """Name of one or two characters, and the kind."""
 Descriptor = list[int]
 """A string in memory: length and address, changed in place when the string moves."""
@@ -38,7 +30,7 @@ NO_STRING = (0, 0x4552)
 """The descriptor that the ROM has for the empty string of a variable that does not exist."""
 
 
-def zero(kind: str) -> Any:
+def zero(kind: Kind) -> Any:
     """The value of a variable that does not exist."""
     if kind == STRING:
         return list(NO_STRING)
@@ -47,7 +39,7 @@ def zero(kind: str) -> Any:
     return 0 if kind == INTEGER else 0.0
 
 
-def encode(kind: str, value: Any) -> bytes:
+def encode(kind: Kind, value: Any) -> bytes:
     """The bytes of a value in memory, low byte first."""
     if kind == INTEGER:
         return int(value & 0xFFFF).to_bytes(2, "little")
@@ -58,7 +50,7 @@ def encode(kind: str, value: Any) -> bytes:
     return bytes((value[0], value[1] & 0xFF, value[1] >> 8))
 
 
-def decode(kind: str, data: bytes) -> Any:
+def decode(kind: Kind, data: bytes) -> Any:
     """The value that bytes in memory stand for."""
     if kind == INTEGER:
         return int.from_bytes(data, "little", signed=True)
@@ -74,14 +66,14 @@ class Scalar:
 
     Attributes:
         name: one or two characters.
-        kind: one of INTEGER, STRING, SINGLE, DOUBLE.
+        kind: its type.
         cell: holds the value; the compiled statements close over it.
         offset: of its header from the start of the table, None while it does not exist.
     """
 
     __slots__ = ("cell", "cost", "kind", "name", "offset")
 
-    def __init__(self, name: str, kind: str) -> None:
+    def __init__(self, name: str, kind: Kind) -> None:
         self.name = name
         self.kind = kind
         self.cell = CellType(zero(kind))
@@ -116,7 +108,7 @@ class Array:
 
     __slots__ = ("cost", "data", "dims", "kind", "name", "offset")
 
-    def __init__(self, name: str, kind: str, dims: tuple[int, ...], offset: int) -> None:
+    def __init__(self, name: str, kind: Kind, dims: tuple[int, ...], offset: int) -> None:
         self.name = name
         self.kind = kind
         self.dims = dims
@@ -146,7 +138,7 @@ class Array:
         return array_size(self.kind, self.dims)
 
 
-def array_size(kind: str, dims: tuple[int, ...]) -> int:
+def array_size(kind: Kind, dims: tuple[int, ...]) -> int:
     """The bytes that an array takes, header included; BS when its elements pass 64K."""
     count = SIZES[kind]
     for dim in dims:
@@ -317,7 +309,3 @@ class Variables:
         if owner.kind in (SINGLE, DOUBLE) and not data[-1]:
             self._zeros[(owner.name, owner.kind), index] = bytes(data)
         return decode(owner.kind, bytes(data))
-
-
-Value = int | float | Double | Descriptor
-"""What a variable can hold."""

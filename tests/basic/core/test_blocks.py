@@ -45,7 +45,7 @@ def finish(machine: Machine, lines: list[str], slices: list[int]) -> tuple[objec
             break
         machine.clock.limit = machine.clock.now + length
         machine.basic.advance(until_waiting=True)
-    return bytes(machine.screen.printed), machine.clock.now, machine.basic.control.error_line
+    return bytes(machine.screen.printed), machine.clock.now, machine.basic.state.control.error_line
 
 
 @pytest.mark.parametrize("name", PROGRAMS)

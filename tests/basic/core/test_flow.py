@@ -70,7 +70,7 @@ def test_break_stops_between_statements_and_cont_repeats_nothing(machine: Machin
     machine.clock.limit += 1_000_000
     machine.basic.advance(until_waiting=True)
     assert b"Break in 10" in machine.screen.printed
-    assert machine.basic.control.resume_address
+    assert machine.basic.state.control.resume_address
 
 
 def test_break_does_nothing_when_its_vector_is_poked(machine: Machine) -> None:

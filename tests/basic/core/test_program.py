@@ -7,12 +7,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.basic.machine import Machine
-from trs80arm.basic import cruncher, tokens
+from trs80arm.basic import cruncher, words
 from trs80arm.basic.errors import BasicError
 
 
 def test_the_words_have_the_tokens_of_the_rom() -> None:
-    assert (tokens.END, tokens.PRINT, tokens.SGN, tokens.APOSTROPHE) == (128, 178, 215, 251)
+    assert [words.TOKENS[word] for word in ("END", "PRINT", "SGN", "'")] == [128, 178, 215, 251]
 
 
 @pytest.mark.parametrize(
@@ -36,7 +36,9 @@ def test_lines_are_crunched_as_the_rom_does(typed: str, stored: bytes) -> None:
     assert cruncher.crunch(typed.encode()) == stored
 
 
-@given(st.lists(st.sampled_from([w.decode() for w in tokens.WORDS[:-1]]), min_size=1, max_size=6))
+@given(
+    st.lists(st.sampled_from([w.decode() for w in words.SPELLINGS[:-1]]), min_size=1, max_size=6)
+)
 def test_what_is_spelled_out_crunches_to_the_same_line(words: list[str]) -> None:
     crunched = cruncher.crunch(" ".join(words).encode())
     assert cruncher.crunch(cruncher.spell(crunched)) == crunched

@@ -91,7 +91,7 @@ def times(request: pytest.FixtureRequest) -> dict[str, int]:
     """T-states of each statement on this machine, all of them in one program."""
     machine = Machine(blocks=request.param)
     marks = Marks(machine)
-    object.__setattr__(machine.basic.host, "ports", marks)
+    object.__setattr__(machine.basic.state.host, "ports", marks)
     lines = [f"10 {SETUP}"]
     lines += [
         f"{20 + place} OUT1,0:{text}:OUT1,0" if text else f"{20 + place} OUT1,0:OUT1,0"

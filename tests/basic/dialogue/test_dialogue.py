@@ -48,7 +48,7 @@ def test_memory_size_reserves_from_the_answer_on() -> None:
 
 
 def test_memory_size_is_asked_until_the_answer_makes_sense(session: Session) -> None:
-    session.rig.basic.stack[:] = [CommandLevel(), MemorySize()]
+    session.rig.basic.state.stack[:] = [CommandLevel(), MemorySize()]
     session.wait(1.0)
     assert session.transcript() == "\x1c\x1fMEMORY SIZE? "
     assert strike(session, "\x01") == "\nMEMORY SIZE? "

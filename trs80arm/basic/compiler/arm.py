@@ -7,77 +7,104 @@ driver's (the article, Table 1; Level II facts, The at sign).
 from __future__ import annotations
 
 from trs80arm.basic import tokens
-from trs80arm.basic.compiler.output import OutputCompiler
+from trs80arm.basic.characters import COMMA
+from trs80arm.basic.compiler.assignments import AssignmentCompiler
+from trs80arm.basic.compiler.draft import Draft, Mistake
+from trs80arm.basic.compiler.expressions import ExpressionCompiler
 from trs80arm.basic.errors import Code
-from trs80arm.basic.variables import STRING
+from trs80arm.basic.kinds import STRING
 
 JOINTS = 6
 
 
-class ArmCompiler(OutputCompiler):
+class ArmCompiler:
     """The `@` statements.
 
-    Attributes:
-        armbasic: whether ARMBASIC is loaded; without it `@` is ?SN.
+    Args:
+        draft: the statement.
+        expressions: who reads delays and steps.
+        assignments: who reads the variables of `@READ`.
     """
 
-    armbasic: bool
+    def __init__(
+        self, draft: Draft, expressions: ExpressionCompiler, assignments: AssignmentCompiler
+    ) -> None:
+        self._draft = draft
+        self._reader = draft.reader
+        self._out = draft.out
+        self._expressions = expressions
+        self._assignments = assignments
+        self._commands = {
+            tokens.STEP: self._step,
+            tokens.CLOSE: self._close,
+            tokens.SET: self._set,
+            tokens.RESET: self._reset,
+            tokens.READ: self._read,
+        }
 
-    def arm(self) -> bool:
-        """The statement behind an `@`."""
-        reader, out = self.reader, self.out
-        word = reader.advance() if self.armbasic else 0
-        if word not in (tokens.STEP, tokens.CLOSE, tokens.SET, tokens.RESET, tokens.READ):
-            raise self.mistake(Code.SN)
-        reader.advance()
-        if word == tokens.READ:
-            self._read()
-        elif word == tokens.RESET:
-            if not reader.at_end:
-                raise self.mistake(Code.SN)
-            out.charge()
-            out.emit("arm_reset()")
-        elif word == tokens.STEP:
-            self._step()
-        else:
-            delay = "None"
-            if not reader.at_end:
-                delay = out.keep(f"subscript({self.number().text})")
-                self._end()
-            out.charge()
-            name = "arm_close" if word == tokens.CLOSE else "arm_set"
-            out.emit(f"{name}({delay}, {reader.address})")
-        return True
+    def statement(self) -> None:
+        """The statement behind an `@`; SN for anything but the five words."""
+        command = self._commands.get(self._reader.advance())
+        if command is None:
+            raise Mistake(Code.SN)
+        self._reader.advance()
+        command()
 
     def _end(self) -> None:
         """Nothing but the end of the statement may stand here."""
-        if not self.reader.at_end:
-            raise self.mistake(Code.SN)
+        if not self._reader.at_end:
+            raise Mistake(Code.SN)
 
     def _step(self) -> None:
         """`@STEP D[,J1[,..J6]]`; joints left out do not move."""
-        delay = self.out.keep(f"subscript({self.number().text})")
+        delay = self._out.keep(self._expressions.whole().text)
         joints: list[str] = []
-        while self.reader.code == 0x2C:
+        while self._reader.code == COMMA:
             if len(joints) == JOINTS:
-                raise self.mistake(Code.SN)
-            self.reader.advance()
-            joints.append(self.out.keep(self.integer()))
+                raise Mistake(Code.SN)
+            self._reader.advance()
+            joints.append(self._out.keep(self._expressions.integer().text))
         self._end()
         joints += ["0"] * (JOINTS - len(joints))
-        self.out.charge()
-        self.out.emit(f"arm_step({delay}, ({', '.join(joints)}), {self.reader.address})")
+        self._out.charge()
+        self._out.emit(f"arm_step({delay}, ({', '.join(joints)}), {self._reader.address})")
+
+    def _close(self) -> None:
+        """`@CLOSE [D]`."""
+        delay = self._delay()
+        self._out.emit(f"arm_close({delay}, {self._reader.address})")
+
+    def _set(self) -> None:
+        """`@SET [D]`."""
+        delay = self._delay()
+        self._out.emit(f"arm_set({delay}, {self._reader.address})")
+
+    def _delay(self) -> str:
+        delay = "None"
+        if not self._reader.at_end:
+            delay = self._out.keep(self._expressions.whole().text)
+            self._end()
+        self._out.charge()
+        return delay
+
+    def _reset(self) -> None:
+        """`@RESET`."""
+        self._end()
+        self._out.charge()
+        self._out.emit("arm_reset()")
 
     def _read(self) -> None:
         """`@READ V1[,..V6]`: the position registers into numeric variables."""
-        self.out.charge()
-        self.out.emit("registers = arm_read()")
+        out = self._out
+        out.charge()
+        out.emit("registers = arm_read()")
         for joint in range(JOINTS):
-            target = self.target()
+            target = self._assignments.target()
             if target.kind == STRING:
-                raise self.mistake(Code.TM)
-            self.out.emit(f"{target.text} = as_kind({target.kind!r}, registers[{joint}])")
-            if self.reader.code != 0x2C:
+                raise Mistake(Code.TM)
+            kind = out.constant(target.kind)
+            out.emit(f"{target.text} = to_kind({kind}, registers[{joint}])")
+            if self._reader.code != COMMA:
                 return
-            self.reader.advance()
-        raise self.mistake(Code.SN)
+            self._reader.advance()
+        raise Mistake(Code.SN)

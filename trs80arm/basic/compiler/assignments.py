@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from trs80arm.basic import costs, room, tokens
-from trs80arm.basic.compiler.functions import FunctionCompiler
+from trs80arm.basic import characters, costs, room, tokens
+from trs80arm.basic.characters import COMMA, OPEN
+from trs80arm.basic.compiler.draft import Draft, Mistake
+from trs80arm.basic.compiler.expressions import ExpressionCompiler, listed, to_subscript
 from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.control import DIRECT
 from trs80arm.basic.errors import Code
-from trs80arm.basic.variables import SIZES, STRING, Key
+from trs80arm.basic.kinds import SIZES, STRING, Kind
+from trs80arm.basic.variables import Key
+from trs80arm.basic.words import Word
 
 
 @dataclass(frozen=True)
@@ -17,195 +21,191 @@ class Target:
     """A variable or an element that a statement gives a value.
 
     Attributes:
+        kind: its type.
         text: what stands left of `=` in Python; for a string the descriptor.
         reference: Python text that makes an object to assign to later (INPUT).
     """
 
-    kind: str
+    kind: Kind
     text: str
     reference: str
 
 
-class AssignmentCompiler(FunctionCompiler):
+class AssignmentCompiler:
     """Assignments.
 
-    Attributes:
+    Args:
+        draft: the statement.
+        expressions: who reads the values.
         line: the number of the line that is compiled, 65535 for a direct one.
     """
 
-    line: int
+    def __init__(self, draft: Draft, expressions: ExpressionCompiler, line: int) -> None:
+        self._draft = draft
+        self._reader = draft.reader
+        self._out = draft.out
+        self._scope = draft.scope
+        self._expressions = expressions
+        self._line = line
 
-    def target(self, arrays: bool = True) -> Target:
-        """The variable that stands here, made if it does not exist (260DH)."""
-        key = self.name()
-        if arrays and self.reader.code == 0x28:
+    # -- targets ------------------------------------------------------------------------------
+
+    def target(self, *, arrays: bool = True) -> Target:
+        """The variable that stands here, made if it does not exist (260DH).
+
+        Args:
+            arrays: whether it may be an element.
+        """
+        key = self._expressions.name()
+        if arrays and self._reader.code == OPEN:
             return self._element_target(key)
         return self._scalar_target(key)
 
     def _scalar_target(self, key: Key) -> Target:
-        scalar = self.scope.scalar(key)
-        self.out.cost += costs.VARIABLE + self.scope.search(scalar)
-        if not self.scope.exists(key):
-            self.out.emit(f"create({key!r})")
-        name = self.out.cell(self.scope.cell_name(key), scalar.cell, stored=key[1] != STRING)
-        return Target(key[1], name, f"scalar_reference({key!r})")
+        scalar = self._scope.scalar(key)
+        self._out.cost += costs.VARIABLE + self._scope.search(scalar)
+        name = self._out.constant(key)
+        if not self._scope.exists(key):
+            self._out.emit(f"create({name})")
+        text = self._out.cell(self._scope.cell_name(key), scalar.cell, stored=key[1] != STRING)
+        return Target(key[1], text, f"scalar_reference({name})")
 
     def _element_target(self, key: Key) -> Target:
-        array, subscripts = self.subscripts(key)
+        array, subscripts = self._expressions.subscripts(key)
+        name = self._out.constant(key)
         if array is None:
-            place = self.out.keep(f"place({key!r}, {', '.join(subscripts)})")
+            place = self._out.keep(f"place({name}, {listed(subscripts)})")
             text = f"{place}[0][{place}[1]]"
-            return Target(key[1], text, f"element_reference({key!r}, {place}[1])")
-        name = self.out.cell(self.scope.array_name(key), self.scope.array_cell(key))
-        index = self.index(array, subscripts)
-        if not index.isdigit():
-            index = self.out.keep(index)
-        return Target(key[1], f"{name}[{index}]", f"element_reference({key!r}, {index})")
+            return Target(key[1], text, f"element_reference({name}, {place}[1])")
+        index = self._expressions.index(array, subscripts)
+        place = index.text if index.simple else self._out.keep(index.text)
+        text = f"{self._expressions.array(key)}[{place}]"
+        return Target(key[1], text, f"element_reference({name}, {place})")
 
     def store(self, target: Target, value: Expression) -> None:
         """Assign; TM between numbers and strings."""
         if (target.kind == STRING) != (value.kind == STRING):
-            self.pending.append(value.text)
-            raise self.mistake(Code.TM)
+            raise self._draft.mistake(Code.TM, value)
         if target.kind == STRING:
-            self.out.cost += costs.STORE_STRING
-            self.plain = False
-            self.out.emit(f"assign({target.text}, {value.text})")
+            self._out.cost += costs.STORE_STRING
+            self._draft.plain = False
+            self._out.emit(f"assign({target.text}, {value.text})")
             return
-        self.out.cost += costs.store(target.kind, value.held)
-        self.out.emit(f"{target.text} = {self.to_kind(value, target.kind)}")
+        self._out.cost += costs.store(target.kind, value.held)
+        converted = self._expressions.convert.to_kind(value, target.kind)
+        self._out.emit(f"{target.text} = {converted.text}")
 
-    def let(self) -> None:
+    # -- statements ---------------------------------------------------------------------------
+
+    def let(self, word: Word) -> None:
         """`variable = expression`."""
-        self.out.cost += costs.STATEMENT_WORK["LET"]
+        self._out.cost += word.work
         target = self.target()
-        self.expect(tokens.EQUAL)
-        self.deepen(room.LET)
-        value = self.expression()
-        self.deepen(-room.LET)
+        self._draft.expect(tokens.EQUAL)
+        with self._draft.deeper(room.LET):
+            value = self._expressions.expression()
         self.store(target, value)
 
-    def dim(self) -> None:
+    def dim(self, word: Word) -> None:
         """DIM: arrays of given size; simple variables are made too."""
         while True:
-            self.out.cost += costs.STATEMENT_WORK["DIM"]
-            key = self.name()
-            if self.reader.code == 0x28:
-                self._dimension(key)
+            self._out.cost += word.work
+            key = self._expressions.name()
+            if self._reader.code == OPEN:
+                sizes = self._expressions.subscript_list(of_dim=True)
+                self._out.cost += costs.ARRAY + self._scope.array_search(key)
+                sizes = [to_subscript(size) for size in sizes]
+                self._out.emit(f"{word.calls}({self._out.constant(key)}, {listed(sizes)})")
             else:
                 self._scalar_target(key)
-            if self.reader.at_end:
+            if self._reader.at_end:
                 return
-            self.expect(0x2C)
+            self._draft.expect(COMMA)
 
-    def _dimension(self, key: Key) -> None:
-        sizes: list[str] = []
-        while True:
-            self.reader.advance()
-            sizes.append(f"subscript({self.number().text})")
-            self.pending.append(sizes[-1])
-            self.out.cost += costs.SUBSCRIPT
-            if self.reader.code != 0x2C:
-                break
-        if self.reader.code not in (0x29, 0x5D):
-            raise self.mistake(Code.SN)
-        self.reader.advance()
-        self.pending.clear()
-        self.out.cost += costs.ARRAY + self.scope.array_search(key)
-        self.out.emit(f"dimension({key!r}, {', '.join(sizes)})")
-
-    def read(self) -> None:
+    def read(self, word: Word) -> None:
         """READ: the next DATA items into variables; only then are they used up."""
-        self.out.emit("begin_read()")
+        self._out.emit("begin_read()")
         while True:
-            self.out.cost += costs.STATEMENT_WORK["READ"]
+            self._out.cost += word.work
             target = self.target()
             if target.kind == STRING:
-                self.out.emit(f"assign({target.text}, read_string())")
+                self._out.emit(f"assign({target.text}, read_string())")
             else:
-                self.out.emit(f"{target.text} = read_number({target.kind!r})")
-            if self.reader.code != 0x2C:
+                kind = self._out.constant(target.kind)
+                self._out.emit(f"{target.text} = read_number({kind})")
+            if self._reader.code != COMMA:
                 break
-            self.reader.advance()
-        self.out.emit("end_read()")
+            self._reader.advance()
+        self._out.emit("end_read()")
 
-    def input(self) -> None:
+    def input(self, _word: Word) -> None:
         """INPUT: leave the asking to the dialogue, the variables are looked up when it answers."""
-        reader = self.reader
-        if reader.code == 0x23:
+        reader = self._reader
+        if reader.code == characters.NUMBER_SIGN:
             self._input_tape()
             return
         self._not_direct()
         prompt = "b''"
-        if reader.code == 0x22:
+        if reader.code == characters.QUOTE:
             length, address = reader.string_literal()
             prompt = f"text_at({length}, {address})"
-            self.expect(0x3B)
-        self.out.charge()
-        self.out.emit(f"begin_input({prompt}, {reader.address})")
+            self._draft.expect(characters.SEMICOLON)
+        self._out.charge()
+        self._out.emit(f"begin_input({prompt}, {reader.address})")
 
     def _not_direct(self) -> None:
-        if self.line == DIRECT:
-            raise self.mistake(Code.ID)
+        if self._line == DIRECT:
+            raise Mistake(Code.ID)
 
     def _input_tape(self) -> None:
         unit = self.tape_unit()
         self._not_direct()
-        self.out.charge()
-        self.out.emit(f"begin_tape_input({unit}, {self.reader.address})")
+        self._out.charge()
+        self._out.emit(f"begin_tape_input({unit}, {self._reader.address})")
 
     def tape_unit(self) -> str:
         """`#-1,` or `#-2,`; FC for another number."""
-        self.reader.advance()
-        unit = self.out.keep(self.integer())
-        self.expect(0x2C)
-        self.out.emit(f"tape_unit({unit})")
+        self._reader.advance()
+        unit = self._out.keep(self._expressions.integer().text)
+        self._draft.expect(COMMA)
+        self._out.emit(f"tape_unit({unit})")
         return unit
 
-    def targets(self) -> list[str]:
-        """Python text for the references of INPUT's variables, each found in its turn."""
-        references = []
-        while True:
-            target = self.target()
-            references.append(self.out.keep(target.reference))
-            if self.reader.code != 0x2C:
-                return references
-            self.reader.advance()
-
-    def define(self, kind: str) -> None:
+    def define(self, word: Word) -> bool:
         """DEFINT and so on: the type of names by their first letter, from now on."""
-        self.out.cost += costs.STATEMENT_WORK["DEF"]
-        reader = self.reader
+        self._out.cost += word.work
+        assert word.gives is not None
+        size = SIZES[word.gives]
+        reader = self._reader
         while True:
-            if not 0x41 <= reader.code <= 0x5A:
-                raise self.mistake(Code.SN)
-            first = last = reader.code
-            if reader.advance() == tokens.MINUS:
+            first = last = self._letter()
+            if reader.code == tokens.MINUS:
                 reader.advance()
-                if not 0x41 <= reader.code <= 0x5A:
-                    raise self.mistake(Code.SN)
-                last = reader.code
-                reader.advance()
+                last = self._letter()
             if last < first:
-                raise self.mistake(Code.SN)
-            self.out.emit(f"define({SIZES[kind]}, {first}, {last})")
-            if reader.code != 0x2C:
+                raise Mistake(Code.SN)
+            self._out.emit(f"{word.calls}({size}, {first}, {last})")
+            if reader.code != COMMA:
                 break
             reader.advance()
-        self.leave()
+        self._out.charge()
+        self._out.emit(f"leave({reader.address})")
+        return False
 
-    def clear(self) -> None:
+    def _letter(self) -> int:
+        code = self._reader.code
+        if not characters.is_letter(code):
+            raise Mistake(Code.SN)
+        self._reader.advance()
+        return code
+
+    def clear(self, word: Word) -> None:
         """CLEAR [n]: forget all variables; n bytes of string space."""
-        self.out.cost += costs.STATEMENT_WORK["CLEAR"]
-        if self.reader.at_end:
-            self.out.emit("clear_all()")
+        self._out.cost += word.work
+        if self._reader.at_end:
+            self._out.emit("clear_all()")
             return
-        size = self.out.keep(f"subscript({self.number().text})")
-        self.reader.skip()
-        if self.reader.at_end:
-            self.out.emit(f"clear_strings({size})")
-
-    def leave(self) -> None:
-        """Go on at the next statement after the statement loop has looked around."""
-        self.out.charge()
-        self.out.emit(f"leave({self.reader.address})")
+        size = self._out.keep(self._expressions.whole().text)
+        self._reader.skip()
+        if self._reader.at_end:
+            self._out.emit(f"clear_strings({size})")

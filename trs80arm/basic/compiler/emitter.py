@@ -1,20 +1,30 @@
 """The Python text of one compiled function, line by line, and the function made of it.
 
 A compiled statement is a function without arguments that does the statement's work and returns the
-address of the next one. It shares the variables' cells with all other statements. What a statement
-costs is added to the clock where it leaves; the emitter knows for every line how much had come
-together by then, so that a statement that fails is charged for what it has done.
+address of the next one. It shares the variables' cells with all other statements; what it alone
+needs, as the frame that a GOSUB opens, is in cells of its own. What a statement costs is added to
+the clock where it leaves; the emitter knows for every line how much had come together by then, so
+that a statement that fails is charged for what it has done.
 """
 
 from __future__ import annotations
 
 from types import CellType, CodeType, FunctionType
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from trs80arm.basic.errors import Code
 
-LOOP_BODY = "f.body"
+_LOOP_BODY: Final = "f.body"
 """Where NEXT goes back to, in generated text."""
+ATTRIBUTES: Final = frozenset(
+    {
+        *("now", "soft"),  # the clock's, the pace's
+        *("append", "pop", "plenty"),  # the stack's of loops and subroutines, the room's
+        *("scalar", "body", "limit", "step", "up", "back"),  # a frame's
+        "mantissa",  # a double's
+    }
+)
+"""Attributes that generated text may use, beside the names of its environment."""
 
 
 class Mark(NamedTuple):
@@ -29,6 +39,10 @@ class Mark(NamedTuple):
     cost: int
 
 
+class UnlistedName(Exception):  # noqa: N818 - never raised unless the compiler is wrong
+    """Generated text uses a name that is in no list."""
+
+
 class Emitter:
     """Collects the body of one function.
 
@@ -36,19 +50,21 @@ class Emitter:
         cost: T-states that came together since the clock was last charged.
         most_cost: the most that came together on one way through the function.
         statement: the address of the statement whose text is being written.
+        marks: what is known of each line.
     """
 
     def __init__(self) -> None:
         self.cost = 0
         self.statement = 0
-        self.lines: list[str] = []
+        self.most_cost = 0
         self.marks: list[Mark] = []
         self.indent = 1
-        self.cells: dict[str, CellType] = {}
-        self.stored: set[str] = set()
+        self._lines: list[str] = []
+        self._cells: dict[str, CellType] = {}
+        self._stored: set[str] = set()
+        self._constants: dict[int, str] = {}
         self._temporaries = 0
         self._leader: int | None = None
-        self.most_cost = 0
         self._charged = 0
 
     def lead(self, address: int) -> None:
@@ -59,7 +75,7 @@ class Emitter:
 
     def emit(self, text: str) -> None:
         """Add a line."""
-        self.lines.append("  " * self.indent + text)
+        self._lines.append("  " * self.indent + text)
         self.marks.append(Mark(self.statement, self.cost))
 
     def charge(self) -> None:
@@ -77,21 +93,37 @@ class Emitter:
         """One way through the function ends here."""
         self.most_cost = max(self.most_cost, self._charged + self.cost)
 
-    def go(self, address: int | str) -> None:
+    # -- leaving ------------------------------------------------------------------------------
+
+    def go(self, address: int) -> None:
         """Leave the function for the statement at an address."""
+        self._leave()
+        if address == self._leader:
+            self.emit("if clock.now < pace.soft: continue")
+        self.emit(f"return {address}")
+
+    def go_to_found(self, text: str) -> None:
+        """Leave the function for an address found at run time."""
+        self._leave()
+        self.emit(f"return {text}")
+
+    def go_to_loop_body(self) -> None:
+        """Leave the function for the body of the loop in `f`."""
+        self._leave()
+        if self._leader is not None:
+            self.emit(f"if {_LOOP_BODY} == {self._leader} and clock.now < pace.soft: continue")
+        self.emit(f"return {_LOOP_BODY}")
+
+    def _leave(self) -> None:
         self.note_cost()
         if self.cost:
             self.emit(f"clock.now += {self.cost}")
-        if self._leader is not None:
-            if address == self._leader:
-                self.emit("if clock.now < pace.soft: continue")
-            elif address == LOOP_BODY:
-                self.emit(f"if {LOOP_BODY} == {self._leader} and clock.now < pace.soft: continue")
-        self.emit(f"return {address}")
 
     def fail(self, code: Code) -> None:
         """Raise a Level II error."""
         self.emit(f"fail({int(code)})")
+
+    # -- names --------------------------------------------------------------------------------
 
     def temporary(self) -> str:
         """A new local name."""
@@ -106,39 +138,56 @@ class Emitter:
 
     def cell(self, name: str, cell: CellType, stored: bool = False) -> str:
         """Use a shared cell under a name."""
-        self.cells[name] = cell
+        self._cells[name] = cell
         if stored:
-            self.stored.add(name)
+            self._stored.add(name)
         return name
+
+    def constant(self, value: object) -> str:
+        """A name for an object that the function keeps for itself."""
+        name = self._constants.get(id(value))
+        if name is None:
+            name = self._constants[id(value)] = f"k{len(self._constants)}"
+            self._cells[name] = CellType(value)
+        return name
+
+    # -- the function -------------------------------------------------------------------------
 
     def source(self) -> str:
         """The Python text of the function, inside one that declares its cells."""
-        names = list(self.cells)
+        names = list(self._cells)
         out = ["def cells():"]
         if names:
             out.append(f" {' = '.join(names)} = None")
         out.append(" def statement():")
-        if self.stored:
-            out.append(f"  nonlocal {', '.join(sorted(self.stored))}")
-        return "\n".join([*out, *self.lines, " return statement\n"])
+        if self._stored:
+            out.append(f"  nonlocal {', '.join(sorted(self._stored))}")
+        return "\n".join([*out, *self._lines, " return statement\n"])
 
     @property
     def _first_line(self) -> int:
         """The number of lines of `source` in front of the emitted ones."""
-        return 2 + bool(self.cells) + bool(self.stored)
+        return 2 + bool(self._cells) + bool(self._stored)
 
     def build(self, environment: dict[str, Any]) -> tuple[FunctionType, int]:
-        """The function, and the number of its text lines in front of the first emitted one."""
+        """The function, and the number of its text lines in front of the first emitted one.
+
+        Args:
+            environment: the names that it may use, and what they stand for.
+        """
         try:
             module = compile(self.source(), "<statement>", "exec")
         except (SyntaxError, RecursionError, MemoryError):
             # Nested more deeply than Python can read: out of memory here as well.
-            del self.lines[:], self.marks[:]
+            del self._lines[:], self.marks[:]
             self.indent = 1
             self.fail(Code.OM)
             module = compile(self.source(), "<statement>", "exec")
         code = _inner(_inner(module, "cells"), "statement")
-        closure = tuple(self.cells[name] for name in code.co_freevars)
+        for name in code.co_names:
+            if name not in environment and name not in ATTRIBUTES:
+                raise UnlistedName(name)
+        closure = tuple(self._cells[name] for name in code.co_freevars)
         return FunctionType(code, environment, "statement", None, closure), self._first_line
 
 

@@ -1,31 +1,27 @@
 """Expressions: from the text of a line to Python text, in the order in which the ROM evaluates.
 
-The ROM evaluates while it reads, so a mistake in the text shows only when what stands before it has
-been evaluated. The compiler keeps that order: on a mistake it writes out what is pending and then
-the error. Precedence and the odd corners (string `+` binds at once, `=<`, `NOT`) are the ROM's
-(Level II facts, Expressions).
+Precedence and the odd corners (string `+` binds at once, `=<`, `NOT`) are the ROM's (Level II
+facts, Expressions). What begins with a word is read by the function compiler.
 """
 
 from __future__ import annotations
 
-from trs80arm.basic import costs, number_costs, room, tokens
-from trs80arm.basic.compiler.values import (
-    ANY,
-    NUMBER,
-    Expression,
-    ValueCompiler,
-    is_closed,
-    wider,
-)
+from typing import Final, Protocol
+
+from trs80arm.basic import characters, costs, number_costs, room, tokens, words
+from trs80arm.basic.characters import CLOSE, COMMA, OPEN, QUOTE
+from trs80arm.basic.compiler.draft import Draft, Mistake
+from trs80arm.basic.compiler.values import Conversions, Expression, constant, wider
 from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, SIZES, STRING
 from trs80arm.basic.numbers import literal
 from trs80arm.basic.numbers.double import Double
-from trs80arm.basic.variables import DOUBLE, INTEGER, SINGLE, SIZES, STRING, Array, Key
+from trs80arm.basic.variables import Array, Key
 
-RELATION = 0x64
-_UNARY_MINUS = 0x7D
-_NOT = 0x5A
-_PRECEDENCE = {
+RELATION: Final = 0x64
+_UNARY_MINUS: Final = 0x7D
+_NOT: Final = 0x5A
+_PRECEDENCE: Final = {
     tokens.PLUS: 0x79,
     tokens.MINUS: 0x79,
     tokens.TIMES: 0x7C,
@@ -34,68 +30,101 @@ _PRECEDENCE = {
     tokens.AND: 0x50,
     tokens.OR: 0x46,
 }
-_RELATIONS = {1: ">", 2: "==", 3: ">=", 4: "<", 5: "!=", 6: "<="}
-_MAX_DEPTH = 100
+_ARITHMETIC: Final = {
+    tokens.PLUS: "add",
+    tokens.MINUS: "sub",
+    tokens.TIMES: "mul",
+    tokens.DIVIDE: "div",
+}
+_RELATIONS: Final = {1: ">", 2: "==", 3: ">=", 4: "<", 5: "!=", 6: "<="}
+_SIGNS: Final = {
+    characters.PERCENT: INTEGER,
+    characters.DOLLAR: STRING,
+    characters.EXCLAMATION: SINGLE,
+    characters.NUMBER_SIGN: DOUBLE,
+}
+"""The signs behind a name that say its type."""
+_MAX_DEPTH: Final = 100
 """Nesting beyond which an expression is ?OM, as it is on the ROM when its stack is full."""
 
 
-class ExpressionCompiler(ValueCompiler):
-    """Reads expressions from a line and writes them as Python text."""
+class FunctionReader(Protocol):
+    """Reads operands that begin with a word."""
 
-    _operand_end = 0
-    """Where the operand read last ends, which string comparison goes back to."""
+    def operand(self, word: words.Word) -> Expression:
+        """The operand whose word stands here."""
+
+
+class ExpressionCompiler:
+    """Reads expressions from a line and writes them as Python text.
+
+    Args:
+        draft: the statement.
+
+    Attributes:
+        convert: conversions of values.
+        functions: who reads functions.
+    """
+
+    functions: FunctionReader
+
+    def __init__(self, draft: Draft) -> None:
+        self._draft = draft
+        self._reader = draft.reader
+        self._out = draft.out
+        self._scope = draft.scope
+        self.convert = Conversions(draft.out)
+        self._operand_end = 0
+        """Where the operand read last ends, which string comparison goes back to."""
 
     # -- whole expressions --------------------------------------------------------------------
 
     def expression(self) -> Expression:
         """An expression, up to the first character that does not belong to it."""
-        self.reader.skip()
-        outermost = not self.depth
+        self._reader.skip()
+        outermost = not self._draft.depth
         value = self._evaluate(0)
-        if outermost and self.scope.tight:
-            self.out.emit(f"room({room.EXPRESSION + self.deepest})")
-            self.deepest = 0
+        if outermost:
+            self._draft.need_room(room.EXPRESSION)
         return value
 
     def number(self) -> Expression:
         """An expression that must be a number; TM."""
         value = self.expression()
         if value.kind == STRING:
-            self.pending.append(value.text)
-            raise self.mistake(Code.TM)
+            raise self._draft.mistake(Code.TM, value)
         return value
 
     def string(self) -> Expression:
         """An expression that must be a string; TM."""
         value = self.expression()
         if value.kind != STRING:
-            self.pending.append(value.text)
-            raise self.mistake(Code.TM)
+            raise self._draft.mistake(Code.TM, value)
         return value
 
-    def integer(self) -> str:
+    def integer(self) -> Expression:
         """A number rounded down to an integer (2B02H); OV, TM."""
-        return self.to_integer(self.number())
+        return self.convert.to_integer(self.number())
 
-    def byte(self) -> str:
+    def byte(self) -> Expression:
         """A number rounded down to 0..255 (2B1CH); FC, OV, TM."""
-        value = self.to_byte(self.number())
-        self.reader.skip()
+        value = self.convert.to_byte(self.number())
+        self._reader.skip()
         return value
 
-    def flush(self) -> None:
-        """Write what was read of an expression that turned out to be wrong."""
-        for text in self.pending:
-            if not text.isidentifier() and not text.replace(".", "").isdigit():
-                self.out.emit(text)
-        self.pending.clear()
+    def whole(self) -> Expression:
+        """A number rounded down to 0..32767 (1E45H); FC, OV, TM."""
+        return to_subscript(self.number())
+
+    # -- operators ----------------------------------------------------------------------------
 
     def _evaluate(self, precedence: int) -> Expression:
-        self.depth += 1
-        if self.depth > _MAX_DEPTH:
-            raise self.mistake(Code.OM)
+        draft = self._draft
+        draft.depth += 1
+        if draft.depth > _MAX_DEPTH:
+            raise Mistake(Code.OM)
         left = self._operand()
-        reader = self.reader
+        reader = self._reader
         self._operand_end = reader.position
         while True:
             mask = 0
@@ -103,8 +132,7 @@ class ExpressionCompiler(ValueCompiler):
             while tokens.GREATER <= reader.code <= tokens.LESS:
                 bits = mask ^ 1 << (reader.code - tokens.GREATER)
                 if bits < mask:
-                    self.pending.append(left.text)
-                    raise self.mistake(Code.SN)
+                    raise draft.mistake(Code.SN, left)
                 mask = bits
                 reader.advance()
             if mask:
@@ -122,117 +150,97 @@ class ExpressionCompiler(ValueCompiler):
             if _PRECEDENCE[operator] <= precedence:
                 break
             left = self._operation(left, operator)
-        self.depth -= 1
+        draft.depth -= 1
         return left
 
     def _right(self, left: Expression, precedence: int) -> Expression:
         """What stands to the right of an operator, while its left side is pending."""
-        self.pending.append(left.text)
-        size = room.OPERATOR + SIZES.get(left.kind, 4)
-        self.deepen(size)
-        right = self._evaluate(precedence)
-        self.deepen(-size)
-        self.pending.pop()
-        return right
+        size = room.OPERATOR + SIZES.get(left.kind, SIZES[SINGLE])
+        with self._draft.pending(left), self._draft.deeper(size):
+            return self._evaluate(precedence)
 
     def _relation(self, left: Expression, mask: int) -> Expression:
         right = self._right(left, RELATION)
         strings = (left.kind == STRING) + (right.kind == STRING)
         if strings == 1:
-            self.pending += [left.text, right.text]
-            raise self.mistake(Code.TM)
+            raise self._draft.mistake(Code.TM, left, right)
         relation = _RELATIONS.get(mask)
         if strings:
             # The ROM goes on behind the last operand it has noted (40F3H), and a concatenation
             # notes none of its own: "A"="B"+"C" compares, and then reads +"C" again.
-            self.reader.position = self._operand_end
-            self.out.cost += costs.COMPARE_STRINGS
-            test = self._string_relation(left, right, relation)
+            self._reader.position = self._operand_end
+            self._out.cost += costs.COMPARE_STRINGS
+            test = _string_relation(left, right, relation)
         else:
-            kind = wider(left.kind, right.kind)
-            self.out.cost += costs.binary("compare", left.held, right.held)
-            if kind == DOUBLE:
-                test = f"double_compare({self.to_double(left)}, {self.to_double(right)})"
-                test = f"{test} {relation} 0"
-            elif kind == ANY:
-                test = f"compare({left.text}, {right.text}) {relation} 0"
-            else:
-                test = f"{left.text} {relation} {right.text}"
-            if relation is None:
-                test = f"always({left.text}, {right.text})"
-        self.out.cost += costs.OPERATOR
+            self._out.cost += costs.binary("compare", left.held, right.held)
+            test = self._number_relation(left, right, relation)
+        self._out.cost += costs.OPERATOR
         return Expression(f"-({test})", INTEGER, condition=test)
 
-    def _string_relation(self, left: Expression, right: Expression, relation: str | None) -> str:
+    def _number_relation(self, left: Expression, right: Expression, relation: str | None) -> str:
+        kind = wider(left.kind, right.kind)
         if relation is None:
-            return f"always(string_compare({left.text}, {right.text}), 0)"
-        if relation in ("==", "!="):
-            negation = "not " if relation == "!=" else ""
-            return f"{negation}string_equal({left.text}, {right.text})"
-        return f"string_compare({left.text}, {right.text}) {relation} 0"
+            return f"always({left.text}, {right.text})"
+        if kind == DOUBLE:
+            a, b = self.convert.to_double(left).text, self.convert.to_double(right).text
+            return f"double_compare({a}, {b}) {relation} 0"
+        if kind == ANY:
+            return f"compare({left.text}, {right.text}) {relation} 0"
+        return f"{left.text} {relation} {right.text}"
 
     def _concatenation(self, left: Expression) -> Expression:
-        self.reader.advance()
-        self.pending.append(left.text)
-        right = self._operand()
+        self._reader.advance()
+        with self._draft.pending(left):
+            right = self._operand()
         if right.kind != STRING:
-            self.pending.append(right.text)
-            raise self.mistake(Code.TM)
-        self.pending.pop()
-        self.plain = False
-        self.out.cost += costs.CONCATENATE
+            raise self._draft.mistake(Code.TM, left, right)
+        self._draft.plain = False
+        self._out.cost += costs.CONCATENATE
         return Expression(f"concatenate({left.text}, {right.text})", STRING)
 
     def _operation(self, left: Expression, operator: int) -> Expression:
         if left.kind == STRING:
-            self.pending.append(left.text)
-            raise self.mistake(Code.TM)
-        self.reader.advance()
-        self.out.cost += costs.OPERATOR
-        precedence = _PRECEDENCE[operator]
+            raise self._draft.mistake(Code.TM, left)
+        self._reader.advance()
+        self._out.cost += costs.OPERATOR
         if operator in (tokens.AND, tokens.OR):
             return self._logical(left, operator)
-        right = self._right(left, precedence)
+        right = self._right(left, _PRECEDENCE[operator])
         if right.kind == STRING:
-            self.pending += [left.text, right.text]
-            raise self.mistake(Code.TM)
+            raise self._draft.mistake(Code.TM, left, right)
         if operator == tokens.POWER:
-            self.out.allow(costs.MOST_OF_CALL)
-            return Expression(f"power({self.to_single(left)}, {self.to_single(right)})", SINGLE)
-        return self._arithmetic(left, operator, right)
+            self._out.allow(costs.MOST_OF_CALL)
+            base, exponent = self.convert.to_single(left), self.convert.to_single(right)
+            return Expression(f"power({base.text}, {exponent.text})", SINGLE)
+        return self._arithmetic(left, _ARITHMETIC[operator], right)
 
     def _logical(self, left: Expression, operator: int) -> Expression:
-        self.out.cost += costs.LOGICAL
-        converted = self.to_integer(left)
-        right = self._right(Expression(converted, INTEGER), _PRECEDENCE[operator])
+        self._out.cost += costs.LOGICAL
+        converted = self.convert.to_integer(left)
+        right = self._right(converted, _PRECEDENCE[operator])
         if right.kind == STRING:
-            self.pending += [converted, right.text]
-            raise self.mistake(Code.TM)
+            raise self._draft.mistake(Code.TM, converted, right)
         sign = "&" if operator == tokens.AND else "|"
         if left.condition is not None and right.condition is not None:
             both = f"(({left.condition}) {sign} ({right.condition}))"
             return Expression(f"-{both}", INTEGER, condition=both)
-        return Expression(f"({converted} {sign} {self.to_integer(right)})", INTEGER)
+        right = self.convert.to_integer(right)
+        return Expression(f"({converted.text} {sign} {right.text})", INTEGER)
 
-    def _arithmetic(self, left: Expression, operator: int, right: Expression) -> Expression:
+    def _arithmetic(self, left: Expression, name: str, right: Expression) -> Expression:
         kind = wider(left.kind, right.kind)
-        name = {
-            tokens.PLUS: "add",
-            tokens.MINUS: "sub",
-            tokens.TIMES: "mul",
-            tokens.DIVIDE: "div",
-        }[operator]
-        if kind == NUMBER and operator == tokens.DIVIDE:
+        if kind == NUMBER and name == "div":
             kind = SINGLE
-        self.out.cost += costs.binary(name, left.held, right.held)
+        self._out.cost += costs.binary(name, left.held, right.held)
         held = {left.held, right.held} - {INTEGER, NUMBER}
         if name == "mul" and kind == SINGLE and right.constant and held:
-            self.out.cost += number_costs.product_by(float(right.constant))
+            self._out.cost += number_costs.product_by(float(right.constant))
         if kind == DOUBLE:
-            self.out.allow(costs.MOST_OF_CALL)
-            text = f"double_{name}({self.to_double(left)}, {self.to_double(right)})"
+            self._out.allow(costs.MOST_OF_CALL)
+            a, b = self.convert.to_double(left), self.convert.to_double(right)
+            text = f"double_{name}({a.text}, {b.text})"
         elif kind == SINGLE:
-            text = self.single_arithmetic(name, left, right)
+            text = self.convert.single_arithmetic(name, left, right, self._draft.depth)
         elif kind == NUMBER and left.kind == right.kind == INTEGER:
             text = f"integer_{name}({left.text}, {right.text})"
         else:
@@ -243,15 +251,14 @@ class ExpressionCompiler(ValueCompiler):
     # -- operands -----------------------------------------------------------------------------
 
     def _operand(self) -> Expression:
-        reader = self.reader
+        reader, out = self._reader, self._out
         code = reader.code
-        out = self.out
         out.cost += costs.OPERAND
-        if code in (0, 0x3A):
-            raise self.mistake(Code.MO)
-        if 0x30 <= code <= 0x39 or code == 0x2E:
+        if reader.at_end:
+            raise Mistake(Code.MO)
+        if characters.is_digit(code) or code == characters.POINT:
             return self._constant()
-        if 0x41 <= code <= 0x5A:
+        if characters.is_letter(code):
             return self._variable()
         if code == tokens.PLUS:
             reader.advance()
@@ -259,67 +266,53 @@ class ExpressionCompiler(ValueCompiler):
         if code == tokens.MINUS:
             reader.advance()
             return self._negated(self._nested(_UNARY_MINUS))
-        if code == 0x22:
+        if code == QUOTE:
             length, address = reader.string_literal()
             out.cost += costs.STRING_LITERAL + costs.STRING_CHARACTER * length
             return Expression(f"literal({length}, {address})", STRING)
         if code == tokens.NOT:
             reader.advance()
-            value = self._nested(_NOT)
-            if value.kind == STRING:
-                self.pending.append(value.text)
-                raise self.mistake(Code.TM)
-            out.cost += costs.LOGICAL
-            if value.condition is not None:
-                test = f"(not {value.condition})"
-                return Expression(f"-{test}", INTEGER, condition=test)
-            return Expression(f"~{self.to_integer(value)}", INTEGER)
-        if code == 0x26:
-            raise self.mistake(Code.L3)
-        if code in tokens.FUNCTIONS:
-            return self.function(code)
-        out.cost += costs.PARENTHESES
-        if code != 0x28:
-            raise self.mistake(Code.SN)
-        reader.advance()
-        self.deepen(room.PARENTHESIS)
-        value = self.expression()
-        self.deepen(-room.PARENTHESIS)
-        self.close_parenthesis(value.text)
-        text = value.text if is_closed(value.text) else f"({value.text})"
-        condition = value.condition
-        if condition is not None and not is_closed(condition):
-            condition = f"({condition})"
-        return Expression(
-            text, value.kind, condition, value.constant, value.simple, whole=value.whole
-        )
+            return self._complement(self._nested(_NOT))
+        if code == characters.AMPERSAND:
+            raise Mistake(Code.L3)
+        if code in words.FUNCTIONS:
+            return self.functions.operand(words.BY_TOKEN[code])
+        return self._in_parentheses()
+
+    def _in_parentheses(self) -> Expression:
+        self._out.cost += costs.PARENTHESES
+        self._draft.expect(OPEN)
+        with self._draft.deeper(room.PARENTHESIS):
+            value = self.expression()
+        self.close_parenthesis(value)
+        return value
+
+    def close_parenthesis(self, *values: Expression) -> None:
+        """A `)` behind values that are pending; SN."""
+        if self._reader.code != CLOSE:
+            raise self._draft.mistake(Code.SN, *values)
+        self._reader.advance()
 
     def _nested(self, precedence: int) -> Expression:
         """The operand of a sign or a NOT."""
-        self.deepen(room.PARENTHESIS)
-        value = self._evaluate(precedence)
-        self.deepen(-room.PARENTHESIS)
-        return value
+        with self._draft.deeper(room.PARENTHESIS):
+            return self._evaluate(precedence)
 
-    def close_parenthesis(self, *pending: str) -> None:
-        """A `)` behind what is pending; SN."""
-        if self.reader.code != 0x29:
-            self.pending += pending
-            raise self.mistake(Code.SN)
-        self.reader.advance()
-
-    def function(self, code: int) -> Expression:
-        """An operand that begins with a word (see `functions`)."""
-        raise TypeError(f"no functions here: {code}")
+    def _complement(self, value: Expression) -> Expression:
+        if value.kind == STRING:
+            raise self._draft.mistake(Code.TM, value)
+        self._out.cost += costs.LOGICAL
+        if value.condition is not None:
+            test = f"(not {value.condition})"
+            return Expression(f"-{test}", INTEGER, condition=test)
+        return Expression(f"~{self.convert.to_integer(value).text}", INTEGER)
 
     def _negated(self, value: Expression) -> Expression:
-        self.out.cost += costs.NEGATE
+        self._out.cost += costs.NEGATE
         if value.kind == STRING:
-            self.pending.append(value.text)
-            raise self.mistake(Code.TM)
-        if value.constant is not None and value.constant:
-            negative = -value.constant
-            return Expression(f"({negative!r})", value.kind, constant=negative, simple=True)
+            raise self._draft.mistake(Code.TM, value)
+        if value.constant:
+            return constant(-value.constant)
         if value.kind == SINGLE:
             # `0.0 -` keeps a zero from getting a sign, which the machine does not have.
             return Expression(f"(0.0 - {value.text})", SINGLE)
@@ -331,111 +324,135 @@ class ExpressionCompiler(ValueCompiler):
         return Expression(f"negate({value.text})", kind)
 
     def _constant(self) -> Expression:
-        reader = self.reader
-        start = reader.position
+        reader = self._reader
+        meter = number_costs.LiteralMeter()
         try:
-            value, end = literal.scan(reader.text, start)
+            value, end = literal.scan(reader.text, reader.position, meter=meter)
         except BasicError as error:
-            self.out.cost += number_costs.literal(reader.text[start:])
-            raise self.mistake(error.code) from None
+            self._out.cost += meter.total
+            raise Mistake(error.code) from None
         reader.position = end
-        self.out.cost += costs.constant(reader.text[start:end], value)
-        if reader.text[end - 1 : end] not in (b"#", b"!", b"%"):
+        self._out.cost += costs.constant(value, meter.total)
+        if reader.text[end - 1] not in literal.TYPE_SIGNS:
             # Blanks behind a type sign are not passed: they end the expression.
             reader.skip()
-        if isinstance(value, Double):
-            return Expression(self.double_constant(value), DOUBLE, simple=True)
-        kind = INTEGER if isinstance(value, int) else SINGLE
-        return Expression(repr(value), kind, constant=value, simple=True)
+        return self.convert.double_constant(value) if isinstance(value, Double) else constant(value)
 
-    def _variable(self) -> Expression:
-        key = self.name()
-        if self.reader.code == 0x28:
-            return self._element(key)
-        scalar = self.scope.scalar(key)
-        self.out.cost += costs.VARIABLE + self.scope.search(scalar) + costs.FETCH[key[1]]
-        name = self.out.cell(self.scope.cell_name(key), scalar.cell)
-        return Expression(name, key[1], simple=True)
+    # -- variables ----------------------------------------------------------------------------
 
     def name(self) -> Key:
         """The name and kind of a variable; SN where no letter stands."""
-        reader = self.reader
-        if not 0x41 <= reader.code <= 0x5A:
-            raise self.mistake(Code.SN)
+        reader = self._reader
+        if not characters.is_letter(reader.code):
+            raise Mistake(Code.SN)
         first = reader.code
         name = chr(first)
         code = reader.advance()
-        while 0x30 <= code <= 0x39 or 0x41 <= code <= 0x5A:
-            self.out.cost += costs.NAME_LETTER
+        while characters.is_digit(code) or characters.is_letter(code):
+            self._out.cost += costs.NAME_LETTER
             if len(name) < 2:
                 name += chr(code)
             code = reader.advance()
-        kind = {0x25: INTEGER, 0x24: STRING, 0x21: SINGLE, 0x23: DOUBLE}.get(code)
-        if kind is not None:
+        if code in _SIGNS:
             reader.advance()
-            return name, kind
-        self.out.cost += costs.KIND_BY_LETTER
-        return name, self.scope.default_kind(first)
+            return name, _SIGNS[code]
+        self._out.cost += costs.KIND_BY_LETTER
+        return name, self._scope.default_kind(first)
+
+    def _variable(self) -> Expression:
+        key = self.name()
+        if self._reader.code == OPEN:
+            return self._element(key)
+        scalar = self._scope.scalar(key)
+        self._out.cost += costs.VARIABLE + self._scope.search(scalar) + costs.FETCH[key[1]]
+        name = self._out.cell(self._scope.cell_name(key), scalar.cell)
+        return Expression(name, key[1], simple=True)
 
     def _element(self, key: Key) -> Expression:
         array, subscripts = self.subscripts(key)
         if array is None:
-            arguments = ", ".join(subscripts)
-            return Expression(f"element({key!r}, {arguments})", key[1])
-        name = self.out.cell(self.scope.array_name(key), self.scope.array_cell(key))
-        return Expression(f"{name}[{self.index(array, subscripts)}]", key[1])
+            return Expression(f"element({self._out.constant(key)}, {listed(subscripts)})", key[1])
+        return Expression(f"{self.array(key)}[{self.index(array, subscripts).text}]", key[1])
 
-    def subscripts(self, key: Key) -> tuple[Array | None, list[str]]:
+    def array(self, key: Key) -> str:
+        """The name of the elements of an array that exists."""
+        return self._out.cell(self._scope.array_name(key), self._scope.array_cell(key))
+
+    def subscripts(self, key: Key) -> tuple[Array | None, list[Expression]]:
         """The subscripts of an element, and the array if it exists with as many dimensions."""
-        values: list[Expression] = []
-        kept = len(self.pending)
-        while True:
-            self.reader.advance()
-            self.deepen(room.SUBSCRIPT)
-            value = self.number()
-            self.deepen(-room.SUBSCRIPT)
-            self.out.cost += costs.SUBSCRIPT + costs.CONVERT.get(value.held, 0)
-            values.append(value)
-            self.pending.append(f"subscript({value.text})")
-            if self.reader.code != 0x2C:
-                break
-        if self.reader.code not in (0x29, 0x5D):
-            raise self.mistake(Code.SN)
-        self.reader.advance()
-        self._operand_end = self.reader.position
-        del self.pending[kept:]
-        array = self.scope.array(key, len(values))
-        self.out.cost += costs.ARRAY + self.scope.array_search(key)
+        values = self.subscript_list()
+        self._operand_end = self._reader.position
+        array = self._scope.array(key, len(values))
+        self._out.cost += costs.ARRAY + self._scope.array_search(key)
         if array is None:
-            return None, [f"subscript({value.text})" for value in values]
-        return array, [self._subscript(v, d) for v, d in zip(values, array.dims, strict=True)]
+            return None, [to_subscript(value) for value in values]
+        return array, [self._checked(v, d) for v, d in zip(values, array.dims, strict=True)]
 
-    def _subscript(self, value: Expression, dim: int) -> str:
+    def subscript_list(self, *, of_dim: bool = False) -> list[Expression]:
+        """The values between `(` or `[` and `)` or `]`; SN for another end.
+
+        Args:
+            of_dim: whether they are sizes, whose conversion is reckoned with what makes the array.
+        """
+        values: list[Expression] = []
+        draft = self._draft
+        while True:
+            self._reader.advance()
+            taken = 0 if of_dim else room.SUBSCRIPT
+            with draft.pending(*map(to_subscript, values)), draft.deeper(taken):
+                value = self.number()
+            self._out.cost += costs.SUBSCRIPT
+            if not of_dim:
+                self._out.cost += costs.CONVERT.get(value.held, 0)
+            values.append(value)
+            if self._reader.code != COMMA:
+                break
+        if self._reader.code not in (CLOSE, characters.CLOSE_BRACKET):
+            raise draft.mistake(Code.SN, *map(to_subscript, values))
+        self._reader.advance()
+        return values
+
+    def _checked(self, value: Expression, dim: int) -> Expression:
         """A subscript checked against its dimension; FC, BS or OV."""
         if value.constant is not None:
             number = int(value.constant // 1)
             if 0 <= number < dim:
-                return str(number)
-        text = value.text
-        if value.kind == INTEGER:
-            if not value.simple:
-                text = self.out.temporary()
-                return f"({text} if 0 <= ({text} := {value.text}) < {dim} else bad({text}, {dim}))"
-            return f"({text} if 0 <= {text} < {dim} else bad({text}, {dim}))"
+                return constant(number)
         if value.kind in (DOUBLE, ANY):
-            return f"bad({text}, {dim})"
-        test = text
+            return Expression(f"bad({value.text}, {dim})", INTEGER)
+        text = test = value.text
         if not value.simple:
-            text = self.out.temporary()
+            text = self._out.temporary()
             test = f"({text} := {value.text})"
-        return f"(int({text}) if 0 <= {test} < {dim} else bad({text}, {dim}))"
+        taken = text if value.kind == INTEGER else f"int({text})"
+        return Expression(f"({taken} if 0 <= {test} < {dim} else bad({text}, {dim}))", INTEGER)
 
     @staticmethod
-    def index(array: Array, subscripts: list[str]) -> str:
+    def index(array: Array, subscripts: list[Expression]) -> Expression:
         """The place of an element in the list, the first subscript running fastest."""
-        text = subscripts[-1]
-        for subscript, dim in zip(
-            reversed(subscripts[:-1]), reversed(array.dims[:-1]), strict=True
-        ):
-            text = f"{subscript} + {dim} * ({text})"
-        return text
+        *others, last = subscripts
+        if not others:
+            return last
+        text = last.text
+        for subscript, dim in zip(reversed(others), reversed(array.dims[:-1]), strict=True):
+            text = f"{subscript.text} + {dim} * ({text})"
+        return Expression(text, INTEGER)
+
+
+def to_subscript(value: Expression) -> Expression:
+    """A number rounded down to 0..32767 when it is there (1E45H); OV, FC."""
+    return Expression(f"subscript({value.text})", INTEGER)
+
+
+def listed(values: list[Expression]) -> str:
+    """The text of arguments."""
+    return ", ".join(value.text for value in values)
+
+
+def _string_relation(left: Expression, right: Expression, relation: str | None) -> str:
+    if relation is None:
+        return f"always(string_compare({left.text}, {right.text}), 0)"
+    if relation in ("==", "!="):
+        negation = "not " if relation == "!=" else ""
+        return f"{negation}string_equal({left.text}, {right.text})"
+    return f"string_compare({left.text}, {right.text}) {relation} 0"

@@ -2,137 +2,164 @@
 
 from __future__ import annotations
 
-from trs80arm.basic import costs, room, tokens
+from collections.abc import Callable
+from typing import Final
+
+from trs80arm.basic import characters, costs, room, tokens, words
+from trs80arm.basic.characters import COMMA, QUOTE
+from trs80arm.basic.compiler import rounding
 from trs80arm.basic.compiler.assignments import AssignmentCompiler
-from trs80arm.basic.compiler.emitter import LOOP_BODY
-from trs80arm.basic.compiler.values import Mistake
-from trs80arm.basic.control import DIRECT
+from trs80arm.basic.compiler.draft import Draft, Mistake
+from trs80arm.basic.compiler.expressions import ExpressionCompiler
+from trs80arm.basic.compiler.values import Expression
+from trs80arm.basic.control import DIRECT, GosubFrame
 from trs80arm.basic.errors import Code
+from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, STRING
 from trs80arm.basic.program import Program
-from trs80arm.basic.variables import DOUBLE, INTEGER, STRING, Key
+from trs80arm.basic.variables import Key
+from trs80arm.basic.words import Word
+
+_GOTO: Final = words.word("GOTO")
+_GOSUB: Final = words.word("GOSUB")
 
 
-class FlowCompiler(AssignmentCompiler):
+class FlowCompiler:
     """Control flow.
 
-    Attributes:
+    Args:
+        draft: the statement.
+        expressions: who reads conditions and limits.
+        assignments: who reads the variable of a FOR.
+        statement: compiles the statement behind a THEN or an ELSE; whether control goes on
+            behind it.
         program: to find lines.
         line: the number of the line that is compiled, 65535 for a direct one.
         loops: the variables of the open loops, the guess for a bare NEXT.
     """
 
-    program: Program
-    line: int
-    loops: list[Key]
-    plain: bool
-
-    def statement(self) -> bool:
-        """One statement; whether control goes on behind it."""
-        raise TypeError("no statements here")
+    def __init__(
+        self,
+        draft: Draft,
+        expressions: ExpressionCompiler,
+        assignments: AssignmentCompiler,
+        statement: Callable[[], bool],
+        program: Program,
+        line: int,
+        loops: list[Key],
+    ) -> None:
+        self._draft = draft
+        self._reader = draft.reader
+        self._out = draft.out
+        self._scope = draft.scope
+        self._expressions = expressions
+        self._assignments = assignments
+        self._statement = statement
+        self._program = program
+        self._line = line
+        self._loops = loops
 
     # -- jumps --------------------------------------------------------------------------------
 
-    def line_number(self) -> int:
+    def _line_number(self) -> int:
         """The digits that stand here; 0 where there are none."""
-        number = self.reader.digits()
+        number = self._reader.digits()
         if number == -1:
-            raise self.mistake(Code.SN)
+            raise Mistake(Code.SN)
         return number or 0
 
-    def jump_address(self, number: int) -> int:
+    def _jump_address(self, number: int) -> int:
         """The separator in front of a line, its search paid for; UL."""
-        program = self.program
+        program = self._program
         passed = program.place(number)
-        if self.line != DIRECT and number > self.line:
-            passed -= program.place(self.line)
-        self.out.cost += costs.LINE_PASSED * max(0, passed)
+        if self._line != DIRECT and number > self._line:
+            passed -= program.place(self._line)
+        self._out.cost += costs.LINE_PASSED * max(0, passed)
         address = program.find(number)
         if address is None:
-            raise self.mistake(Code.UL)
+            raise Mistake(Code.UL)
         return address - 1
 
-    def goto(self) -> None:
+    def _pass_rest(self) -> None:
+        """The rest of the line is passed without a look."""
+        self._out.cost += costs.SKIPPED * (len(self._reader.text) - self._reader.position)
+
+    def _goto(self) -> None:
         """GOTO, and THEN or ELSE with digits; the rest of the line is skipped."""
-        self.out.cost += costs.STATEMENT_WORK["GOTO"]
-        number = self.line_number()
-        self.out.cost += costs.SKIPPED * (len(self.reader.text) - self.reader.position)
-        self.out.go(self.jump_address(number))
+        self._out.cost += _GOTO.work
+        number = self._line_number()
+        self._pass_rest()
+        self._out.go(self._jump_address(number))
 
-    def goto_statement(self) -> bool:
+    def goto_statement(self, _word: Word) -> bool:
         """GOTO n."""
-        self.goto()
+        self._goto()
         return False
 
-    def gosub_statement(self) -> bool:
+    def gosub_statement(self, _word: Word) -> bool:
         """GOSUB n."""
-        self.gosub()
+        self._gosub()
         return False
 
-    def gosub(self) -> None:
+    def _gosub(self) -> None:
         """GOSUB: the way back is behind the statement."""
-        self.out.cost += costs.STATEMENT_WORK["GOSUB"]
-        start = self.reader.state()
-        self.reader.skip_statement()
-        back = self.reader.address
-        self.reader.restore(start)
-        number = self.line_number()
-        self.out.cost += costs.SKIPPED * (len(self.reader.text) - self.reader.position)
-        address = self.jump_address(number)
-        frame = self.scope.frame_name(back, self.line)
-        self.out.emit(f"if memory_room.plenty and len(frames) < {room.FEW}:")
-        self.out.emit(f"  frames.append({frame})")
-        self.out.emit("else:")
-        self.out.emit(f"  open_subroutine({back}, {self.line})")
-        self.out.go(address)
+        out, reader = self._out, self._reader
+        out.cost += _GOSUB.work
+        start = reader.state()
+        reader.skip_statement()
+        back = reader.address
+        reader.restore(start)
+        number = self._line_number()
+        self._pass_rest()
+        address = self._jump_address(number)
+        frame = out.constant(GosubFrame(back, self._line))
+        out.emit(f"if memory_room.plenty and len(frames) < {room.FEW}:")
+        out.emit(f"  frames.append({frame})")
+        out.emit("else:")
+        out.emit(f"  open_subroutine({back}, {self._line})")
+        out.go(address)
 
-    def return_(self) -> bool:
+    def return_(self, word: Word) -> bool:
         """RETURN: to behind the GOSUB, loops opened since are dropped."""
-        if not self.reader.at_end:
+        if not self._reader.at_end:
             return True
-        self.out.cost += costs.STATEMENT_WORK["RETURN"]
-        self.out.emit("f = frames[-1]")
-        self.out.emit("if f.scalar is None and len(frames) > 1:")
-        self.out.indent += 1
-        self.out.emit("frames.pop()")
-        self.out.go("f.back")
-        self.out.indent -= 1
-        self.out.go("close_subroutine()")
+        out = self._out
+        out.cost += word.work
+        out.emit("f = frames[-1]")
+        out.emit("if f.scalar is None and len(frames) > 1:")
+        out.indent += 1
+        out.emit("frames.pop()")
+        out.go_to_found("f.back")
+        out.indent -= 1
+        out.go_to_found(f"{word.calls}()")
         return False
 
-    def run(self) -> bool:
+    def run(self, word: Word) -> bool:
         """RUN [n]: forget the variables and start."""
-        self.out.cost += costs.STATEMENT_WORK["RUN"]
-        self.out.emit("start_program()")
-        if self.reader.at_end:
-            self.out.go(self.program.start - 1)
+        self._out.cost += word.work
+        self._out.emit(f"{word.calls}()")
+        if self._reader.at_end:
+            self._out.go(self._program.start - 1)
         else:
-            self.goto()
+            self._goto()
         return False
 
     # -- IF -----------------------------------------------------------------------------------
 
-    def if_(self) -> bool:
+    def if_(self, word: Word) -> bool:
         """IF: a true condition goes on in the line, a false one looks for its ELSE."""
-        out, reader = self.out, self.reader
-        out.cost += costs.STATEMENT_WORK["IF"]
-        self.deepen(room.CONDITION)
-        value = self.expression()
-        self.deepen(-room.CONDITION)
-        if reader.code == 0x2C:
+        out, reader = self._out, self._reader
+        out.cost += word.work
+        with self._draft.deeper(room.CONDITION):
+            value = self._expressions.expression()
+        if reader.code == COMMA:
             reader.advance()
         then = reader.state()
         if reader.code == tokens.THEN:
             reader.advance()
         if value.kind == STRING:
-            self.pending.append(value.text)
-            raise self.mistake(Code.TM)
-        test = value.condition or value.text
-        if value.kind == DOUBLE:
-            test = f"{test}.mantissa"
-        elif value.condition is None and value.kind not in (INTEGER, "s", "n"):
-            test = f"sign({test})"
+            raise self._draft.mistake(Code.TM, value)
         charged = out.cost
-        out.emit(f"if {test}:")
+        out.emit(f"if {_truth(value)}:")
         out.indent += 1
         self._branch()
         out.indent -= 1
@@ -144,32 +171,32 @@ class FlowCompiler(AssignmentCompiler):
 
     def _branch(self) -> None:
         """What is done in one case: a line number, a statement, or nothing."""
-        self.reader.skip()
+        reader = self._reader
+        reader.skip()
         try:
-            if 0x30 <= self.reader.code <= 0x39:
-                self.goto()
+            if characters.is_digit(reader.code):
+                self._goto()
                 return
-            goes_on = self.reader.at_end or self.statement()
+            goes_on = reader.at_end or self._statement()
         except Mistake as mistake:
-            self.flush()
-            self.out.fail(mistake.code)
-            self.plain = False
+            self._draft.fail(mistake)
+            self._draft.plain = False
             return
         if goes_on:
-            self.out.go(self.reader.address)
+            self._out.go(reader.address)
 
     def _find_else(self) -> bool:
         """Skip to the ELSE that belongs to this IF; False at the end of the line.
 
         Every IF token that is passed asks for one ELSE more.
         """
-        reader = self.reader
+        reader = self._reader
         wanted = 1
         while True:
             start = reader.position
             reader.skip_statement()
-            wanted += self._ifs(reader.text[start : reader.position])
-            if reader.code == 0:
+            wanted += _ifs(reader.text[start : reader.position])
+            if reader.code == characters.END:
                 return False
             if reader.advance() == tokens.ELSE:
                 wanted -= 1
@@ -177,91 +204,86 @@ class FlowCompiler(AssignmentCompiler):
                     reader.advance()
                     return True
 
-    @staticmethod
-    def _ifs(text: bytes) -> int:
-        return sum(part.count(tokens.token("IF")) for part in text.split(b'"')[::2])
-
     # -- loops --------------------------------------------------------------------------------
 
-    def for_(self) -> None:
+    def _scalar(self, key: Key) -> str:
+        """The name of the variable itself, for the loops that it runs."""
+        return self._out.constant(self._scope.object(key))
+
+    def for_(self, word: Word) -> None:
         """FOR: variable, limit and step; an open loop of the same variable is dropped."""
-        out, reader = self.out, self.reader
-        out.cost += costs.STATEMENT_WORK["FOR"]
+        out, reader = self._out, self._reader
+        out.cost += word.work
         start = reader.state()
-        key = self.name()
+        key = self._expressions.name()
         reader.restore(start)
-        target = self.target(arrays=False)
-        self.expect(tokens.EQUAL)
-        self.store(target, self.expression())
-        scalar = self.scope.object_name(key)
+        target = self._assignments.target(arrays=False)
+        self._draft.expect(tokens.EQUAL)
+        self._assignments.store(target, self._expressions.expression())
+        scalar = self._scalar(key)
         out.emit("if frames[-1].scalar is not None:")
         out.emit(f"  drop_loop({scalar})")
         state = reader.state()
         reader.skip_statement()
         body = reader.address
         reader.restore((state[0], out.cost))
-        self.expect(tokens.TO)
+        self._draft.expect(tokens.TO)
         if key[1] in (STRING, DOUBLE):
-            raise self.mistake(Code.TM)
-        self.deepen(room.LIMIT)
-        limit = out.keep(self.to_kind(self.number(), key[1]))
-        self.deepen(room.STEP - room.LIMIT)
+            raise Mistake(Code.TM)
+        to_kind = self._expressions.convert.to_kind
+        with self._draft.deeper(room.LIMIT):
+            limit = out.keep(to_kind(self._expressions.number(), key[1]).text)
         step = "1" if key[1] == INTEGER else "1.0"
-        if reader.code == tokens.STEP:
-            out.cost += costs.STATEMENT_WORK["STEP"]
-            reader.advance()
-            step = self.to_kind(self.number(), key[1])
-        self.deepen(-room.STEP)
-        out.emit(f"open_loop({scalar}, {limit}, {step}, {body}, {self.line})")
-        self.loops.append(key)
+        with self._draft.deeper(room.STEP):
+            if reader.code == tokens.STEP:
+                out.cost += words.BY_TOKEN[tokens.STEP].work
+                reader.advance()
+                step = to_kind(self._expressions.number(), key[1]).text
+        out.emit(f"open_loop({scalar}, {limit}, {step}, {body}, {self._line})")
+        self._loops.append(key)
 
-    def next_(self) -> None:
+    def next_(self, word: Word) -> None:
         """NEXT [names]: step, compare, and go back to the body or on."""
-        if self.reader.at_end:
-            self._step_loop(None)
-            del self.loops[-1:]
+        if self._reader.at_end:
+            self._step_loop(word, None)
+            del self._loops[-1:]
             return
         while True:
-            key = self.name()
-            self.scope.scalar(key)
-            self.out.cost += costs.VARIABLE + self.scope.search(self.scope.scalar(key))
-            if not self.scope.exists(key):
-                self.out.emit(f"create({key!r})")
-            self._step_loop(key)
-            del self.loops[-1:]
-            if self.reader.code != 0x2C:
+            key = self._expressions.name()
+            scalar = self._scope.scalar(key)
+            self._out.cost += costs.VARIABLE + self._scope.search(scalar)
+            if not self._scope.exists(key):
+                self._out.emit(f"create({self._out.constant(key)})")
+            self._step_loop(word, key)
+            del self._loops[-1:]
+            if self._reader.code != COMMA:
                 return
-            self.reader.advance()
+            self._reader.advance()
 
-    def _step_loop(self, key: Key | None) -> None:
+    def _step_loop(self, word: Word, key: Key | None) -> None:
         """One loop's step: at once when the innermost loop is the expected one."""
-        out = self.out
-        guess = key or (self.loops[-1] if self.loops else None)
+        out = self._out
+        guess = key or (self._loops[-1] if self._loops else None)
         if guess is None or guess[1] in (STRING, DOUBLE):
-            out.cost += costs.STATEMENT_WORK["NEXT"]
+            out.cost += word.work
             self._slow_step(key)
             return
         integer = guess[1] == INTEGER
-        out.cost += costs.STATEMENT_WORK["NEXT_INTEGER" if integer else "NEXT"]
-        scalar = self.scope.object_name(guess)
-        self.scope.scalar(guess)
-        cell = self.scope.scalar(guess).cell
-        name = out.cell(self.scope.cell_name(guess), cell, stored=True)
+        out.cost += costs.NEXT_INTEGER if integer else word.work
+        cell = self._scope.scalar(guess).cell
+        name = out.cell(self._scope.cell_name(guess), cell, stored=True)
         charged = out.cost
         out.emit("f = frames[-1]")
-        out.emit(f"if f.scalar is {scalar}:")
+        out.emit(f"if f.scalar is {self._scalar(guess)}:")
         out.indent += 1
         if integer:
-            out.emit(f"{name} = t = integer_step({name}, f.step)")
+            stepped = f"integer_step({name}, f.step)"
         else:
-            out.emit(f"t = {name} + f.step")
-            out.emit("c = t * 536870913.0")
-            out.emit("if c - (c - t) != t or not (1e-37 < t < 8e37 or -8e37 < t < -1e-37):")
-            out.emit(f"  t = add({name}, f.step)")
-            out.emit(f"{name} = t")
+            stepped = rounding.sum_(name, "+", "f.step", f"add({name}, f.step)")
+        out.emit(f"{name} = t = {stepped}")
         out.emit("if (t <= f.limit if f.up > 0 else goes_on(t, f)):")
         out.indent += 1
-        out.go(LOOP_BODY)
+        out.go_to_loop_body()
         out.indent -= 1
         out.emit("frames.pop()")
         out.indent -= 1
@@ -272,28 +294,27 @@ class FlowCompiler(AssignmentCompiler):
         out.indent -= 1
 
     def _slow_step(self, key: Key | None) -> None:
-        wanted = "None" if key is None else self.scope.object_name(key)
-        self.out.emit(f"t = step_loop({wanted})")
-        self.out.emit("if t:")
-        self.out.indent += 1
-        self.out.go("t")
-        self.out.indent -= 1
+        wanted = "None" if key is None else self._scalar(key)
+        self._out.emit(f"t = step_loop({wanted})")
+        self._out.emit("if t:")
+        self._out.indent += 1
+        self._out.go_to_found("t")
+        self._out.indent -= 1
 
-    # -- ON -----------------------------------------------------------------------------------
+    # -- ON and errors ------------------------------------------------------------------------
 
-    def on(self) -> bool:
+    def on(self, word: Word) -> bool:
         """ON n GOTO, ON n GOSUB, ON ERROR GOTO."""
-        out, reader = self.out, self.reader
+        out, reader = self._out, self._reader
         if reader.code == tokens.ERROR:
             self._on_error()
             return True
-        out.cost += costs.STATEMENT_WORK["ON"]
-        self.deepen(room.CONDITION)
-        number = out.keep(self.byte())
-        self.deepen(-room.CONDITION)
-        word = reader.code
-        if word != tokens.GOSUB and word != tokens.GOTO:
-            raise self.mistake(Code.SN)
+        out.cost += word.work
+        with self._draft.deeper(room.CONDITION):
+            number = out.keep(self._expressions.byte().text)
+        jump = {tokens.GOTO: self._goto, tokens.GOSUB: self._gosub}.get(reader.code)
+        if jump is None:
+            raise Mistake(Code.SN)
         reader.advance()
         choice = 1
         while True:
@@ -301,49 +322,85 @@ class FlowCompiler(AssignmentCompiler):
             out.emit(f"if {number} == {choice}:")
             out.indent += 1
             try:
-                self.gosub() if word == tokens.GOSUB else self.goto()
+                jump()
             except Mistake as mistake:
                 out.fail(mistake.code)
-                self.plain = False
+                self._draft.plain = False
             out.indent -= 1
             reader.restore(here)
-            self.line_number()
+            self._line_number()
             choice += 1
-            if reader.code != 0x2C:
+            if reader.code != COMMA:
                 return True
             reader.advance()
 
     def _on_error(self) -> None:
-        self.out.cost += costs.STATEMENT_WORK["ON ERROR"]
-        self.reader.advance()
-        self.expect(tokens.GOTO)
-        number = self.line_number()
+        self._out.cost += costs.ON_ERROR
+        self._reader.advance()
+        self._draft.expect(tokens.GOTO)
+        number = self._line_number()
         if not number:
-            self.out.emit("set_trap(0)")
+            self._out.emit("set_trap(0)")
             return
-        self.out.cost += costs.LINE_PASSED * self.program.place(number)
-        address = self.program.find(number)
+        self._out.cost += costs.LINE_PASSED * self._program.place(number)
+        address = self._program.find(number)
         if address is None:
-            raise self.mistake(Code.UL)
-        self.out.emit(f"set_trap({address})")
+            raise Mistake(Code.UL)
+        self._out.emit(f"set_trap({address})")
 
-    def resume(self) -> bool:
+    def error(self, word: Word) -> None:
+        """ERROR n."""
+        self._out.cost += word.work
+        code = self._expressions.byte().text
+        self._out.emit(f"{word.calls}({code})" if self._reader.at_end else code)
+
+    def resume(self, word: Word) -> bool:
         """RESUME, RESUME 0, RESUME NEXT, RESUME n."""
-        out, reader = self.out, self.reader
-        out.cost += costs.STATEMENT_WORK["RESUME"]
+        out, reader = self._out, self._reader
+        out.cost += word.work
         out.emit("end_handling()")
         if reader.code == tokens.NEXT:
             reader.advance()
             if not reader.at_end:
                 return True
-            out.go("resume_next()")
+            out.go_to_found("resume_next()")
             return False
-        number = self.line_number()
+        number = self._line_number()
         if not reader.at_end:
             return True
         if number:
-            out.cost += costs.SKIPPED * (len(reader.text) - reader.position)
-            out.go(self.jump_address(number))
+            self._pass_rest()
+            out.go(self._jump_address(number))
         else:
-            out.go("resume_again()")
+            out.go_to_found("resume_again()")
         return False
+
+    # -- passed -------------------------------------------------------------------------------
+
+    def remark(self, _word: Word) -> None:
+        """REM and ELSE: the rest of the line is nothing."""
+        self._pass_rest()
+        self._reader.position = len(self._reader.text)
+
+    def data(self, _word: Word) -> None:
+        """DATA met in passing."""
+        self._reader.skip_statement()
+
+    def restore(self, word: Word) -> None:
+        """RESTORE: READ begins again."""
+        self._out.cost += word.work
+        self._out.emit(f"{word.calls}()")
+
+
+def _truth(value: Expression) -> str:
+    """Text that is true where a number is not zero."""
+    if value.condition is not None:
+        return value.condition
+    if value.kind == DOUBLE:
+        return f"{value.text}.mantissa"
+    return f"sign({value.text})" if value.kind == ANY else value.text
+
+
+def _ifs(text: bytes) -> int:
+    """The IF tokens outside quotes."""
+    return sum(part.count(tokens.IF) for part in text.split(bytes((QUOTE,)))[::2])

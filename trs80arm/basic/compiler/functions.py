@@ -1,202 +1,237 @@
-"""The functions of Level II as operands: what stands in their parentheses and what they compute."""
+"""The functions of Level II as operands: what stands in their parentheses and what they compute.
+
+Each method is a way of reading that a row of `words` can name: most functions are read by one of
+the `of_` methods, which differ in the argument that they take.
+"""
 
 from __future__ import annotations
 
-from trs80arm.basic import costs, room, tokens
-from trs80arm.basic.compiler.expressions import ExpressionCompiler
-from trs80arm.basic.compiler.values import ANY, NUMBER, Expression
+from collections.abc import Callable
+
+from trs80arm.basic import costs, room, words
+from trs80arm.basic.characters import COMMA, OPEN
+from trs80arm.basic.compiler.draft import Draft, Mistake
+from trs80arm.basic.compiler.expressions import ExpressionCompiler, listed
+from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.errors import Code
-from trs80arm.basic.variables import DOUBLE, INTEGER, SINGLE, STRING
+from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, STRING, Kind
+from trs80arm.basic.words import Word
 
-_SINGLE_FUNCTIONS = ("SQR", "LOG", "EXP", "COS", "SIN", "TAN", "ATN")
-_DYNAMIC = ("FRE", "USR", "VAL", "CHR$", "STR$")
-"""Functions whose time depends on what there is at run time; they end a block."""
-_DISK_FUNCTIONS = ("CVI", "CVS", "CVD", "EOF", "LOC", "LOF", "MKI$", "MKS$", "MKD$")
+_COLUMNS, _ROWS = 128, 48
+"""Graphics blocks of the display."""
 
 
-class FunctionCompiler(ExpressionCompiler):
-    """Expressions with the ROM's functions."""
+class FunctionCompiler:
+    """Reads functions.
 
-    def function(self, code: int) -> Expression:
-        """An operand that begins with a word."""
-        name = tokens.WORDS[code - tokens.FIRST].decode("ascii")
-        self.out.cost += costs.FUNCTION_WORK.get(name, 0)
-        if code in (tokens.INSTR, tokens.TIME, tokens.FN):
-            raise self.mistake(Code.L3)
-        if code in (tokens.ERL, tokens.ERR, tokens.MEM, tokens.INKEY):
-            self.reader.advance()
-            return self._system_value(code)
-        if code == tokens.VARPTR:
-            return self._varptr()
-        if code == tokens.STRING:
-            return self._string_of_characters()
-        if code == tokens.POINT:
-            self.reader.advance()
-            x, y = self.coordinates()
-            self.observes = True
-            return Expression(f"point({x}, {y})", INTEGER)
-        if name in ("LEFT$", "RIGHT$", "MID$"):
-            self.plain = False
-            return self._part(name)
-        self.reader.advance()
-        if self.reader.code != 0x28:
-            raise self.mistake(Code.SN)
-        self.out.cost += costs.PARENTHESES
-        self.reader.advance()
-        self.deepen(room.FUNCTION)
-        value = self.expression()
-        self.deepen(-room.FUNCTION)
-        self.close_parenthesis(value.text)
-        self.out.cost += costs.FUNCTION
-        if name in _DISK_FUNCTIONS:
-            self.pending.append(value.text)
-            raise self.mistake(Code.L3)
-        return self._apply(name, value)
+    Args:
+        draft: the statement.
+        expressions: who reads their arguments.
+    """
 
-    def _system_value(self, code: int) -> Expression:
-        if code == tokens.INKEY:
-            self.plain = False
-            self.observes = True
-            return Expression("inkey()", STRING)
-        if code == tokens.MEM:
-            return Expression(f"free_memory({self.stack_bytes})", SINGLE)
-        if code == tokens.ERL:
-            return Expression("error_line()", SINGLE)
-        return Expression("error_code()", NUMBER)
+    def __init__(self, draft: Draft, expressions: ExpressionCompiler) -> None:
+        self._draft = draft
+        self._reader = draft.reader
+        self._out = draft.out
+        self._expressions = expressions
+        self._convert = expressions.convert
 
-    def _varptr(self) -> Expression:
-        self.reader.advance()
-        self.expect(0x28)
-        key = self.name()
-        if self.reader.code == 0x28:
-            _, subscripts = self.subscripts(key)
-            text = f"element_address({key!r}, {', '.join(subscripts)})"
+    def operand(self, word: Word) -> Expression:
+        """The operand whose word stands here."""
+        self._out.cost += word.work
+        value = _PARSERS[word.spelling](self, word)
+        self._draft.observes |= word.observes
+        self._draft.plain &= word.plain
+        return value
+
+    # -- without parentheses, or with other things in them ------------------------------------
+
+    def disk(self, _word: Word) -> Expression:
+        """A word of Disk BASIC: L3, whatever stands behind it."""
+        raise Mistake(Code.L3)
+
+    def of_nothing(self, word: Word) -> Expression:
+        """ERL, ERR and INKEY$."""
+        self._reader.advance()
+        return _call(word)
+
+    def memory(self, word: Word) -> Expression:
+        """MEM: what the expression at work takes does not count as free."""
+        self._reader.advance()
+        return _call(word, str(self._draft.stack_bytes))
+
+    def varptr(self, _word: Word) -> Expression:
+        """VARPTR of a variable or an element."""
+        self._reader.advance()
+        self._draft.expect(OPEN)
+        key = self._expressions.name()
+        name = self._out.constant(key)
+        if self._reader.code == OPEN:
+            _, subscripts = self._expressions.subscripts(key)
+            text = f"element_address({name}, {listed(subscripts)})"
         else:
-            scalar = self.scope.scalar(key)
-            self.out.cost += costs.VARIABLE + self.scope.search(scalar)
-            text = f"scalar_address({key!r})"
-        self.close_parenthesis()
+            scope = self._draft.scope
+            self._out.cost += costs.VARIABLE + scope.search(scope.scalar(key))
+            text = f"scalar_address({name})"
+        self._expressions.close_parenthesis()
         return Expression(text, INTEGER)
 
-    def _string_of_characters(self) -> Expression:
-        self.plain = False
-        self.reader.advance()
-        self.expect(0x28)
-        count = self.byte()
-        self.pending.append(count)
-        self.expect(0x2C)
-        value = self.expression()
-        self.close_parenthesis(value.text)
-        self.pending.pop()
+    def characters(self, word: Word) -> Expression:
+        """STRING$: how many, and a code or a string that begins with the character."""
+        self._reader.advance()
+        self._draft.expect(OPEN)
+        count = self._expressions.byte()
+        with self._draft.pending(count):
+            self._draft.expect(COMMA)
+            value = self._expressions.expression()
+            self._expressions.close_parenthesis(value)
         if value.kind == STRING:
-            return Expression(f"string_of({count}, first_code({value.text}))", STRING)
-        return Expression(f"string_of({count}, {self.to_byte(value)})", STRING)
+            return _call(word, count.text, f"first_code({value.text})")
+        return _call(word, count.text, self._convert.to_byte(value).text)
 
-    def _part(self, name: str) -> Expression:
-        """LEFT$, RIGHT$ and MID$: the string, then one or two numbers."""
-        self.reader.advance()
-        self.expect(0x28)
-        string = self.expression()
-        self.pending.append(string.text)
-        self.expect(0x2C)
-        if string.kind != STRING:
-            raise self.mistake(Code.TM)
-        first = self.byte()
-        second = None
-        if name == "MID$":
-            self.pending.append(first)
-            if self.reader.code == 0x2C:
-                self.reader.advance()
-                second = self.byte()
-            elif self.reader.code != 0x29:
-                raise self.mistake(Code.SN)
-            self.pending.pop()
-        self.pending.append(first)
-        self.close_parenthesis()
-        self.pending.pop()
-        self.pending.pop()
-        if name == "LEFT$":
-            return Expression(f"left({string.text}, {first})", STRING)
-        if name == "RIGHT$":
-            return Expression(f"right({string.text}, {first})", STRING)
-        arguments = f"{first}, {second}" if second is not None else first
-        return Expression(f"middle({string.text}, {arguments})", STRING)
+    def part_of_string(self, word: Word) -> Expression:
+        """LEFT$, RIGHT$ and MID$: the string, then one number, or two."""
+        expressions, reader = self._expressions, self._reader
+        reader.advance()
+        self._draft.expect(OPEN)
+        string = expressions.expression()
+        with self._draft.pending(string):
+            self._draft.expect(COMMA)
+            if string.kind != STRING:
+                raise Mistake(Code.TM)
+            numbers = [expressions.byte()]
+            with self._draft.pending(*numbers):
+                if word.calls == "middle" and reader.code == COMMA:
+                    reader.advance()
+                    numbers.append(expressions.byte())
+                expressions.close_parenthesis()
+        return _call(word, string.text, *(number.text for number in numbers))
 
-    def coordinates(self) -> tuple[str, str]:
+    def of_place(self, word: Word) -> Expression:
+        """POINT."""
+        self._reader.advance()
+        return _call(word, *(place.text for place in self.coordinates()))
+
+    def coordinates(self) -> tuple[Expression, Expression]:
         """`(x,y)` of SET, RESET and POINT; FC outside 128 by 48."""
-        self.expect(0x28)
-        x = f"below({self.byte()}, 128)"
-        self.pending.append(x)
-        self.expect(0x2C)
-        y = f"below({self.byte()}, 48)"
-        self.pending.append(y)
-        self.close_parenthesis()
-        del self.pending[-2:]
+        self._draft.expect(OPEN)
+        x = Expression(f"below({self._expressions.byte().text}, {_COLUMNS})", INTEGER)
+        with self._draft.pending(x):
+            self._draft.expect(COMMA)
+            y = Expression(f"below({self._expressions.byte().text}, {_ROWS})", INTEGER)
+            self._expressions.close_parenthesis(y)
         return x, y
 
-    def _apply(self, name: str, value: Expression) -> Expression:
-        """A function of one argument in parentheses."""
-        if name in _DYNAMIC:
-            self.plain = False
-        if name == "FRE":
-            if value.kind == STRING:
-                return Expression(f"free_strings({value.text})", SINGLE)
-            return Expression(f"free_after({value.text}, {self.stack_bytes})", SINGLE)
-        if name == "POS":
-            return Expression(f"position({value.text})", INTEGER)
-        if name == "USR":
-            self.observes = True
-            return Expression(f"user_routine({value.text})", ANY)
-        if name in ("LEN", "ASC", "VAL"):
-            if value.kind != STRING:
-                self.pending.append(value.text)
-                raise self.mistake(Code.TM)
-            kind = ANY if name == "VAL" else INTEGER
-            return Expression(f"{name.lower()}_({value.text})", kind)
-        if value.kind == STRING:
-            self.pending.append(value.text)
-            raise self.mistake(Code.TM)
-        if name in _SINGLE_FUNCTIONS:
-            self.out.allow(costs.MOST_OF_CALL)
-            return Expression(f"{name.lower()}({self.to_single(value)})", SINGLE)
-        return self._numeric(name, value)
+    # -- of one argument in parentheses -------------------------------------------------------
 
-    def _numeric(self, name: str, value: Expression) -> Expression:
-        if name == "PEEK":
-            self.observes = True
-            return Expression(f"peek({self.to_integer(value)})", INTEGER)
-        if name == "INP":
-            self.observes = True
-            return Expression(f"read_port({self.to_byte(value)})", INTEGER)
-        if name == "RND":
-            if value.constant != 0:
-                self.out.cost += costs.RND_OF_NUMBER
-            return Expression(f"rnd({self.to_integer(value)})", SINGLE)
-        if name == "CHR$":
-            return Expression(f"chr_({self.to_byte(value)})", STRING)
-        if name == "STR$":
-            return Expression(f"str_({value.shown})", STRING)
-        if name == "SGN":
-            return Expression(f"sign({value.text})", INTEGER)
-        if name == "CINT":
-            return Expression(self.to_integer(value), INTEGER)
-        if name == "CSNG":
-            return Expression(self.to_single(value), SINGLE)
-        if name == "CDBL":
-            return Expression(self.to_double(value), DOUBLE)
-        if name in ("INT", "FIX"):
-            self.out.cost += costs.FLOOR[value.kind]
-        if value.kind == INTEGER and name in ("INT", "FIX"):
+    def _argument(self) -> Expression:
+        """What stands in parentheses behind the word."""
+        self._reader.advance()
+        if self._reader.code != OPEN:
+            raise Mistake(Code.SN)
+        self._out.cost += costs.PARENTHESES
+        self._reader.advance()
+        with self._draft.deeper(room.FUNCTION):
+            value = self._expressions.expression()
+        self._expressions.close_parenthesis(value)
+        self._out.cost += costs.FUNCTION
+        return value
+
+    def _number(self) -> Expression:
+        value = self._argument()
+        if value.kind == STRING:
+            raise self._draft.mistake(Code.TM, value)
+        return value
+
+    def disk_of_argument(self, _word: Word) -> Expression:
+        """A function of Disk BASIC: L3 behind its argument."""
+        raise self._draft.mistake(Code.L3, self._argument())
+
+    def of_anything(self, word: Word) -> Expression:
+        """A function that takes a string as well."""
+        return _call(word, self._argument().text)
+
+    def of_string(self, word: Word) -> Expression:
+        """A function of a string; TM."""
+        value = self._argument()
+        if value.kind != STRING:
+            raise self._draft.mistake(Code.TM, value)
+        return _call(word, value.text)
+
+    def of_number(self, word: Word) -> Expression:
+        """A function of a number of any type."""
+        return _call(word, self._number().text)
+
+    def of_shown(self, word: Word) -> Expression:
+        """STR$: what the ROM holds as an integer is shown as one."""
+        return _call(word, self._number().shown)
+
+    def of_single(self, word: Word) -> Expression:
+        """A function of a single that takes as long as its routine says."""
+        value = self._number()
+        self._out.allow(costs.MOST_OF_CALL)
+        return _call(word, self._convert.to_single(value).text)
+
+    def of_integer(self, word: Word) -> Expression:
+        """A function of an integer."""
+        value = self._number()
+        if value.constant != 0:
+            self._out.cost += word.unless_zero
+        return _call(word, self._convert.to_integer(value).text)
+
+    def of_byte(self, word: Word) -> Expression:
+        """A function of an integer of 0 to 255."""
+        return _call(word, self._convert.to_byte(self._number()).text)
+
+    def free_space(self, word: Word) -> Expression:
+        """FRE: of a string the free string space, of a number what MEM is."""
+        value = self._argument()
+        if value.kind == STRING:
+            return Expression(f"free_strings({value.text})", SINGLE)
+        return _call(word, value.text, str(self._draft.stack_bytes))
+
+    def converted(self, word: Word) -> Expression:
+        """CINT, CSNG and CDBL: nothing but the conversion."""
+        kind = _kind(word)
+        return Expression(self._convert.to_kind(self._number(), kind).text, kind)
+
+    def rounding(self, word: Word) -> Expression:
+        """INT and FIX: by the type of the argument."""
+        value = self._number()
+        self._out.cost += costs.FLOOR[value.kind]
+        if value.kind == INTEGER:
             return value
-        if value.kind == SINGLE and name == "INT":
-            return Expression(f"({value.text} // 1.0)", SINGLE, whole=True)
         if value.kind == SINGLE:
-            function = {"INT": "single_floor", "FIX": "fix", "ABS": "abs"}[name]
-            return Expression(f"{function}({value.text})", SINGLE, whole=name != "ABS")
-        function = {"INT": "any_floor", "FIX": "fix", "ABS": "absolute"}[name]
-        kind = value.kind
-        if kind == INTEGER:
-            kind = NUMBER  # ABS(-32768) is a single.
-        elif kind == DOUBLE and name != "ABS":
-            kind = ANY  # INT of a double that has come to fit into an integer is one.
-        return Expression(f"{function}({value.text})", kind)
+            floor = word.calls == "any_floor"
+            text = f"({value.text} // 1.0)" if floor else f"{word.calls}({value.text})"
+            return Expression(text, SINGLE, whole=True)
+        # Of a double that has come to fit into an integer it is one.
+        kind = ANY if value.kind == DOUBLE else value.kind
+        return Expression(f"{word.calls}({value.text})", kind)
+
+    def magnitude(self, word: Word) -> Expression:
+        """ABS."""
+        value = self._number()
+        if value.kind == SINGLE:
+            return Expression(f"abs({value.text})", SINGLE)
+        # ABS(-32768) is a single.
+        kind = NUMBER if value.kind == INTEGER else value.kind
+        return Expression(f"{word.calls}({value.text})", kind)
+
+
+def _call(word: Word, *arguments: str) -> Expression:
+    """The routine of a word called."""
+    return Expression(f"{word.calls}({', '.join(arguments)})", _kind(word))
+
+
+def _kind(word: Word) -> Kind:
+    assert word.gives is not None
+    return word.gives
+
+
+_PARSERS: dict[str, Callable[[FunctionCompiler, Word], Expression]] = {
+    row.spelling: getattr(FunctionCompiler, row.parser)
+    for row in words.TABLE
+    if row.role is words.Role.FUNCTION
+}
+"""How each function is read; a row that names no method fails here, when the program starts."""

@@ -1,45 +1,68 @@
-"""PRINT and LPRINT in all their forms."""
+"""PRINT and LPRINT in all their forms but the tape's."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from typing import Final
 
-from trs80arm.basic import costs, room, tokens
-from trs80arm.basic.compiler.flow import FlowCompiler
-from trs80arm.basic.compiler.values import Expression, Mistake
+from trs80arm.basic import costs, room, tokens, words
+from trs80arm.basic.characters import AT, CLOSE, COMMA, NUMBER_SIGN, SEMICOLON
+from trs80arm.basic.compiler.draft import Draft, Mistake
+from trs80arm.basic.compiler.expressions import ExpressionCompiler
+from trs80arm.basic.compiler.tape import TapeCompiler
+from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.errors import Code
-from trs80arm.basic.variables import STRING
+from trs80arm.basic.kinds import STRING
+from trs80arm.basic.words import Word
+
+_TAB: Final = words.BY_TOKEN[tokens.TAB]
 
 
-class OutputCompiler(FlowCompiler):
-    """PRINT."""
+class OutputCompiler:
+    """PRINT.
 
-    def print(self) -> None:
+    Args:
+        draft: the statement.
+        expressions: who reads the items.
+        tape: who reads what is printed to the tape.
+    """
+
+    def __init__(self, draft: Draft, expressions: ExpressionCompiler, tape: TapeCompiler) -> None:
+        self._draft = draft
+        self._reader = draft.reader
+        self._out = draft.out
+        self._expressions = expressions
+        self._tape = tape
+
+    def print(self, word: Word) -> None:
         """PRINT [@ place,] [USING format;] items, or `#-1,` items to the tape.
 
         It prints where 409CH says and sets that back to the screen behind it, as LPRINT does.
         """
-        if self.reader.code == 0x23:
-            self._print_tape()
+        if self._reader.code == NUMBER_SIGN:
+            self._tape.print()
             return
-        self._printed(place=True)
-        self.out.emit("to_screen()")
+        self._out.cost += word.work
+        if self._reader.code == AT:
+            self._place()
+        self._items()
+        self._out.emit("to_screen()")
 
-    def lprint(self) -> None:
+    def lprint(self, word: Word) -> None:
         """The same to the printer."""
-        self.out.charge()
-        self.out.emit("to_printer()")
-        self._printed(place=False)
-        self.out.emit("to_screen()")
+        self._out.charge()
+        self._out.emit("to_printer()")
+        self._out.cost += word.work
+        self._items()
+        self._out.emit("to_screen()")
 
-    def _printed(self, place: bool) -> None:
-        reader, out = self.reader, self.out
-        out.cost += costs.STATEMENT_WORK["PRINT"]
-        if place and reader.code == 0x40:
-            reader.advance()
-            out.cost += costs.STATEMENT_WORK["PRINT@"]
-            out.emit(f"print_at({self.integer()})")
-            self.expect(0x2C)
+    def _place(self) -> None:
+        self._reader.advance()
+        self._out.cost += costs.PRINT_AT
+        self._out.emit(f"print_at({self._expressions.integer().text})")
+        self._draft.expect(COMMA)
+
+    def _items(self) -> None:
+        reader, out = self._reader, self._out
         newline = True
         while not reader.at_end:
             code = reader.code
@@ -50,15 +73,15 @@ class OutputCompiler(FlowCompiler):
             newline = False
             if code == tokens.TAB:
                 self._tab()
-            elif code == 0x2C:
-                out.cost += costs.STATEMENT_WORK["TAB"]
+            elif code == COMMA:
+                out.cost += _TAB.work
                 out.charge()
                 out.emit("print_comma()")
                 reader.advance()
-            elif code == 0x3B:
+            elif code == SEMICOLON:
                 reader.advance()
             else:
-                self._item(self.expression())
+                self._item(self._expressions.expression())
                 reader.skip()
                 newline = True
         if newline:
@@ -66,18 +89,18 @@ class OutputCompiler(FlowCompiler):
             out.emit("print_newline()")
 
     def _tab(self) -> None:
-        self.reader.advance()
-        self.out.cost += costs.STATEMENT_WORK["TAB"]
-        column = self.out.keep(self.byte())
-        if self.reader.code != 0x29:
+        self._reader.advance()
+        self._out.cost += _TAB.work
+        column = self._out.keep(self._expressions.byte().text)
+        if self._reader.code != CLOSE:
             raise Mistake(Code.SN)
-        self.reader.advance()
-        self.out.charge()
-        self.out.emit(f"print_tab({column})")
+        self._reader.advance()
+        self._out.charge()
+        self._out.emit(f"print_tab({column})")
 
     def _item(self, value: Expression) -> None:
-        out = self.out
-        out.cost += costs.STATEMENT_WORK["PRINT_ITEM"]
+        out = self._out
+        out.cost += costs.PRINT_ITEM
         if value.kind == STRING:
             out.charge()
             out.emit(f"print_string({value.text})")
@@ -88,69 +111,26 @@ class OutputCompiler(FlowCompiler):
 
     def _using(self) -> None:
         """USING format; values: the format is read anew from value to value."""
-        out, reader = self.out, self.reader
-        layout = self.string()
-        layout_name = out.keep(f"using({layout.text})")
-        self.expect(0x3B)
+        out, reader = self._out, self._reader
+        layout = out.keep(f"using({self._expressions.string().text})")
+        self._draft.expect(SEMICOLON)
         while True:
             out.charge()
-            out.emit(f"using_literal({layout_name})")
-            self.deepen(room.PARENTHESIS)
-            value = self.expression()
-            self.deepen(-room.PARENTHESIS)
+            out.emit(f"using_literal({layout})")
+            with self._draft.deeper(room.PARENTHESIS):
+                value = self._expressions.expression()
             reader.skip()
             out.charge()
             function = "using_string" if value.kind == STRING else "using_number"
-            out.emit(f"{function}({layout_name}, {value.text})")
-            separator = reader.code in (0x2C, 0x3B)
+            out.emit(f"{function}({layout}, {value.text})")
+            separator = reader.code in (COMMA, SEMICOLON)
             if not separator and not reader.at_end:
                 raise Mistake(Code.SN)
             if not separator:
-                out.emit(f"using_end({layout_name})")
+                out.emit(f"using_end({layout})")
                 out.emit("print_newline()")
                 return
             reader.advance()
             if reader.at_end:
-                out.emit(f"using_end({layout_name})")
+                out.emit(f"using_end({layout})")
                 return
-
-    def _print_tape(self) -> None:
-        self.tape_unit()
-        out = self.out
-
-        def items() -> None:
-            out.emit("data = b''")
-            newline = True
-            while not self.reader.at_end:
-                newline = self.reader.code not in (0x2C, 0x3B)
-                if not newline:
-                    if self.reader.code == 0x2C:
-                        out.emit("data += b','")
-                    self.reader.advance()
-                    continue
-                value = self.expression()
-                function = "tape_string" if value.kind == STRING else "tape_number"
-                out.emit(f"data += {function}({value.text})")
-            if newline:
-                out.emit("data += b'\\r'")
-
-        self.tape_data(items)
-        out.emit(f"begin_tape_print(data, {self.reader.address})")
-
-    def tape_data(self, evaluate: Callable[[], None]) -> None:
-        """Evaluate what goes to the tape into `data`; an error goes in its place.
-
-        The ROM records the leader before it evaluates, so the error is only raised behind it.
-        """
-        out = self.out
-        out.emit("try:")
-        out.indent += 1
-        try:
-            evaluate()
-        except Mistake as mistake:
-            self.flush()
-            out.fail(mistake.code)
-        out.indent -= 1
-        out.emit("except BasicError as error:")
-        out.emit("  data = error")
-        out.charge()

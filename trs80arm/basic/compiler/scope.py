@@ -8,15 +8,11 @@ statement is used again after a CLEAR, or when something new was created, they a
 from __future__ import annotations
 
 from types import CellType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from trs80arm.basic import costs
-from trs80arm.basic.control import GosubFrame
-from trs80arm.basic.numbers.double import Double
-from trs80arm.basic.variables import KINDS, Array, Key, Scalar, Variables
-
-DEF_TABLE = 0x4101
-"""Twenty-six bytes, the type of names without a suffix by their first letter."""
+from trs80arm.basic.kinds import BY_SIZE, SINGLE, Kind
+from trs80arm.basic.variables import Array, Key, Scalar, Variables
 
 
 class Assumptions(NamedTuple):
@@ -62,14 +58,12 @@ class Scope:
         self,
         variables: Variables,
         cells: dict[Key, CellType],
-        environment: dict[str, Any],
         types: bytes,
         tight: bool = False,
     ) -> None:
         self.tight = tight
         self._variables = variables
         self._cells = cells
-        self._environment = environment
         self._types = types
         self._scalars: dict[Key, tuple[Scalar, bool, int]] = {}
         self._arrays: dict[Key, tuple[Key, tuple[int, ...] | None, int]] = {}
@@ -80,9 +74,9 @@ class Scope:
         fragile = any(not exists for _, exists, _ in scalars) or any(a[1] is None for a in arrays)
         return Assumptions(scalars, arrays, fragile)
 
-    def default_kind(self, letter: int) -> str:
+    def default_kind(self, letter: int) -> Kind:
         """The kind of a name without suffix, by its first letter (DEFINT and so on)."""
-        return KINDS.get(self._types[letter - 0x41], "s")
+        return BY_SIZE.get(self._types[letter - 0x41], SINGLE)
 
     def scalar(self, key: Key) -> Scalar:
         """A simple variable."""
@@ -101,17 +95,9 @@ class Scope:
         """T-states to find a simple variable."""
         return self._variables.search_cost(scalar)
 
-    def object_name(self, key: Key) -> str:
-        """The Python name of the variable itself, for the loops that it runs."""
-        name = f"s_{key[0]}_{key[1]}"
-        self._environment[name] = self._variables.scalar(key)
-        return name
-
-    def frame_name(self, back: int, line: int) -> str:
-        """The Python name of what a GOSUB puts on the stack; it is never changed."""
-        name = f"g_{back}_{line}"
-        self._environment[name] = GosubFrame(back, line)
-        return name
+    def object(self, key: Key) -> Scalar:
+        """The variable itself, for the loops that it runs; nothing is assumed about it."""
+        return self._variables.scalar(key)
 
     @staticmethod
     def cell_name(key: Key) -> str:
@@ -143,9 +129,3 @@ class Scope:
         else:
             cell.cell_contents = data
         return cell
-
-    def constant(self, value: Double) -> str:
-        """The name of a double precision constant."""
-        name = f"d_{value.exponent}_{'m' if value.mantissa < 0 else ''}{abs(value.mantissa)}"
-        self._environment[name] = value
-        return name

@@ -5,13 +5,10 @@ The driver behind `ArmCommands` does the moving; here the program waits for it, 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from trs80arm.basic.activity import Activity, Waiting
+from trs80arm.basic.activity import Waiting
+from trs80arm.basic.execution import break_
 from trs80arm.basic.host import Progress
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.state import Activity, State
 
 
 class ArmMotion(Activity):
@@ -29,17 +26,17 @@ class ArmMotion(Activity):
         """SET in manual mode; a machine that moves the arm waits for nobody."""
         return Waiting.SET if self._manual else Waiting.NOTHING
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Carry on with the motion up to the clock's limit."""
-        arm = basic.host.arm
+        arm = state.host.arm
         progress = Progress.DONE if arm is None else arm.advance()
         if progress is Progress.BUSY:
             return
         if self._manual or progress is Progress.BREAK:
             # The key that ended it is still down and must not be typed into what comes next.
-            while basic.host.console.scan():
+            while state.host.console.scan():
                 pass
         if progress is Progress.BREAK:
-            basic.break_()
+            break_(state)
         else:
-            basic.end()
+            state.end()

@@ -5,16 +5,14 @@ The answer reserves the memory from an address on for machine code; BASIC's stri
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 from trs80arm.basic import cruncher
-from trs80arm.basic.activity import Activity, Waiting
+from trs80arm.basic.activity import Waiting
 from trs80arm.basic.dialogue import line_range
 from trs80arm.basic.dialogue.line_input import LineInput
 from trs80arm.basic.errors import BasicError, Code
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.state import Activity, State
 
 LEAST_TOP: Final = 17430
 """Below this address there is no room for BASIC: ?OM."""
@@ -29,36 +27,36 @@ class MemorySize(Activity):
     def __init__(self) -> None:
         self._clear = True
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Ask."""
         if self._clear:
-            basic.print_text(_CLEAR_SCREEN)
+            state.output.show(_CLEAR_SCREEN)
         self._clear = False
-        basic.print_text(b"MEMORY SIZE? ")
-        basic.begin(LineInput(Waiting.MEMORY_SIZE))
+        state.output.show(b"MEMORY SIZE? ")
+        state.begin(LineInput(Waiting.MEMORY_SIZE))
 
-    def resumed(self, basic: Interpreter, result: Any) -> None:
+    def resumed(self, state: State, result: Any) -> None:
         """An answer, or None for BREAK, which asks again."""
         answer = result.text
         if answer is None:
             return
         try:
-            top = self._top(basic, answer)
+            top = self._top(state, answer)
         except BasicError as error:
-            basic.print_text(b"?" + error.code.letters.encode("ascii") + b" Error")
+            state.output.show(b"?" + error.code.letters.encode("ascii") + b" Error")
             self._clear = True
             return
         if top is not None:
-            basic.cold_start(top)
-            basic.print_text(b"RADIO SHACK LEVEL II BASIC\r")
-            basic.end()
+            state.cold_start(top)
+            state.output.show(b"RADIO SHACK LEVEL II BASIC\r")
+            state.end()
 
-    def _top(self, basic: Interpreter, answer: bytes) -> int | None:
+    def _top(self, state: State, answer: bytes) -> int | None:
         """The highest address for BASIC; None when there is no RAM at the address given."""
-        memory = basic.host.memory
+        memory = state.memory
         position = line_range.skip_blanks(answer, 0)
         if position >= len(answer):
-            basic.host.clock.now += _T_PROBE * (memory.top - 0x4000)
+            state.clock.now += _T_PROBE * (memory.top - 0x4000)
             return memory.top - 1
         number, end = cruncher.line_number(answer, position)
         if number is None or end < len(answer):

@@ -5,20 +5,16 @@ It is the bottom of the interpreter's stack. Programs, LIST, errors and BREAK al
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
+from trs80arm.basic import costs, cruncher, editing, execution
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.control import DIRECT
 from trs80arm.basic.dialogue import auto, line_range
 from trs80arm.basic.dialogue.edit import Edit
-from trs80arm.basic.dialogue.home import Home, return_to_command
 from trs80arm.basic.dialogue.line_input import Line, LineInput
 from trs80arm.basic.errors import Code
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
-
-__all__ = ["CommandLevel", "return_to_command"]
+from trs80arm.basic.state import Home, State
 
 _PORT: Final = 0xFF
 _PORT_FLAG: Final = 0x403D
@@ -30,61 +26,79 @@ _T_READY: Final = 2400
 
 
 class CommandLevel(Home):
-    """Says READY, asks for a line, gives it to the interpreter, and again."""
+    """Says READY, asks for a line, stores or executes it, and again."""
 
     def __init__(self) -> None:
         super().__init__()
         self._number: int | None = None
         """The line that AUTO asks for."""
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Print READY, or a prompt, and ask for a line."""
         if self._ready:
-            basic.newline_if_needed()
-            self._switch_recorder_off(basic)
-            basic.host.clock.now += _T_READY
-            basic.print_text(b"READY\r")
+            state.output.newline_if_needed()
+            self._switch_recorder_off(state)
+            state.clock.now += _T_READY
+            state.output.show(b"READY\r")
             self._ready = False
-            self._edit_after_syntax_error(basic)
-        elif auto.is_on(basic):
-            self._number = auto.prompt(basic)
-            basic.begin(LineInput(Waiting.AUTO))
+            self._edit_after_syntax_error(state)
+        elif auto.is_on(state):
+            self._number = auto.prompt(state)
+            state.begin(LineInput(Waiting.AUTO))
         else:
-            basic.host.console.put(ord(">"))
-            basic.begin(LineInput(Waiting.COMMAND))
+            state.host.console.put(ord(">"))
+            state.begin(LineInput(Waiting.COMMAND))
 
-    def resumed(self, basic: Interpreter, result: Any) -> None:
+    def resumed(self, state: State, result: Any) -> None:
         """A line was typed, or what it began has ended."""
         number, self._number = self._number, None
         if not isinstance(result, Line):
             self._ready = True
         elif number is not None:
-            self._numbered(basic, number, result.text)
+            self._numbered(state, number, result.text)
         elif result.text is not None and result.text.strip(line_range.BLANKS):
             # An error in storing the line, as any, leads to READY.
             self._ready = True
-            self._ready = basic.enter_line(result.text)
+            self._ready = self._enter(state, result.text)
 
     @staticmethod
-    def _switch_recorder_off(basic: Interpreter) -> None:
-        """The flag of 403DH without the motor's bit goes to the port (01F8H), at each READY."""
-        value = basic.memory.ram[_PORT_FLAG] & _NO_MOTOR
-        basic.memory.ram[_PORT_FLAG] = value
-        basic.host.ports.write(_PORT, value)
+    def _enter(state: State, text: bytes) -> bool:
+        """Store or execute a line; whether READY comes after it.
 
-    def _edit_after_syntax_error(self, basic: Interpreter) -> None:
+        Raises:
+            BasicError: SN for a line number above 65529, OM when a line does not fit.
+        """
+        number, rest = cruncher.split_line(text)
+        if number is None:
+            crunched = cruncher.crunch(rest)
+            state.clock.now += costs.crunching(crunched, rest)
+            execution.execute_direct(state, crunched)
+            return True
+        if rest:
+            state.clock.now += costs.NUMBERED_LINE
+        editing.store_line(state, number, rest)
+        return False
+
+    @staticmethod
+    def _switch_recorder_off(state: State) -> None:
+        """The flag of 403DH without the motor's bit goes to the port (01F8H), at each READY."""
+        value = state.memory.ram[_PORT_FLAG] & _NO_MOTOR
+        state.memory.ram[_PORT_FLAG] = value
+        state.host.ports.write(_PORT, value)
+
+    def _edit_after_syntax_error(self, state: State) -> None:
         """EDIT on its line when the last error was SN, also one that a program has trapped."""
-        control = basic.control
+        control = state.control
         if control.error == _SYNTAX_ERROR:
             control.error = 0
             if control.error_line != DIRECT:
-                basic.begin(Edit(control.error_line))
+                state.begin(Edit(control.error_line))
 
-    def _numbered(self, basic: Interpreter, number: int, line: bytes | None) -> None:
+    def _numbered(self, state: State, number: int, line: bytes | None) -> None:
         """A line typed at AUTO's number; BREAK, or a next number too large, ends AUTO."""
         self._ready = True
-        if line is None or not auto.go_on(basic, number):
-            auto.switch_off(basic)
+        if line is None or not auto.go_on(state, number):
+            auto.switch_off(state)
         else:
-            basic.store_line(number, line)
+            editing.store_line(state, number, line)
             self._ready = False

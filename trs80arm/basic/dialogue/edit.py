@@ -7,16 +7,13 @@ as LIST spells it and hands the result back to be crunched again.
 from __future__ import annotations
 
 from enum import Enum
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from trs80arm.basic import costs, cruncher
-from trs80arm.basic.activity import Activity, Waiting
-from trs80arm.basic.dialogue import line_range, wait
-from trs80arm.basic.dialogue.home import return_to_command
+from trs80arm.basic import costs, cruncher, editing, keyboard
+from trs80arm.basic.activity import Waiting
+from trs80arm.basic.dialogue import line_range
 from trs80arm.basic.errors import BasicError, Code
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.state import Activity, State
 
 LINE_LENGTH: Final = 255
 """Characters that a line being edited holds; I ignores keys beyond."""
@@ -64,38 +61,38 @@ class Edit(Activity):
         """EDIT, once the number is out."""
         return Waiting.NOTHING if self._mode is _Mode.BEGIN else Waiting.EDIT
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Print the number and take keys."""
         if self._mode is _Mode.BEGIN:
-            self._begin(basic)
+            self._begin(state)
             return
-        code = wait.next_key(basic)
+        code = keyboard.next_key(state)
         if not code:
             return
-        basic.host.clock.now += _T_KEY
+        state.clock.now += _T_KEY
         if self._mode is _Mode.COMMAND:
-            self._command(basic, code)
+            self._command(state, code)
         elif self._mode is _Mode.INSERT:
-            self._insert(basic, code)
+            self._insert(state, code)
         elif self._mode is _Mode.CHANGE:
-            self._change(basic, code)
+            self._change(state, code)
         else:
-            self._search(basic, code)
+            self._search(state, code)
 
-    def _begin(self, basic: Interpreter) -> None:
+    def _begin(self, state: State) -> None:
         """Spell the line out and go to its start."""
-        text = basic.program.text(self._number)
+        text = state.program.text(self._number)
         if text is None:
             raise BasicError(Code.UL)
-        basic.control.dot = self._number
+        state.control.dot = self._number
         self._line = bytearray(cruncher.spell(text))
-        basic.host.clock.now += _T_BEGIN + costs.spelling(text)
-        self._again(basic)
+        state.clock.now += _T_BEGIN + costs.spelling(text)
+        self._again(state)
 
-    def _again(self, basic: Interpreter) -> None:
-        basic.host.clock.now += _T_NUMBER
-        basic.print_text(b"%d " % self._number)
-        basic.host.console.show_cursor(True)
+    def _again(self, state: State) -> None:
+        state.clock.now += _T_NUMBER
+        state.output.show(b"%d " % self._number)
+        state.host.console.show_cursor(True)
         self._place = 0
         self._take_command()
 
@@ -103,17 +100,17 @@ class Edit(Activity):
         self._mode = _Mode.COMMAND
         self._count = 0
 
-    def _show(self, basic: Interpreter, count: int) -> None:
+    def _show(self, state: State, count: int) -> None:
         """Print up to `count` characters from the place on and go behind them."""
         for code in self._line[self._place : self._place + count]:
-            basic.host.console.put(code)
-            basic.host.clock.now += _T_CHARACTER
+            state.host.console.put(code)
+            state.clock.now += _T_CHARACTER
             self._place += 1
 
-    def _show_rest(self, basic: Interpreter) -> None:
-        self._show(basic, len(self._line))
+    def _show_rest(self, state: State) -> None:
+        self._show(state, len(self._line))
 
-    def _command(self, basic: Interpreter, code: int) -> None:
+    def _command(self, state: State, code: int) -> None:
         if ord("0") <= code <= ord("9"):
             self._count = (self._count * 10 + code - ord("0")) & 0xFF
             return
@@ -123,26 +120,26 @@ class Edit(Activity):
         if code == _BACK:
             for _ in range(min(count, self._place)):
                 self._place -= 1
-                basic.host.console.put(_BACK)
+                state.host.console.put(_BACK)
         elif code == _ENTER:
-            self._show_rest(basic)
-            self._finish(basic)
+            self._show_rest(state)
+            self._finish(state)
         elif key == " ":
-            self._show(basic, count)
+            self._show(state, count)
         elif key == "L":
-            self._show_rest(basic)
-            basic.print_text(b"\r")
-            self._again(basic)
+            self._show_rest(state)
+            state.output.show(b"\r")
+            self._again(state)
         elif key == "I":
             self._mode = _Mode.INSERT
         elif key == "X":
-            self._show_rest(basic)
+            self._show_rest(state)
             self._mode = _Mode.INSERT
         elif key == "H":
             del self._line[self._place :]
             self._mode = _Mode.INSERT
         elif key == "D":
-            self._delete(basic, count)
+            self._delete(state, count)
         elif key == "C":
             if self._place < len(self._line):
                 self._mode, self._count = _Mode.CHANGE, count
@@ -151,29 +148,29 @@ class Edit(Activity):
         elif key == "K":
             self._mode, self._count = _Mode.KILL, count
         elif key == "A":
-            basic.print_text(b"\r")
-            self._begin(basic)
+            state.output.show(b"\r")
+            self._begin(state)
         elif key == "E":
-            self._finish(basic)
+            self._finish(state)
         elif key == "Q":
-            basic.host.console.show_cursor(False)
-            return_to_command(basic)
+            state.host.console.show_cursor(False)
+            state.return_to_command()
 
-    def _delete(self, basic: Interpreter, count: int) -> None:
+    def _delete(self, state: State, count: int) -> None:
         """Take characters out and show them between two marks."""
         if self._place == len(self._line):
             return
-        console = basic.host.console
+        console = state.host.console
         console.put(_MARK)
         for _ in range(min(count, len(self._line) - self._place)):
             console.put(self._line.pop(self._place))
         console.put(_MARK)
 
-    def _insert(self, basic: Interpreter, code: int) -> None:
-        console = basic.host.console
+    def _insert(self, state: State, code: int) -> None:
+        console = state.host.console
         if code == _ENTER:
-            self._show_rest(basic)
-            self._finish(basic)
+            self._show_rest(state)
+            self._finish(state)
         elif code == _SHIFT_UP:
             self._take_command()
         elif code == _BACK:
@@ -186,17 +183,17 @@ class Edit(Activity):
             self._place += 1
             console.put(code)
 
-    def _change(self, basic: Interpreter, code: int) -> None:
+    def _change(self, state: State, code: int) -> None:
         self._line[self._place] = code
         self._place += 1
-        basic.host.console.put(code)
+        state.host.console.put(code)
         self._count -= 1
         if not self._count or self._place == len(self._line):
             self._take_command()
 
-    def _search(self, basic: Interpreter, code: int) -> None:
+    def _search(self, state: State, code: int) -> None:
         """Go, or delete, up to the n-th place behind this one that has the character."""
-        console, line = basic.host.console, self._line
+        console, line = state.host.console, self._line
         kill = self._mode is _Mode.KILL
         if kill:
             console.put(_MARK)
@@ -212,26 +209,26 @@ class Edit(Activity):
             console.put(_MARK)
         self._take_command()
 
-    def _finish(self, basic: Interpreter) -> None:
+    def _finish(self, state: State) -> None:
         """End the edit: the line is stored as it is now, or deleted when nothing is left."""
-        basic.print_text(b"\r")
-        basic.host.console.show_cursor(False)
-        basic.host.clock.now += _T_FINISH
-        return_to_command(basic)  # Where an error in storing the line leads to.
-        basic.store_line(self._number, bytes(self._line))
-        return_to_command(basic, ready=False)
+        state.output.show(b"\r")
+        state.host.console.show_cursor(False)
+        state.clock.now += _T_FINISH
+        state.return_to_command()  # Where an error in storing the line leads to.
+        editing.store_line(state, self._number, bytes(self._line))
+        state.return_to_command(ready=False)
 
 
-def edit(basic: Interpreter, rest: bytes) -> None:
+def edit(state: State, rest: bytes) -> None:
     """The command: `EDIT n` or `EDIT .`; it ends a running program.
 
     Raises:
         BasicError: SN for anything else, UL if there is no such line.
     """
-    number, position = line_range.line_or_dot(basic, rest, 0)
+    number, position = line_range.line_or_dot(state, rest, 0)
     if not line_range.at_end(rest, position):
         raise BasicError(Code.SN)
-    if basic.program.find(number) is None:
+    if state.program.find(number) is None:
         raise BasicError(Code.UL)
-    return_to_command(basic)
-    basic.begin(Edit(number))
+    state.return_to_command()
+    state.begin(Edit(number))

@@ -7,16 +7,16 @@ items before, and an error in the list comes after the question.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final, Protocol
+from typing import Any, Final, Protocol
 
-from trs80arm.basic import costs
-from trs80arm.basic.activity import Activity, Waiting
+from trs80arm.basic import costs, number_costs
+from trs80arm.basic.activity import Waiting
 from trs80arm.basic.dialogue.line_input import LineInput
+from trs80arm.basic.execution import break_
+from trs80arm.basic.kinds import Kind
 from trs80arm.basic.numbers import double, literal
 from trs80arm.basic.numbers.convert import Number
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.state import Activity, State
 
 _BLANKS = b" \t\n"
 _QUOTE = ord('"')
@@ -32,7 +32,7 @@ class Target(Protocol):
     """One variable of the list."""
 
     @property
-    def kind(self) -> str:
+    def kind(self) -> Kind:
         """`i`, `s`, `d` or `t` for text; looked at, the variable is found, subscripts and all."""
 
     def assign(self, value: Any) -> None:
@@ -65,8 +65,8 @@ class Items:
         self._text = text
         self._place = 0
         self._comma = True
-        self.taken = b""
-        """The characters of the number taken last."""
+        self.scanning = 0
+        """T-states that the scan of the number taken last has cost."""
 
     @property
     def is_next(self) -> bool:
@@ -85,14 +85,14 @@ class Items:
             self._place += 1
         return text[self._place] if self._place < len(text) else 0
 
-    def number(self, kind: str) -> Number:
+    def number(self, kind: Kind) -> Number:
         """The next item as a number; what is none is 0 and stays to be seen behind it."""
         self._skip()
         start: Number = double.ZERO if kind == "d" else 0
-        scanned = literal.scan(self._text, self._place, start)
-        self.taken = self._text[self._place : scanned.end]
-        self._place = scanned.end
-        return scanned.value
+        meter = number_costs.LiteralMeter()
+        value, self._place = literal.scan(self._text, self._place, start, meter)
+        self.scanning = meter.total
+        return value
 
     def string(self) -> bytes:
         """The next item as a string: quoted, or up to a comma or colon."""
@@ -129,42 +129,42 @@ class InputStatement(Activity):
         self._done = 0
         self._question: bytes | None = prompt + b"? "
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Ask."""
         question, self._question = self._question, None
-        basic.host.clock.now += _T_ASK
-        basic.print_text(question or b"")
-        basic.begin(LineInput(Waiting.INPUT))
+        state.clock.now += _T_ASK
+        state.output.show(question or b"")
+        state.begin(LineInput(Waiting.INPUT))
 
-    def resumed(self, basic: Interpreter, result: Any) -> None:
+    def resumed(self, state: State, result: Any) -> None:
         """A line was typed: BREAK breaks, an empty one leaves what is left as it was."""
         if result.text is None:
-            basic.break_()
+            break_(state)
         elif not result.text:
             self._targets.restart()
-            basic.end()
+            state.end()
         else:
-            self._take(basic, Items(result.text))
+            self._take(state, Items(result.text))
 
-    def _take(self, basic: Interpreter, items: Items) -> None:
+    def _take(self, state: State, items: Items) -> None:
         while self._done < len(self._targets):
             target = self._targets[self._done]
             kind = target.kind
             if not items.is_next:
                 self._question = b"?? "
                 return
-            basic.host.clock.now += _T_ITEM
+            state.clock.now += _T_ITEM
             value = items.string() if kind == "t" else items.number(kind)
             if not isinstance(value, bytes):
-                basic.host.clock.now += costs.constant(items.taken, value, kind == "d")
+                state.clock.now += costs.constant(value, items.scanning)
             target.assign(value)
             if not items.separator():
-                basic.print_text(b"?REDO\r")
+                state.output.show(b"?REDO\r")
                 self._done = 0
                 self._targets.restart()
                 self._question = self._prompt + b"? "
                 return
             self._done += 1
         if items.is_rest and self._targets.at_end:
-            basic.print_text(b"?Extra ignored\r")
-        basic.end()
+            state.output.show(b"?Extra ignored\r")
+        state.end()

@@ -1,24 +1,21 @@
 """The line editor: what happens between a prompt and ENTER, at `>`, at INPUT and at AUTO's numbers.
 
-It is the ROM's routine at 5D9H with its buffer at the address in 40A7H. Whoever wants a line begins
+It is the ROM's routine at 5D9H with its buffer where 40A7H points. Whoever wants a line begins
 a `LineInput` and gets a `Line` as its result.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from trs80arm.basic.activity import Activity, Waiting
-from trs80arm.basic.dialogue import wait
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic import addresses, keyboard
+from trs80arm.basic.activity import Waiting
+from trs80arm.basic.addresses import word
+from trs80arm.basic.state import Activity, State
 
 LINE_LENGTH: Final = 240
 """Characters that a typed line holds; further keys are ignored (facts, Typing)."""
-BUFFER_POINTER: Final = 0x40A7
-"""Two bytes, low first: where the line is kept while it is typed (41E8H)."""
 
 _BREAK, _LEFT, _RIGHT, _DOWN, _ENTER = 1, 8, 9, 10, 13
 _SHIFT_LEFT, _SHIFT_RIGHT, _CLEAR = 24, 25, 31
@@ -55,38 +52,38 @@ class LineInput(Activity):
         """What the line is for, once the cursor is on."""
         return self._waiting if self._begun else Waiting.NOTHING
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Take keys until ENTER or BREAK."""
-        console = basic.host.console
+        console = state.host.console
         if not self._begun:
             console.show_cursor(True)
-            wait.latch(basic, 0)
+            keyboard.latch(state, 0)
             self._begun = True
             return
-        code = wait.next_key(basic)
+        code = keyboard.next_key(state)
         if not code:
             return
-        basic.host.clock.now += _T_KEY
+        state.clock.now += _T_KEY
         if code in (_ENTER, _BREAK):
             console.echo(_ENTER)
             console.show_cursor(False)
-            basic.host.clock.now += _T_FINISH
-            self._keep(basic)
-            basic.end(Line(None if code == _BREAK else bytes(self._line)))
+            state.clock.now += _T_FINISH
+            self._keep(state)
+            state.end(Line(None if code == _BREAK else bytes(self._line)))
         else:
-            self._key(basic, code)
+            self._key(state, code)
 
-    def _key(self, basic: Interpreter, code: int) -> None:
+    def _key(self, state: State, code: int) -> None:
         """Do what a key other than ENTER and BREAK does."""
-        console, line = basic.host.console, self._line
+        console, line = state.host.console, self._line
         if code >= _BLANK or code == _DOWN:
             if len(line) < LINE_LENGTH:
                 line.append(code)
                 console.echo(code)
         elif code == _LEFT:
-            self._delete(basic)
+            self._delete(state)
         elif code == _SHIFT_LEFT:
-            while self._delete(basic):
+            while self._delete(state):
                 pass
         elif code == _RIGHT:
             for _ in range(_TAB - console.column % _TAB):
@@ -100,18 +97,18 @@ class LineInput(Activity):
             console.echo(_ERASE)
             line.clear()
 
-    def _delete(self, basic: Interpreter) -> bool:
+    def _delete(self, state: State) -> bool:
         """Take the last character back; not at the start, nor across a line feed."""
         line = self._line
         if not line or line[-1] == _DOWN:
             return False
         line.pop()
-        basic.host.console.echo(_LEFT)
+        state.host.console.echo(_LEFT)
         return True
 
-    def _keep(self, basic: Interpreter) -> None:
+    def _keep(self, state: State) -> None:
         """Leave the line in the buffer with a zero behind it, where the ROM leaves it."""
-        ram = basic.host.memory.ram
-        start = ram[BUFFER_POINTER] | ram[BUFFER_POINTER + 1] << 8
+        ram = state.memory.ram
+        start = word(ram, addresses.LINE_POINTER)
         for place, code in enumerate((*self._line, 0)):
-            basic.host.memory.poke(start + place & 0xFFFF, code)
+            state.memory.poke(start + place & 0xFFFF, code)

@@ -6,13 +6,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from trs80arm.basic import cruncher
 from trs80arm.basic.errors import BasicError, Code
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.state import State
 
 MINUS: Final = 0xCE
 """The token of `-`."""
@@ -42,7 +40,7 @@ def at_end(text: bytes, position: int) -> bool:
     return position >= len(text) or text[position] in b"\0:"
 
 
-def line_or_dot(basic: Interpreter, text: bytes, position: int) -> tuple[int, int]:
+def line_or_dot(state: State, text: bytes, position: int) -> tuple[int, int]:
     """A line number or `.`; 0 where there is neither.
 
     Returns:
@@ -53,12 +51,12 @@ def line_or_dot(basic: Interpreter, text: bytes, position: int) -> tuple[int, in
     """
     position = skip_blanks(text, position)
     if position < len(text) and text[position] == ord("."):
-        return basic.control.dot, skip_blanks(text, position + 1)
+        return state.control.dot, skip_blanks(text, position + 1)
     number, end = cruncher.line_number(text, position)
     return number or 0, skip_blanks(text, end)
 
 
-def parse(basic: Interpreter, text: bytes) -> LineRange:
+def parse(state: State, text: bytes) -> LineRange:
     """The range behind LIST or DELETE: nothing, `n`, `n-`, `-m` or `n-m`.
 
     Raises:
@@ -67,7 +65,7 @@ def parse(basic: Interpreter, text: bytes) -> LineRange:
     position = skip_blanks(text, 0)
     if at_end(text, position):
         return LineRange(0, BEYOND)
-    first, position = line_or_dot(basic, text, position)
+    first, position = line_or_dot(state, text, position)
     if at_end(text, position):
         return LineRange(first, first)
     if text[position] != MINUS:
@@ -75,7 +73,7 @@ def parse(basic: Interpreter, text: bytes) -> LineRange:
     position = skip_blanks(text, position + 1)
     if at_end(text, position):
         return LineRange(first, BEYOND)
-    last, position = line_or_dot(basic, text, position)
+    last, position = line_or_dot(state, text, position)
     if not at_end(text, position):
         raise BasicError(Code.SN)
     return LineRange(first, last)

@@ -5,18 +5,14 @@ All three end a running program, as in the ROM.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
-from trs80arm.basic import costs, cruncher
-from trs80arm.basic.activity import Activity
-from trs80arm.basic.dialogue import line_range, wait
-from trs80arm.basic.dialogue.home import return_to_command
+from trs80arm.basic import costs, cruncher, keyboard
+from trs80arm.basic.dialogue import line_range
 from trs80arm.basic.dialogue.line_range import LineRange
-from trs80arm.basic.dialogue.pause import Pause
 from trs80arm.basic.errors import BasicError, Code
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.pause import Pause
+from trs80arm.basic.state import Activity, State
 
 _NEWLINE = 13
 _T_LINE: Final = 5670
@@ -39,48 +35,48 @@ class Listing(Activity):
         self._last = lines.last
         self._printer = printer
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """List lines until the range is done or BREAK is pressed."""
-        clock = basic.host.clock
+        clock = state.clock
         while clock.now < clock.limit:
-            if not self._find(basic):
-                basic.end()
+            if not self._find(state):
+                state.end()
                 return
-            code = wait.look_for_break(basic)
-            if code == wait.BREAK:
-                self._break(basic)
+            code = keyboard.look_for_break(state)
+            if code == keyboard.BREAK:
+                self._break(state)
                 return
-            if code == wait.SHIFT_AT:
-                basic.begin(Pause())
+            if code == keyboard.SHIFT_AT:
+                state.begin(Pause())
                 return
-            self._list_one(basic)
+            self._list_one(state)
 
-    def resumed(self, basic: Interpreter, result: Any) -> None:
+    def resumed(self, state: State, result: Any) -> None:
         """A key ended the pause; BREAK ends the listing too."""
-        if result == wait.BREAK:
-            self._break(basic)
+        if result == keyboard.BREAK:
+            self._break(state)
 
-    def _break(self, basic: Interpreter) -> None:
-        basic.newline_if_needed()
-        basic.print_text(b"Break\r")
-        basic.end()
+    def _break(self, state: State) -> None:
+        state.output.newline_if_needed()
+        state.output.show(b"Break\r")
+        state.end()
 
-    def _find(self, basic: Interpreter) -> bool:
+    def _find(self, state: State) -> bool:
         """Go to the next line of the range, if there is one."""
-        numbers = basic.program.numbers()
-        place = basic.program.place(self._next)
+        numbers = state.program.numbers()
+        place = state.program.place(self._next)
         if place >= len(numbers) or numbers[place] > self._last:
             return False
         self._next = numbers[place]
         return True
 
-    def _list_one(self, basic: Interpreter) -> None:
+    def _list_one(self, state: State) -> None:
         number = self._next
-        clock = basic.host.clock
-        text = basic.program.text(number) or b""
-        basic.control.dot = number
+        clock = state.clock
+        text = state.program.text(number) or b""
+        state.control.dot = number
         clock.now += _T_LINE + costs.spelling(text)
-        put = basic.host.printer.put if self._printer else basic.host.console.put
+        put = state.host.printer.put if self._printer else state.host.console.put
         for code in b"%d " % number + cruncher.spell(text):
             clock.now += _T_CHARACTER
             put(code)
@@ -88,41 +84,41 @@ class Listing(Activity):
         self._next = number + 1
 
 
-def list_lines(basic: Interpreter, rest: bytes) -> None:
+def list_lines(state: State, rest: bytes) -> None:
     """`LIST`: the lines of a range on the screen.
 
     Raises:
         BasicError: SN for what is no range.
     """
-    _begin(basic, rest, printer=False)
+    _begin(state, rest, printer=False)
 
 
-def llist(basic: Interpreter, rest: bytes) -> None:
+def llist(state: State, rest: bytes) -> None:
     """`LLIST`: the same on the printer.
 
     Raises:
         BasicError: SN for what is no range.
     """
-    _begin(basic, rest, printer=True)
+    _begin(state, rest, printer=True)
 
 
-def _begin(basic: Interpreter, rest: bytes, *, printer: bool) -> None:
-    lines = line_range.parse(basic, rest)
-    return_to_command(basic)
-    basic.begin(Listing(lines, printer=printer))
+def _begin(state: State, rest: bytes, *, printer: bool) -> None:
+    lines = line_range.parse(state, rest)
+    state.return_to_command()
+    state.begin(Listing(lines, printer=printer))
 
 
-def delete(basic: Interpreter, rest: bytes) -> None:
+def delete(state: State, rest: bytes) -> None:
     """`DELETE`: take the lines of a range out; the last line named must exist.
 
     Raises:
         BasicError: SN for what is no range, FC if the last line is not there or before the first.
     """
-    lines = line_range.parse(basic, rest)
-    if lines.first > lines.last or basic.program.find(lines.last) is None:
+    lines = line_range.parse(state, rest)
+    if lines.first > lines.last or state.program.find(lines.last) is None:
         raise BasicError(Code.FC)
-    basic.host.clock.now += _T_DELETE
-    basic.program.delete_range(lines.first, lines.last)
-    basic.clear_all()
-    basic.print_text(b"READY\r")
-    return_to_command(basic, ready=False)
+    state.clock.now += _T_DELETE
+    state.program.delete_range(lines.first, lines.last)
+    state.clear_all()
+    state.output.show(b"READY\r")
+    state.return_to_command(ready=False)

@@ -6,17 +6,15 @@ the ROM's own command level is, and anywhere else is ?FC like a USR that was nev
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
-from trs80arm.basic import costs, cruncher
-from trs80arm.basic.activity import Activity, Waiting
-from trs80arm.basic.dialogue import line_range, wait
-from trs80arm.basic.dialogue.home import return_to_command
+from trs80arm.basic import costs, cruncher, keyboard
+from trs80arm.basic.activity import Waiting
+from trs80arm.basic.addresses import word
+from trs80arm.basic.dialogue import line_range
 from trs80arm.basic.dialogue.line_input import Line, LineInput
 from trs80arm.basic.errors import BasicError, Code
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.state import Activity, State
 
 READY_ENTRIES: Final = frozenset((0x0072, 0x06CC, 0x1A19))
 """Addresses of the ROM that lead back to READY: 114, 1740 and 6681."""
@@ -30,29 +28,29 @@ _NAME_LENGTH = 6
 class SystemCommand(Activity):
     """`*?`, over and over, until an answer leads away."""
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Ask."""
-        basic.print_text(b"\r*? ")
-        basic.begin(LineInput(Waiting.SYSTEM))
+        state.output.show(b"\r*? ")
+        state.begin(LineInput(Waiting.SYSTEM))
 
-    def resumed(self, basic: Interpreter, result: Any) -> None:
+    def resumed(self, state: State, result: Any) -> None:
         """A name to load, or `/` and an address to go to; BREAK leads to READY."""
         if not isinstance(result, Line):
             return  # A tape has been loaded.
         if result.text is None:
-            return_to_command(basic)
+            state.return_to_command()
             return
         answer: bytes = result.text.strip(b" \t\n")
         if not answer:
             raise BasicError(Code.SN)
         if answer[:1] == b"/":
-            self._go(basic, answer)
+            self._go(state, answer)
         else:
-            basic.begin(SystemTape(answer[:_NAME_LENGTH]))
+            state.begin(SystemTape(answer[:_NAME_LENGTH]))
 
-    def _go(self, basic: Interpreter, answer: bytes) -> None:
-        ram = basic.host.memory.ram
-        address: int | None = ram[ENTRY] | ram[ENTRY + 1] << 8
+    def _go(self, state: State, answer: bytes) -> None:
+        ram = state.memory.ram
+        address: int | None = word(ram, ENTRY)
         position = line_range.skip_blanks(answer, 1)
         if position < len(answer):
             address, position = cruncher.line_number(answer, position)
@@ -60,7 +58,7 @@ class SystemCommand(Activity):
                 return
         if address not in READY_ENTRIES:
             raise BasicError(Code.FC)
-        return_to_command(basic)
+        state.return_to_command()
 
 
 class SystemTape(Activity):
@@ -74,37 +72,37 @@ class SystemTape(Activity):
         self._name = name.ljust(_NAME_LENGTH)
         self._playing = False
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Search for the name and load; a tape that has run out plays on until BREAK."""
-        tape = basic.host.tape
+        tape = state.host.tape
         if not self._playing:
             tape.start_reading()
             self._playing = True
         elif tape.find_sync():
-            if self._read(basic) == _NAME_MARK and self._is_name(basic):
-                self._load(basic)
+            if self._read(state) == _NAME_MARK and self._is_name(state):
+                self._load(state)
                 tape.stop()
-                basic.end()
-        elif wait.next_key(basic) == wait.BREAK:
+                state.end()
+        elif keyboard.next_key(state) == keyboard.BREAK:
             tape.stop()
-            return_to_command(basic)
+            state.return_to_command()
 
-    def _read(self, basic: Interpreter) -> int | None:
-        value = basic.host.tape.read()
-        basic.host.clock.now += costs.tape_byte(value or 0)
+    def _read(self, state: State) -> int | None:
+        value = state.host.tape.read()
+        state.clock.now += costs.tape_byte(value or 0)
         return value
 
-    def _is_name(self, basic: Interpreter) -> bool:
-        return bytes(self._read(basic) or 0 for _ in range(_NAME_LENGTH)) == self._name
+    def _is_name(self, state: State) -> bool:
+        return bytes(self._read(state) or 0 for _ in range(_NAME_LENGTH)) == self._name
 
-    def _load(self, basic: Interpreter) -> None:
+    def _load(self, state: State) -> None:
         """Blocks of up to 256 bytes, each with its address, then the entry."""
-        memory = basic.host.memory
-        while self._read(basic) == _BLOCK_MARK:
-            length = self._read(basic) or 256
-            address = (self._read(basic) or 0) | (self._read(basic) or 0) << 8
+        memory = state.memory
+        while self._read(state) == _BLOCK_MARK:
+            length = self._read(state) or 256
+            address = (self._read(state) or 0) | (self._read(state) or 0) << 8
             for place in range(length):
-                memory.poke(address + place & 0xFFFF, self._read(basic) or 0)
-            self._read(basic)  # The sum, which the ROM shows as a C when it is wrong.
+                memory.poke(address + place & 0xFFFF, self._read(state) or 0)
+            self._read(state)  # The sum, which the ROM shows as a C when it is wrong.
         for place in range(2):
-            memory.poke(ENTRY + place, self._read(basic) or 0)
+            memory.poke(ENTRY + place, self._read(state) or 0)

@@ -7,17 +7,13 @@ milliseconds. The ROM cannot be broken off meanwhile; here BREAK switches the mo
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from trs80arm.basic import costs
-from trs80arm.basic.activity import Activity
-from trs80arm.basic.dialogue import wait
-from trs80arm.basic.dialogue.home import return_to_command
+from trs80arm.basic import costs, keyboard
 from trs80arm.basic.dialogue.input_statement import Items, TargetList
 from trs80arm.basic.errors import BasicError, Code
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.execution import break_
+from trs80arm.basic.state import Activity, State
 
 LEADER: Final = 255
 SYNC: Final = 0xA5
@@ -49,9 +45,9 @@ class Writing(Activity):
             self._data += data
         self._place = 0
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Record up to the clock's limit."""
-        clock, tape = basic.host.clock, basic.host.tape
+        clock, tape = state.clock, state.host.tape
         if not self._place:
             tape.start_writing()
         while clock.now < clock.limit and self._place < len(self._data):
@@ -59,15 +55,15 @@ class Writing(Activity):
             tape.write(value)
             self._place += 1
             clock.now += costs.tape_byte(value)
-            if wait.look_for_break(basic) == wait.BREAK:
+            if keyboard.look_for_break(state) == keyboard.BREAK:
                 tape.stop()
-                basic.break_()
+                break_(state)
                 return
         if self._place == len(self._data):
             tape.stop()
             if self._error is not None:
                 raise self._error
-            basic.end()
+            state.end()
 
 
 class PrintTape(Writing):
@@ -89,15 +85,15 @@ class Csave(Activity):
     def __init__(self, name: bytes | BasicError) -> None:
         self._name = name or BasicError(Code.FC)
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Record the program as it is now."""
-        name, program = self._name, basic.program
-        basic.stack.pop()
+        name, program = self._name, state.program
+        state.stack.pop()
         if isinstance(name, BasicError):
-            basic.begin(Writing(name))
+            state.begin(Writing(name))
             return
-        text = bytes(basic.host.memory.ram[program.start : program.end])
-        basic.begin(Writing(PROGRAM_MARK + name[:1] + text))
+        text = bytes(state.memory.ram[program.start : program.end])
+        state.begin(Writing(PROGRAM_MARK + name[:1] + text))
 
 
 class Reading(Activity):
@@ -107,9 +103,9 @@ class Reading(Activity):
         self._playing = False
         self._found = False
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Find the next recording, then take it byte by byte."""
-        clock, tape = basic.host.clock, basic.host.tape
+        clock, tape = state.clock, state.host.tape
         if not self._playing:
             tape.start_reading()
             self._playing = True
@@ -120,36 +116,36 @@ class Reading(Activity):
                 silent = not self._found
                 clock.now += _T_LEADER if self._found else 0
                 if self._found:
-                    self.found(basic)
+                    self.found(state)
             else:
                 value = tape.read()
                 clock.now += costs.tape_byte(value or 0)
                 if value is None:
                     self._found = False
                 else:
-                    self.byte(basic, value)
-            look = wait.next_key if silent else wait.look_for_break
-            if self._playing and look(basic) == wait.BREAK:
-                self.stop(basic)
-                self.broken_off(basic)
-                basic.break_()
+                    self.byte(state, value)
+            look = keyboard.next_key if silent else keyboard.look_for_break
+            if self._playing and look(state) == keyboard.BREAK:
+                self.stop(state)
+                self.broken_off(state)
+                break_(state)
 
     def search(self) -> None:
         """Go on to the next recording."""
         self._found = False
 
-    def stop(self, basic: Interpreter) -> None:
+    def stop(self, state: State) -> None:
         """Switch the motor off."""
-        basic.host.tape.stop()
+        state.host.tape.stop()
         self._playing = False
 
-    def found(self, basic: Interpreter) -> None:
+    def found(self, state: State) -> None:
         """A recording begins."""
 
-    def broken_off(self, basic: Interpreter) -> None:
+    def broken_off(self, state: State) -> None:
         """BREAK ended the reading before its time."""
 
-    def byte(self, basic: Interpreter, value: int) -> None:
+    def byte(self, state: State, value: int) -> None:
         """The next byte of it."""
         raise TypeError(f"{type(self).__name__} takes no bytes")
 
@@ -170,70 +166,70 @@ class Cload(Reading):
         self._address = 0
         self._zeros = 0
 
-    def found(self, basic: Interpreter) -> None:
+    def found(self, state: State) -> None:
         """The name is only looked at now; a program in memory goes before another comes."""
-        _show_stars(basic)
+        _show_stars(state)
         self._head.clear()
         if isinstance(self._name, BasicError):
-            self.stop(basic)
+            self.stop(state)
             raise self._name
         if self._name == b"":
-            self.stop(basic)
+            self.stop(state)
             raise BasicError(Code.FC)
 
-    def broken_off(self, basic: Interpreter) -> None:
+    def broken_off(self, state: State) -> None:
         """Half a program is none."""
         if self._address and not self._verify:
-            basic.program.clear()
-            basic.clear_all()
+            state.program.clear()
+            state.clear_all()
 
-    def byte(self, basic: Interpreter, value: int) -> None:
+    def byte(self, state: State, value: int) -> None:
         """Three marks, the name, then the program up to three zeros in a row."""
         if len(self._head) <= len(PROGRAM_MARK):
             self._head.append(value)
             if len(self._head) > len(PROGRAM_MARK):
-                self._check_head(basic)
+                self._check_head(state)
             return
-        memory = basic.host.memory
+        memory = state.memory
         if self._verify:
             if memory.peek(self._address) != value:
-                self.stop(basic)
-                basic.print_text(b"BAD\r")
-                return_to_command(basic)
+                self.stop(state)
+                state.output.show(b"BAD\r")
+                state.return_to_command()
                 return
-        elif self._address >= basic.strings.bottom:
-            self.stop(basic)
-            basic.program.clear()
-            basic.clear_all()
+        elif self._address >= state.strings.bottom:
+            self.stop(state)
+            state.program.clear()
+            state.clear_all()
             raise BasicError(Code.OM)
         else:
             memory.ram[self._address] = value
         self._address += 1
         self._zeros = 0 if value else self._zeros + 1
         if value == 0:
-            _blink(basic)
+            _blink(state)
         if self._zeros == _END_ZEROS:
-            self._end(basic)
+            self._end(state)
 
-    def _check_head(self, basic: Interpreter) -> None:
+    def _check_head(self, state: State) -> None:
         wanted = self._name[:1] if isinstance(self._name, bytes) else self._head[-1:]
         if self._head != PROGRAM_MARK + wanted:
             self.search()
             return
         if not self._verify:
-            basic.program.clear()
-            basic.clear_all()
-        self._address = basic.program.start
+            state.program.clear()
+            state.clear_all()
+        self._address = state.program.start
         self._zeros = 0
 
-    def _end(self, basic: Interpreter) -> None:
-        self.stop(basic)
+    def _end(self, state: State) -> None:
+        self.stop(state)
         if not self._verify:
-            basic.program.end = self._address
-            basic.program.mend()
-        basic.clear_all()
-        basic.print_text(b"READY\r")
-        return_to_command(basic, ready=False)
+            state.program.end = self._address
+            state.program.mend()
+        state.clear_all()
+        state.output.show(b"READY\r")
+        state.return_to_command(ready=False)
 
 
 class InputTape(Reading):
@@ -248,21 +244,21 @@ class InputTape(Reading):
         self._targets = targets
         self._text = bytearray()
 
-    def found(self, basic: Interpreter) -> None:
+    def found(self, state: State) -> None:
         """A recording begins."""
-        _show_stars(basic)
+        _show_stars(state)
         self._text.clear()
 
-    def byte(self, basic: Interpreter, value: int) -> None:
+    def byte(self, state: State, value: int) -> None:
         """Characters up to the carriage return."""
         if value != _RETURN and len(self._text) < RECORD_LENGTH:
             self._text.append(value)
             return
-        self.stop(basic)
-        self._assign(basic, Items(bytes(self._text)))
-        basic.end()
+        self.stop(state)
+        self._assign(state, Items(bytes(self._text)))
+        state.end()
 
-    def _assign(self, basic: Interpreter, items: Items) -> None:
+    def _assign(self, state: State, items: Items) -> None:
         for number in range(len(self._targets)):
             target = self._targets[number]
             kind = target.kind
@@ -273,14 +269,14 @@ class InputTape(Reading):
             if not items.separator():
                 raise BasicError(Code.FD)
         if items.is_rest:
-            basic.print_text(b"?Extra ignored\r")
+            state.output.show(b"?Extra ignored\r")
 
 
-def _show_stars(basic: Interpreter) -> None:
+def _show_stars(state: State) -> None:
     for address in _STARS:
-        basic.host.memory.poke(address, _STAR)
+        state.memory.poke(address, _STAR)
 
 
-def _blink(basic: Interpreter) -> None:
-    memory = basic.host.memory
+def _blink(state: State) -> None:
+    memory = state.memory
     memory.poke(_STARS[1], _BLANK if memory.peek(_STARS[1]) == _STAR else _STAR)

@@ -8,6 +8,7 @@ string where a number is needed is a type mismatch.
 from __future__ import annotations
 
 from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.kinds import DOUBLE, INTEGER, Kind
 from trs80arm.basic.numbers import double, integer, single
 from trs80arm.basic.numbers.double import Double
 
@@ -42,6 +43,13 @@ def to_double(value: object) -> Double:
     if isinstance(value, int):
         return double.from_int(value)
     raise BasicError(Code.TM)
+
+
+def to_kind(kind: Kind, value: object) -> Number:
+    """The number as a variable of a kind takes it; OV, TM for a string."""
+    if kind == INTEGER:
+        return to_integer(value)
+    return to_double(value) if kind == DOUBLE else to_single(value)
 
 
 def add(a: Number, b: Number) -> Number:

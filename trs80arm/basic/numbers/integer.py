@@ -31,6 +31,14 @@ def mul(a: int, b: int) -> int | float:
     return r if -32769 < r < 32768 else single.mul(float(a), float(b))
 
 
+def step(value: int, by: int) -> int:
+    """The next value of a loop's variable; OV outside the range."""
+    value += by
+    if not -32769 < value < 32768:
+        raise BasicError(Code.OV)
+    return value
+
+
 def negate(a: int) -> int | float:
     """The integer with the other sign; -32768 gives the single 32768."""
     return -a if a != -32768 else 32768.0

@@ -11,8 +11,6 @@ from trs80arm.basic.numbers import single
 
 MULTIPLIER = 4253261
 INCREMENT = 372837
-SEED_ADDRESS = 16554
-"""Three bytes, low byte first. RANDOM replaces the middle one by the refresh register."""
 
 
 def advance(seed: int) -> int:

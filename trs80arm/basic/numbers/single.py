@@ -180,3 +180,8 @@ def unpack(data: bytes) -> float:
     word = int.from_bytes(data[:3], "little")
     value = math.ldexp(word | 0x800000, exponent - 128 - BITS)
     return -value if word & 0x800000 else value
+
+
+def narrow(value: float) -> int | float:
+    """A whole single as an integer if it fits into one."""
+    return int(value) if -32768.0 <= value < 32768.0 else value

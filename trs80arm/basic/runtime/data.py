@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from trs80arm.basic import costs, tokens
+from trs80arm.basic import costs, number_costs, tokens
 from trs80arm.basic.dialogue.input_statement import InputStatement
 from trs80arm.basic.dialogue.tape_statements import InputTape
-from trs80arm.basic.errors import BasicError, Code
-from trs80arm.basic.execution import Execution, Leave, LineError
-from trs80arm.basic.numbers import double, literal
+from trs80arm.basic.errors import BasicError, Code, LineError
+from trs80arm.basic.execution import Leave, under_way
+from trs80arm.basic.kinds import DOUBLE, Kind
+from trs80arm.basic.numbers import convert, double, literal
 from trs80arm.basic.runtime.part import Part
-from trs80arm.basic.variables import DOUBLE, Descriptor
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.state import State
+from trs80arm.basic.variables import Descriptor
 
 _COLON, _COMMA, _QUOTE = 0x3A, 0x2C, 0x22
 _BLANKS = b" \t\n"
@@ -27,17 +26,18 @@ class ListedTarget:
         address: of its name in the text.
     """
 
-    def __init__(self, basic: Interpreter, targets: Targets, number: int) -> None:
-        self._basic = basic
+    def __init__(self, state: State, targets: Targets, number: int) -> None:
+        self._state = state
         self._targets = targets
         self._number = number
         self._found: Any = None
 
     @property
-    def kind(self) -> str:
+    def kind(self) -> Kind:
         """The variable's type; looking at it finds the variable, subscripts and all."""
         self._found = self._targets.find(self._number)
-        return str(self._found.kind)
+        kind: Kind = self._found.kind
+        return kind
 
     def assign(self, value: Any) -> None:
         """Give the variable that was found a value."""
@@ -47,12 +47,12 @@ class ListedTarget:
 class Targets:
     """The list of variables of an INPUT statement, read as the answer is."""
 
-    def __init__(self, basic: Interpreter, address: int) -> None:
-        self._basic = basic
+    def __init__(self, state: State, address: int) -> None:
+        self._state = state
         self._places = [address]
 
     def __len__(self) -> int:
-        ram = self._basic.memory.ram
+        ram = self._state.memory.ram
         address = self._places[0]
         count, depth = 1, 0
         while ram[address] and (ram[address] != _COLON):
@@ -65,7 +65,7 @@ class Targets:
     def __getitem__(self, number: int) -> ListedTarget:
         if number >= len(self):
             raise IndexError(number)
-        return ListedTarget(self._basic, self, number)
+        return ListedTarget(self._state, self, number)
 
     def restart(self) -> None:
         """Begin again with the first variable."""
@@ -74,14 +74,14 @@ class Targets:
     @property
     def at_end(self) -> bool:
         """Whether the statement ends behind the variables found."""
-        return self._basic.memory.ram[self._places[-1]] in (0, _COLON)
+        return self._state.memory.ram[self._places[-1]] in (0, _COLON)
 
     def find(self, number: int) -> Any:
         """The variable of that number; what comes before it has been found already."""
         del self._places[number + 1 :]
         address = self._places[number]
-        reference, end = self._basic.code.find_target(address)
-        ram = self._basic.memory.ram
+        reference, end = self._state.engine.find_target(address)
+        ram = self._state.memory.ram
         if ram[end] == _COMMA:
             end += 1
             while ram[end] in _BLANKS:
@@ -91,7 +91,7 @@ class Targets:
 
     def finish(self) -> int:
         """Where the program goes on: behind the last variable, or behind the statement."""
-        ram = self._basic.memory.ram
+        ram = self._state.memory.ram
         address = self._places[-1]
         if len(self._places) <= len(self):
             quoted = False
@@ -112,7 +112,7 @@ class DataReader(Part):
 
     def restore(self) -> None:
         """RESTORE."""
-        self._control.data = self._basic.program.start - 1
+        self._control.data = self._state.program.start - 1
 
     def begin_read(self) -> None:
         """READ begins."""
@@ -165,23 +165,20 @@ class DataReader(Part):
             raise LineError(Code.SN, self._control.data_line)
         self._place = address
 
-    def read_number(self, kind: str) -> Any:
+    def read_number(self, kind: Kind) -> Any:
         """READ of a number; OV, SN in the DATA line."""
         address = self._item()
-        text = self._basic.program.text_from(address)
+        text = self._state.program.text_from(address)
+        meter = number_costs.LiteralMeter()
         try:
-            if kind == DOUBLE:
-                value, end = literal.scan(text, 0, double.ZERO)
-            else:
-                value, end = literal.scan(text, 0)
+            value, end = literal.scan(text, 0, double.ZERO if kind == DOUBLE else 0, meter)
         except BasicError as error:
             if error.code is Code.SN:
                 raise LineError(Code.SN, self._control.data_line) from None
             raise
-        self._clock.now += costs.constant(text[:end], value, kind == DOUBLE)
-        self._clock.now += costs.read(kind, value)
+        self._clock.now += costs.constant(value, meter.total) + costs.read(kind, value)
         self._end(address + end)
-        return self._basic.runtime.storage.as_kind(kind, value)
+        return convert.to_kind(kind, value)
 
     def read_string(self) -> Descriptor:
         """READ of a string: it stays where it is in the program."""
@@ -206,20 +203,20 @@ class DataReader(Part):
     # -- INPUT --------------------------------------------------------------------------------
 
     def _ask(self, address: int) -> Targets:
-        execution = self._basic.execution()
-        assert isinstance(execution, Execution)
-        targets = Targets(self._basic, address)
+        execution = under_way(self._state)
+        assert execution is not None
+        targets = Targets(self._state, address)
         execution.targets = targets
         return targets
 
     def begin_input(self, prompt: bytes, address: int) -> None:
         """INPUT: the dialogue asks; `address` is where the list of variables begins."""
         targets = self._ask(address)
-        self._basic.begin(InputStatement(prompt, targets))
+        self._state.begin(InputStatement(prompt, targets))
         raise Leave(address)
 
     def begin_tape_input(self, _unit: int, address: int) -> None:
         """INPUT#-1."""
         targets = self._ask(address)
-        self._basic.begin(InputTape(targets))
+        self._state.begin(InputTape(targets))
         raise Leave(address)

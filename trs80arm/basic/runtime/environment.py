@@ -1,134 +1,138 @@
-"""The names that compiled statements know."""
+"""The names that compiled statements know: a list, and what stands behind each name.
+
+Generated text may use these names and no others: the emitter looks at every function that it
+builds. A routine is found by its name among the parts of the runtime; what a row of `words` calls
+need not be listed here again.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any, Final
 
-from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic import words
+from trs80arm.basic.errors import BasicError
 from trs80arm.basic.numbers import convert, double, integer, single
+from trs80arm.basic.runtime import checks
 from trs80arm.basic.runtime.arithmetic import Arithmetic
 from trs80arm.basic.runtime.data import DataReader
 from trs80arm.basic.runtime.flow import Flow
 from trs80arm.basic.runtime.hardware import Hardware
+from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.runtime.printing import Printing
 from trs80arm.basic.runtime.storage import Storage
 from trs80arm.basic.runtime.strings import StringFunctions
+from trs80arm.basic.state import State
 
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+FUNCTIONS: Final[dict[str, Any]] = {
+    # Python's own, and the error that a tape statement holds back.
+    "abs": abs,
+    "float": float,
+    "int": int,
+    "len": len,
+    "BasicError": BasicError,
+    # Errors and checks.
+    "fail": checks.fail,
+    "byte": checks.byte,
+    "below": checks.below,
+    "subscript": checks.subscript,
+    "bad": checks.bad,
+    "always": checks.always,
+    # Conversions.
+    "floor": integer.floor_to_integer,
+    "to_kind": convert.to_kind,
+    "to_single": convert.to_single,
+    "to_double": convert.to_double,
+    "narrow": single.narrow,
+    # Numbers whose types are known only when they are there.
+    "negate": convert.negate,
+    "absolute": convert.absolute,
+    "sign": convert.sign,
+    "any_floor": convert.int_,
+    "fix": convert.fix,
+    "compare": convert.compare,
+    "any_add": convert.add,
+    "any_sub": convert.sub,
+    "any_mul": convert.mul,
+    "any_div": convert.div,
+    # Integers.
+    "integer_add": integer.add,
+    "integer_sub": integer.sub,
+    "integer_mul": integer.mul,
+    "integer_step": integer.step,
+    # Singles, where the short way in line does not do; products and quotients are among the parts.
+    "add": single.add,
+    "sub": single.sub,
+    # Doubles; what takes its time by the operands is among the parts.
+    "double_compare": double.compare,
+    "double_negate": double.negate,
+}
+"""Names of functions that need no machine."""
+
+ROUTINES: Final[dict[type[Part], tuple[str, ...]]] = {
+    Printing: (
+        *("to_screen", "to_printer", "print_at", "print_newline", "print_comma", "print_tab"),
+        *("print_string", "print_number"),
+        *("using", "using_literal", "using_number", "using_string", "using_end"),
+        *("tape_number", "tape_string"),
+    ),
+    Flow: (
+        *("room", "open_subroutine", "drop_loop", "open_loop", "step_loop", "goes_on"),
+        *("set_trap", "end_handling", "resume_again", "resume_next"),
+        *("end_of_text", "end_program", "stop_program", "now_at", "leave"),
+    ),
+    Storage: (
+        *("create", "place", "element", "element_address", "scalar_address"),
+        *("scalar_reference", "element_reference", "clear_all", "clear_strings"),
+    ),
+    StringFunctions: (
+        *("assign", "string_equal", "string_compare"),
+        *("first_code", "free_strings", "text_at"),
+    ),
+    DataReader: (
+        *("begin_read", "end_read", "read_number", "read_string"),
+        *("begin_input", "begin_tape_input"),
+    ),
+    Hardware: (
+        *("tape_unit", "begin_tape_print"),
+        *("arm_step", "arm_close", "arm_set", "arm_reset", "arm_read"),
+    ),
+    Arithmetic: (
+        *("mul", "div", "power"),
+        *("double_add", "double_sub", "double_mul", "double_div"),
+    ),
+}
+"""The parts of the runtime with their routines, beside those that a row of `words` calls."""
 
 
-def fail(code: int) -> None:
-    """Raise a Level II error."""
-    raise BasicError(Code(code))
+class NamesError(Exception):
+    """The list of names and what there is do not agree: a mistake of ours, found at the start."""
 
 
-def byte(value: int) -> int:
-    """An integer that must be 0..255; FC."""
-    if not 0 <= value < 256:
-        raise BasicError(Code.FC)
-    return value
+def environment(state: State) -> dict[str, Any]:
+    """All names for the compiled statements of one machine.
 
-
-def below(value: int, limit: int) -> int:
-    """A coordinate that must be below a limit; FC."""
-    if value >= limit:
-        raise BasicError(Code.FC)
-    return value
-
-
-def subscript(value: object) -> int:
-    """A number rounded down to 0..32767 (1E45H); OV, FC."""
-    number = convert.to_integer(value)
-    if number < 0:
-        raise BasicError(Code.FC)
-    return number
-
-
-def bad(value: object, dim: int) -> int:
-    """A subscript that is outside its dimension, or not an integer yet; OV, FC, BS."""
-    number = subscript(value)
-    if number >= dim:
-        raise BasicError(Code.BS)
-    return number
-
-
-def narrow(value: float) -> int | float:
-    """A whole single as an integer if it fits into one."""
-    return int(value) if -32768.0 <= value < 32768.0 else value
-
-
-def always(_left: object, _right: object) -> bool:
-    """The relation `<=>`."""
-    return True
-
-
-def integer_step(value: int, step: int) -> int:
-    """The next value of an integer loop variable; OV."""
-    value += step
-    if not -32769 < value < 32768:
-        raise BasicError(Code.OV)
-    return value
-
-
-class Runtime:
-    """The parts of the runtime of one interpreter."""
-
-    def __init__(self, basic: Interpreter) -> None:
-        self._basic = basic
-        self.printing = Printing(basic)
-        self.flow = Flow(basic)
-        self.storage = Storage(basic)
-        self.strings = StringFunctions(basic)
-        self.data = DataReader(basic)
-        self.hardware = Hardware(basic)
-        self.arithmetic = Arithmetic(basic)
-
-    def environment(self) -> dict[str, Any]:
-        """All names for compiled statements."""
-        basic = self._basic
-        names: dict[str, Any] = {
-            "clock": basic.clock,
-            "frames": basic.control.frames,
-            "memory_room": basic.room,
-            "BasicError": BasicError,
-            "fail": fail,
-            "byte": byte,
-            "below": below,
-            "subscript": subscript,
-            "bad": bad,
-            "always": always,
-            "narrow": narrow,
-            "floor": integer.floor_to_integer,
-            "to_single": convert.to_single,
-            "to_double": convert.to_double,
-            "negate": convert.negate,
-            "absolute": convert.absolute,
-            "sign": convert.sign,
-            "any_floor": convert.int_,
-            "fix": convert.fix,
-            "compare": convert.compare,
-            "single_floor": single.floor,
-            "integer_step": integer_step,
-            "double_compare": double.compare,
-            "double_negate": double.negate,
-            "literal": basic.strings.literal,
-            "concatenate": basic.strings.concatenate,
-        }
-        for operation in ("add", "sub", "mul", "div"):
-            names[operation] = getattr(single, operation)
-            names[f"any_{operation}"] = getattr(convert, operation)
-            names[f"integer_{operation}"] = getattr(
-                convert if operation == "div" else integer, operation
-            )
-        for part in (
-            self.printing,
-            self.flow,
-            self.storage,
-            self.strings,
-            self.data,
-            self.hardware,
-            self.arithmetic,
-        ):
-            names.update(part.names())
-        return names
+    Raises:
+        NamesError: a name that stands for nothing or for two things, or a routine without a name.
+    """
+    names: dict[str, Any] = {
+        "__builtins__": {},
+        "clock": state.clock,
+        "frames": state.control.frames,
+        "memory_room": state.room,
+        "literal": state.strings.literal,
+        "concatenate": state.strings.concatenate,
+        **FUNCTIONS,
+    }
+    called = set(words.CALLS)
+    for kind, listed in ROUTINES.items():
+        part = kind(state)
+        routines = {name for name in dir(kind) if not name.startswith("_")}
+        missing = set(listed) - routines
+        unlisted = routines - set(listed) - called
+        twice = routines & names.keys()
+        if missing or unlisted or twice:
+            raise NamesError(f"{kind.__name__}: {sorted(missing | unlisted | twice)}")
+        names.update((name, getattr(part, name)) for name in routines)
+    if called - names.keys():
+        raise NamesError(f"words: {sorted(called - names.keys())}")
+    return names

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from typing import NoReturn
 
-from trs80arm.basic import room, system_area
+from trs80arm.basic import endings, room
 from trs80arm.basic.control import ForFrame, GosubFrame
 from trs80arm.basic.dialogue import auto, edit, lister
-from trs80arm.basic.errors import BasicError, Code
-from trs80arm.basic.execution import Execution, Leave, LineError
-from trs80arm.basic.numbers import single
+from trs80arm.basic.errors import BasicError, Code, LineError
+from trs80arm.basic.execution import Execution, Leave, under_way
+from trs80arm.basic.kinds import INTEGER
+from trs80arm.basic.numbers import integer, single
+from trs80arm.basic.outcome import Ending
 from trs80arm.basic.runtime.part import Part
-from trs80arm.basic.variables import INTEGER, Scalar
+from trs80arm.basic.variables import Scalar
 
 _LAST = 0xFFF0
 """No statement begins behind this address."""
@@ -21,7 +23,7 @@ class Flow(Part):
     """Control flow at run time."""
 
     def _execution(self) -> Execution:
-        execution = self._basic.execution()
+        execution = under_way(self._state)
         if execution is None:
             raise LookupError("no program is running")
         return execution
@@ -33,17 +35,12 @@ class Flow(Part):
 
         With few frames and much memory there is nothing to look at.
         """
-        frames = self._control.frames
-        basic = self._basic
-        if len(frames) >= room.FEW or not basic.room.plenty:
-            tight = basic.room.tight
-            basic.room.need(size)
-            if basic.room.tight and not tight:
-                basic.code.look_around()
+        if len(self._control.frames) >= room.FEW or not self._state.room.plenty:
+            self._state.need_room(size)
 
     def room(self, size: int) -> None:
         """OM unless an expression finds its room on the stack."""
-        self._basic.room.need(size)
+        self._state.need_room(size)
 
     def open_subroutine(self, back: int, line: int) -> None:
         """GOSUB."""
@@ -101,9 +98,7 @@ class Flow(Part):
         assert isinstance(frame, ForFrame)
         cell = frame.scalar.cell
         if frame.scalar.kind == INTEGER:
-            value = cell.cell_contents + frame.step
-            if not -32769 < value < 32768:
-                raise BasicError(Code.OV)
+            value: float = integer.step(cell.cell_contents, int(frame.step))
         else:
             value = single.add(cell.cell_contents, frame.step)
         cell.cell_contents = value
@@ -168,33 +163,34 @@ class Flow(Part):
         """The program's, or the direct line's, end; NR inside an error handler."""
         execution = self._execution()
         control = self._control
-        if address >= self._basic.program.start - 1 and control.handling and control.trap:
+        if address >= self._state.program.start - 1 and control.handling and control.trap:
             raise BasicError(Code.NR)
-        self._stop(execution, address, "END")
+        self._stop(execution, address, Ending.END)
 
-    def _stop(self, execution: Execution, address: int, kind: str) -> NoReturn:
-        from trs80arm.basic.interpreter import Kind
-
-        self._basic.stop(execution, address, Kind[kind])
+    def _stop(self, execution: Execution, address: int, ending: Ending) -> NoReturn:
+        endings.stop(self._state, execution.line(self._state), address, ending)
         raise Leave(address)
 
     def end_program(self, address: int) -> NoReturn:
         """END."""
-        self._stop(self._execution(), address, "END")
+        self._stop(self._execution(), address, Ending.END)
 
     def stop_program(self, address: int) -> NoReturn:
         """STOP."""
-        self._stop(self._execution(), address, "STOP")
+        self._stop(self._execution(), address, Ending.STOP)
 
     def new_program(self) -> NoReturn:
         """NEW."""
-        self._basic.new()
+        self._output.clear_screen()
+        self._control.traced = False
+        self._state.clear_program()
+        self._state.return_to_command()
         raise Leave(0)
 
     def start_program(self) -> None:
         """RUN: forget everything that a run leaves behind."""
-        self._basic.clear_all()
-        self._basic.outcome = None
+        self._state.clear_all()
+        self._state.outcome = None
 
     def continue_program(self) -> int:
         """CONT; CN when there is nothing to go on with."""
@@ -219,28 +215,28 @@ class Flow(Part):
 
     def list_lines(self, text: bytes) -> NoReturn:
         """LIST, to the device that 409CH names."""
-        if self._ram[system_area.OUTPUT_DEVICE]:
-            self._basic.runtime.printing.to_screen()
+        if self._output.on_printer:
+            self._output.to_screen()
             self.list_printer(text)
-        lister.list_lines(self._basic, text)
+        lister.list_lines(self._state, text)
         raise Leave(0)
 
     def list_printer(self, text: bytes) -> NoReturn:
         """LLIST."""
-        lister.llist(self._basic, text)
+        lister.llist(self._state, text)
         raise Leave(0)
 
     def delete_lines(self, text: bytes) -> NoReturn:
         """DELETE."""
-        lister.delete(self._basic, text)
+        lister.delete(self._state, text)
         raise Leave(0)
 
     def edit_line(self, text: bytes) -> NoReturn:
         """EDIT."""
-        edit.edit(self._basic, text)
+        edit.edit(self._state, text)
         raise Leave(0)
 
     def auto_lines(self, text: bytes) -> NoReturn:
         """AUTO."""
-        auto.auto(self._basic, text)
+        auto.auto(self._state, text)
         raise Leave(0)

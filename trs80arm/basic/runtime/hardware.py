@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from trs80arm.basic import system_area
-from trs80arm.basic.activity import Activity
+from trs80arm.basic import addresses
 from trs80arm.basic.dialogue.arm_motion import ArmMotion
 from trs80arm.basic.dialogue.system import SystemCommand
 from trs80arm.basic.dialogue.tape_statements import Cload, Csave, PrintTape
@@ -15,6 +14,7 @@ from trs80arm.basic.execution import Leave
 from trs80arm.basic.numbers import rnd
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.runtime.part import Part
+from trs80arm.basic.state import Activity
 
 _REFRESH_STEP = 7
 """T-states in which the Z-80's refresh register counts up by one, on average."""
@@ -30,16 +30,16 @@ class Hardware(Part):
     def poke(self, address: int, value: int, following: int) -> None:
         """POKE; the statement loop looks around when the program itself was changed."""
         self._memory.poke(address & 0xFFFF, value)
-        if self._basic.code.stale:
+        if self._state.engine.stale:
             raise Leave(following)
 
     def read_port(self, port: int) -> int:
         """INP."""
-        return self._basic.host.ports.read(port)
+        return self._state.host.ports.read(port)
 
     def write_port(self, port: int, value: int) -> None:
         """OUT."""
-        self._basic.host.ports.write(port, value)
+        self._state.host.ports.write(port, value)
 
     def point(self, x: int, y: int) -> int:
         """POINT."""
@@ -51,13 +51,13 @@ class Hardware(Part):
 
     def rnd(self, number: int) -> float:
         """RND."""
-        self._basic.seed, value = rnd.rnd(self._basic.seed, number)
+        self._state.seed, value = rnd.rnd(self._state.seed, number)
         return value
 
     def randomize(self) -> None:
         """RANDOM: the refresh register into the middle byte of the seed."""
         refresh = self._clock.now // _REFRESH_STEP & 0x7F
-        self._basic.seed = self._basic.seed & 0xFF00FF | refresh << 8
+        self._state.seed = self._state.seed & 0xFF00FF | refresh << 8
 
     def user_routine(self, argument: Any) -> Number:
         """USR: there is no Z-80, so every routine is the ROM's ?FC."""
@@ -74,7 +74,7 @@ class Hardware(Part):
         return -number
 
     def _do(self, activity: Activity, following: int) -> None:
-        self._basic.begin(activity)
+        self._state.begin(activity)
         raise Leave(following)
 
     def begin_csave(self, name: bytes | BasicError, following: int) -> None:
@@ -91,38 +91,38 @@ class Hardware(Part):
 
     def begin_system(self) -> None:
         """SYSTEM."""
-        self._do(SystemCommand(), system_area.INPUT_BUFFER)
+        self._do(SystemCommand(), addresses.INPUT_BUFFER)
 
     # -- the arm ------------------------------------------------------------------------------
 
     def arm_step(self, delay: int, steps: Sequence[int], following: int) -> None:
         """`@STEP`."""
-        arm = self._basic.host.arm
+        arm = self._state.host.arm
         if arm is not None:
             arm.step(delay, steps)
             self._do(ArmMotion(), following)
 
     def arm_close(self, delay: int | None, following: int) -> None:
         """`@CLOSE`."""
-        arm = self._basic.host.arm
+        arm = self._state.host.arm
         if arm is not None:
             arm.close(delay)
             self._do(ArmMotion(), following)
 
     def arm_set(self, delay: int | None, following: int) -> None:
         """`@SET`."""
-        arm = self._basic.host.arm
+        arm = self._state.host.arm
         if arm is not None:
             arm.set(delay)
             self._do(ArmMotion(manual=True), following)
 
     def arm_reset(self) -> None:
         """`@RESET`."""
-        arm = self._basic.host.arm
+        arm = self._state.host.arm
         if arm is not None:
             arm.reset()
 
     def arm_read(self) -> tuple[int, ...]:
         """`@READ`: the six position registers."""
-        arm = self._basic.host.arm
+        arm = self._state.host.arm
         return (0,) * 6 if arm is None else arm.read()

@@ -1,30 +1,20 @@
-"""A part of the runtime: its public methods are names for compiled statements."""
+"""A part of the runtime: its public methods are the routines that compiled statements call."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic.state import State
 
 
 class Part:
-    """Methods that compiled statements call; a trailing `_` in a name only avoids Python's."""
+    """Routines of one machine; a trailing `_` in a name only avoids Python's own."""
 
-    def __init__(self, basic: Interpreter) -> None:
-        self._basic = basic
-        self._clock = basic.clock
-        self._memory = basic.memory
-        self._ram = basic.memory.ram
-        self._console = basic.host.console
-        self._strings = basic.strings
-        self._variables = basic.variables
-        self._control = basic.control
-
-    def names(self) -> dict[str, Any]:
-        """Every public method by its name."""
-        return {
-            name: getattr(self, name)
-            for name in dir(type(self))
-            if not name.startswith("_") and name != "names"
-        }
+    def __init__(self, state: State) -> None:
+        self._state = state
+        self._clock = state.clock
+        self._output = state.output
+        self._memory = state.memory
+        self._ram = state.memory.ram
+        self._console = state.host.console
+        self._strings = state.strings
+        self._variables = state.variables
+        self._control = state.control

@@ -4,33 +4,25 @@ from __future__ import annotations
 
 from typing import Any
 
-from trs80arm.basic import costs, room, system_area
+from trs80arm.basic import addresses, costs, room
 from trs80arm.basic.errors import BasicError, Code
+from trs80arm.basic.kinds import STRING, Kind
 from trs80arm.basic.numbers import convert
 from trs80arm.basic.runtime.part import Part
-from trs80arm.basic.variables import (
-    DOUBLE,
-    INTEGER,
-    STRING,
-    Array,
-    Descriptor,
-    Key,
-    Scalar,
-    array_size,
-)
+from trs80arm.basic.state import State
+from trs80arm.basic.variables import Array, Key, Scalar, array_size
 
 AUTOMATIC = 11
 """Elements in each dimension of an array that no DIM made."""
 _LAST_ADDRESS = 0xFFFF
 """An array that would pass it is ?BS, however little memory there is."""
-DIMENSIONS = 255
 
 
 class Reference:
     """A variable or element found, to be assigned to (INPUT)."""
 
-    def __init__(self, storage: Storage, kind: str, owner: Scalar | list[Any], index: int) -> None:
-        self._storage = storage
+    def __init__(self, state: State, kind: Kind, owner: Scalar | list[Any], index: int) -> None:
+        self._state = state
         self.kind = kind
         self._owner = owner
         self._index = index
@@ -40,50 +32,34 @@ class Reference:
         owner = self._owner
         if self.kind == STRING:
             target = owner.value if isinstance(owner, Scalar) else owner[self._index]
-            self._storage.assign_bytes(target, value)
+            strings = self._state.strings
+            strings.assign(target, strings.new(value), self._state.program.start)
         elif isinstance(owner, Scalar):
-            owner.cell.cell_contents = self._storage.as_kind(self.kind, value)
+            owner.cell.cell_contents = convert.to_kind(self.kind, value)
         else:
-            owner[self._index] = self._storage.as_kind(self.kind, value)
+            owner[self._index] = convert.to_kind(self.kind, value)
 
 
 class Storage(Part):
     """Making and finding variables."""
 
-    def as_kind(self, kind: str, value: Any) -> Any:
-        """A number converted to a variable's type; OV."""
-        if kind == INTEGER:
-            return convert.to_integer(value)
-        return convert.to_double(value) if kind == DOUBLE else convert.to_single(value)
-
-    def assign_bytes(self, target: Descriptor, text: bytes) -> None:
-        """A string typed or read from tape: a copy in string space."""
-        string = self._strings.new(text)
-        self._strings.assign(target, string, self._basic.program.start)
-
     def free_memory(self, in_use: int) -> float:
         """MEM, a single, with so many bytes of the stack in use by the expression."""
-        return float(self._basic.room.free() - room.MEM_DEPTH - in_use)
+        return float(self._state.room.free() - room.MEM_DEPTH - in_use)
 
     def free_after(self, _argument: object, in_use: int) -> float:
         """FRE of a number."""
         return self.free_memory(in_use)
 
-    def _check_room(self, size: int) -> None:
-        tight = self._basic.room.tight
-        self._basic.room.need(size)
-        if self._basic.room.tight and not tight:
-            self._basic.code.look_around()
-
     def create(self, key: Key) -> None:
         """Make a simple variable if it is not there; OM."""
         scalar = self._variables.scalar(key)
         if scalar.offset is None:
-            self._check_room(scalar.size + room.VARIABLE)
+            self._state.need_room(scalar.size + room.VARIABLE)
             self._variables.create(scalar)
             self._clock.now += costs.NEW_SCALAR
             self._clock.now += costs.NEW_SCALAR_BYTE * self._variables.arrays_size
-            self._basic.code.created()
+            self._state.engine.created()
 
     def _array(self, key: Key, dimensions: int) -> Array:
         array = self._variables.arrays.get(key)
@@ -97,10 +73,10 @@ class Storage(Part):
         size = array_size(key[1], dims)
         if self._variables.end + size > _LAST_ADDRESS:
             raise BasicError(Code.BS)
-        self._check_room(size + room.ARRAY)
+        self._state.need_room(size + room.ARRAY)
         array = self._variables.add_array(key, dims)
         self._clock.now += costs.NEW_ARRAY + costs.NEW_ARRAY_BYTE * size
-        self._basic.code.created()
+        self._state.engine.created()
         return array
 
     def dimension(self, key: Key, *sizes: int) -> None:
@@ -139,28 +115,28 @@ class Storage(Part):
     def scalar_reference(self, key: Key) -> Reference:
         """A simple variable to assign to."""
         scalar = self._variables.scalar(key)
-        return Reference(self, key[1], scalar, 0)
+        return Reference(self._state, key[1], scalar, 0)
 
     def element_reference(self, key: Key, index: int) -> Reference:
         """An element to assign to."""
-        return Reference(self, key[1], self._variables.arrays[key].data, index)
+        return Reference(self._state, key[1], self._variables.arrays[key].data, index)
 
     def define(self, size: int, first: int, last: int) -> None:
         """DEFINT and so on for a range of letters."""
-        start = system_area.DEF_TABLE - 0x41
+        start = addresses.TYPE_TABLE - 0x41
         for letter in range(first, last + 1):
             self._ram[start + letter] = size
-        self._basic.code.look_around()
+        self._state.engine.look_around()
 
     def clear_all(self) -> None:
         """CLEAR."""
-        self._basic.clear_all()
+        self._state.clear_all()
 
     def clear_strings(self, size: int) -> None:
         """CLEAR n; OM when it leaves no room."""
-        if self._strings.top - size < self._basic.program.end + room.CLEAR:
+        if self._strings.top - size < self._state.program.end + room.CLEAR:
             raise BasicError(Code.OM)
-        self._basic.clear_all(size)
+        self._state.clear_all(size)
 
 
 def _signed(address: int) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trs80arm.basic import costs, system_area
+from trs80arm.basic import addresses, costs, number_costs
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import decimal, double, literal
 from trs80arm.basic.numbers.convert import Number
@@ -26,7 +26,7 @@ class StringFunctions(Part):
 
     def assign(self, target: Descriptor, string: Descriptor) -> None:
         """LET of a string."""
-        self._strings.assign(target, string, self._basic.program.start)
+        self._strings.assign(target, string, self._state.program.start)
 
     def string_equal(self, left: Descriptor, right: Descriptor) -> bool:
         """Whether two strings are the same."""
@@ -86,8 +86,9 @@ class StringFunctions(Part):
             return 0
         if text[:1] in _BLANKS and text.lstrip(b" \t\n")[:1] in _SIGNS:
             return 0
-        found = literal.scan(text.partition(b"\0")[0], 0, double.ZERO)
-        self._clock.now += costs.constant(text[: found.end], found.value, is_double=True)
+        meter = number_costs.LiteralMeter()
+        found = literal.scan(text.partition(b"\0")[0], 0, double.ZERO, meter)
+        self._clock.now += costs.constant(found.value, meter.total)
         return found.value
 
     def chr_(self, code: int) -> Descriptor:
@@ -108,9 +109,9 @@ class StringFunctions(Part):
     def inkey(self) -> Descriptor:
         """INKEY$: the key remembered by the statement loop, or one that goes down now."""
         ram = self._ram
-        key = ram[system_area.KEY_LATCH]
+        key = ram[addresses.KEY_LATCH]
         if key:
-            ram[system_area.KEY_LATCH] = 0
+            ram[addresses.KEY_LATCH] = 0
         else:
             key = self._console.scan()
         return self._strings.new(bytes((key,))) if key else list(NO_STRING)

@@ -6,13 +6,9 @@ facts, Typing).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from trs80arm.basic.activity import Activity, Waiting
-from trs80arm.basic.dialogue import wait
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic import keyboard
+from trs80arm.basic.activity import Waiting
+from trs80arm.basic.state import Activity, State
 
 
 class Pause(Activity):
@@ -23,9 +19,9 @@ class Pause(Activity):
         """PAUSE."""
         return Waiting.PAUSE
 
-    def advance(self, basic: Interpreter) -> None:
+    def advance(self, state: State) -> None:
         """Wait."""
-        code = wait.next_key(basic)
+        code = keyboard.next_key(state)
         if code:
-            wait.latch(basic, code)
-            basic.end(code)
+            keyboard.latch(state, code)
+            state.end(code)

@@ -6,12 +6,10 @@ waiting is letting the clock run to its limit.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from trs80arm.basic import system_area
-
-if TYPE_CHECKING:
-    from trs80arm.basic.interpreter import Interpreter
+from trs80arm.basic import addresses
+from trs80arm.basic.state import State
 
 BREAK: Final = 1
 SHIFT_AT: Final = 96
@@ -21,9 +19,9 @@ _T_LOOK: Final = 797
 """T-states of one idle turn of the ROM's waiting loop, with the scan in it (measured)."""
 
 
-def next_key(basic: Interpreter) -> int:
+def next_key(state: State) -> int:
     """The code of a key that goes down before the clock's limit, or 0 when that is reached."""
-    clock, console = basic.host.clock, basic.host.console
+    clock, console = state.clock, state.host.console
     while clock.now < clock.limit:
         code = console.scan()
         if code:
@@ -35,21 +33,21 @@ def next_key(basic: Interpreter) -> int:
     return 0
 
 
-def look_for_break(basic: Interpreter) -> int:
+def look_for_break(state: State) -> int:
     """One look at the keyboard between two pieces of work, as the statement loop takes it.
 
     Returns:
         The key's code, 0 for none. Any key but BREAK and SHIFT+@ is remembered for INKEY$.
     """
-    console = basic.host.console
+    console = state.host.console
     if console.quiet:
         return 0
     code = console.scan()
     if code not in (0, BREAK, SHIFT_AT):
-        latch(basic, code)
+        latch(state, code)
     return code
 
 
-def latch(basic: Interpreter, code: int) -> None:
+def latch(state: State, code: int) -> None:
     """Remember a key for INKEY$; 0 forgets it."""
-    basic.host.memory.poke(system_area.KEY_LATCH, code)
+    state.memory.poke(addresses.KEY_LATCH, code)

@@ -1,0 +1,42 @@
+"""The characters that have a meaning in a line of BASIC, as codes."""
+
+from __future__ import annotations
+
+from typing import Final
+
+END: Final = 0
+"""Ends a line."""
+BLANK: Final = 0x20
+EXCLAMATION: Final = 0x21
+QUOTE: Final = 0x22
+NUMBER_SIGN: Final = 0x23
+DOLLAR: Final = 0x24
+PERCENT: Final = 0x25
+AMPERSAND: Final = 0x26
+OPEN: Final = 0x28
+CLOSE: Final = 0x29
+PLUS: Final = 0x2B
+COMMA: Final = 0x2C
+MINUS: Final = 0x2D
+POINT: Final = 0x2E
+ZERO: Final = 0x30
+NINE: Final = 0x39
+COLON: Final = 0x3A
+SEMICOLON: Final = 0x3B
+QUESTION: Final = 0x3F
+AT: Final = 0x40
+CLOSE_BRACKET: Final = 0x5D
+"""Taken for a `)` behind subscripts."""
+
+BLANKS: Final = frozenset(b" \t\n")
+"""What the ROM passes on its way to the next character (RST 10H)."""
+
+
+def is_digit(code: int) -> bool:
+    """Whether a character is a decimal digit."""
+    return ZERO <= code <= NINE
+
+
+def is_letter(code: int) -> bool:
+    """Whether a character is a capital letter."""
+    return 0x41 <= code <= 0x5A

@@ -1,0 +1,65 @@
+"""Changing the program: lines typed at the prompt, lines from AUTO and EDIT, a whole program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from trs80arm.basic import costs, cruncher, endings, room
+from trs80arm.basic.errors import Code
+from trs80arm.basic.state import State
+
+LINE_OVERHEAD = 5
+"""A line's link, number and final zero."""
+
+
+def store_line(state: State, number: int, text: bytes) -> None:
+    """Store a typed line (not crunched yet) under a number; one of blanks or nothing deletes.
+
+    All variables, CONT and the error trap go, as in the ROM (facts, thing 12).
+
+    Raises:
+        BasicError: OM when it does not fit.
+    """
+    crunched = cruncher.crunch(text) if text.strip(b" \t\n") else b""
+    program = state.program
+    control = state.control
+    behind = program.end - (program.address_from(number) or program.end)
+    state.clock.now += costs.crunching(crunched, text) + costs.storing(
+        behind, len(program), program.end - program.start
+    )
+    control.dot = number
+    needed = len(crunched) + LINE_OVERHEAD + room.LINE
+    if crunched and program.find(number) is None:
+        # The variables are about to go, but the stack is still there.
+        state.room.need(needed - (state.variables.end - program.end))
+    program.delete(number)
+    frames = list(control.frames)
+    state.clear_all()
+    if crunched:
+        # The room is looked at before the stack is emptied, and the old line is gone by then.
+        control.frames[:] = frames
+        try:
+            state.room.need(needed)
+        finally:
+            control.frames[1:] = []
+        program.store(number, crunched)
+        state.clear_all()
+
+
+def load_lines(state: State, lines: Iterable[tuple[int, bytes]]) -> None:
+    """Replace the program by crunched lines, sorted by number, as a tape would.
+
+    Lines that do not fit into memory are left out, and ?OM is reported.
+    """
+    wanted = sorted(dict(lines).items())
+    free = state.strings.bottom - state.program.start - room.LINE
+    fits = []
+    for number, text in wanted:
+        free -= len(text) + LINE_OVERHEAD
+        if free < 0:
+            break
+        fits.append((number, text))
+    state.program.load(fits)
+    state.clear_all()
+    if len(fits) < len(wanted):
+        endings.report(state, Code.OM, None)
