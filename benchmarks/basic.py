@@ -61,14 +61,14 @@ def load(name: str, blocks: bool) -> Interpreter:
     for line in listing.splitlines():
         number, text = cruncher.split_line(line.encode("ascii"))
         if number is not None:
-            lines.append((number, cruncher.crunch(text)))
+            lines.append((number, cruncher.crunch(text).text))
     rig.basic.load_lines(lines)
     return rig.basic
 
 
 def run(basic: Interpreter) -> float:
     """RUN once; processor seconds."""
-    basic.execute_direct(cruncher.crunch(b"RUN"))
+    basic.execute_direct(cruncher.crunch(b"RUN").text)
     basic.state.clock.limit = basic.state.clock.now + FOREVER
     start = time.process_time()
     basic.advance(until_waiting=True)

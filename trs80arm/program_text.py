@@ -178,4 +178,4 @@ def _parse_line(text: str) -> ProgramLine:
         raise _BadLine(f"has a number above {cruncher.LAST_LINE}") from None
     if number is None:
         raise _BadLine("has no line number")
-    return number, cruncher.crunch(line)
+    return number, cruncher.crunch(line).text

@@ -151,7 +151,7 @@ class Machine:
         """Execute a direct line; what it printed, READY not included."""
         start = len(self.screen.printed)
         self.clock.limit = self.clock.now + round(seconds * 1_774_080)
-        self.basic.execute_direct(cruncher.crunch(line.encode("latin-1")))
+        self.basic.execute_direct(cruncher.crunch(line.encode("latin-1")).text)
         while self.basic.running and self.clock.now < self.clock.limit:
             self.basic.advance(until_waiting=True)
             if self.basic.waiting.value != "nothing":

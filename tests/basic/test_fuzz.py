@@ -28,7 +28,7 @@ BOUNDED = settings(
 )
 PROGRAMS = [
     [
-        (number, cruncher.crunch(text))
+        (number, cruncher.crunch(text).text)
         for number, text in (
             cruncher.split_line(line) for line in path.read_bytes().splitlines() if line
         )

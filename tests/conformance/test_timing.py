@@ -14,6 +14,8 @@ import pytest
 from tests.conformance import case, player
 from tests.conformance.timing import LONG, Segment
 
+KEY_ROWS = 250
+"""T-states by which the time of a single key may differ with its place in the matrix."""
 CASES = list(case.load(Path(__file__).parent / "cases"))
 
 
@@ -56,3 +58,13 @@ def test_a_byte_on_tape_takes_the_roms_time(segments: list[Segment]) -> None:
     recorded = [s for s in segments if s.entry in ('CSAVE "A"', "CLOAD?")]
     assert recorded
     assert all(abs(segment.ratio - 1) < 1e-3 for segment in recorded)
+
+
+def test_every_way_of_changing_a_program_takes_as_long_as_on_the_rom(
+    segments: list[Segment],
+) -> None:
+    editing = [segment for segment in segments if segment.group == "editing"]
+    # A key taken alone comes so soon that the debounce of its row of the matrix counts.
+    off = [one for one in editing if abs(one.here - one.rom) > max(0.05 * one.rom, KEY_ROWS)]
+    assert len(editing) > 200
+    assert not off, "\n".join(map(str, off))

@@ -12,6 +12,8 @@ from trs80arm.basic.variables import Scalar
 
 DIRECT = 0xFFFF
 """The line number of the direct mode (40A2H, ERL)."""
+TRACE_ON = 0xAF
+"""What TRON puts into its flag."""
 FOR_BYTES = 17
 GOSUB_BYTES = 5
 """What a loop and a subroutine take on the Z-80's stack (facts, Statements)."""
@@ -78,7 +80,7 @@ class Control:
         data: the address of the separator in front of the next DATA item (40FFH).
         data_line: the line of the DATA statement being read (40DAH).
         dot: the line that `.` means (40ECH).
-        traced: TRON.
+        trace: the flag of TRON (411BH), 0 when it is off.
         slip: bytes by which RETURN without GOSUB has moved the foot of the Z-80's stack.
     """
 
@@ -93,7 +95,7 @@ class Control:
     data: int = 0
     data_line: int = 0
     dot: int = 0
-    traced: bool = False
+    trace: int = 0
     slip: int = 0
 
     def stack_bytes(self) -> int:

@@ -13,10 +13,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from trs80arm.basic import number_costs, tokens, words
+from trs80arm.basic import number_costs
 from trs80arm.basic.numbers.convert import Number
-
-_BLANK, _QUOTE, _COLON = 0x20, 0x22, 0x3A
 
 # -- the statement loop ---------------------------------------------------------------------------
 STATEMENT: Final = 1040
@@ -169,27 +167,13 @@ COLLECT_COMPARED: Final = 166
 about half of them."""
 
 # -- typed lines ----------------------------------------------------------------------------------
-CRUNCH_FOUND: Final = 714
-"""A word found in the table of reserved words."""
-CRUNCH_PASSED: Final = 33
-"""One letter of the table passed in the search; a character that begins no word passes them all."""
-CRUNCH_PLAIN: Final = 149
-"""A character that is copied without a search: digits, blanks, quotes, REM and DATA."""
-CRUNCH_QUESTION: Final = 7440
-"""What `?` takes less than PRINT."""
-SPELL_CHARACTER: Final = 20
-SPELL_TOKEN: Final = 300
-SPELL_WORD: Final = 122
-"""A character copied, a token's word found, and each word passed on the way to it."""
-NUMBERED_LINE: Final = 2600
-"""A numbered line typed at the prompt, beside crunching and storing it."""
-STORE_LINE: Final = 1410
-"""A numbered line put in or taken out, beside what follows."""
-STORE_BYTE: Final = 48
-"""One byte of the program behind the line, which moves."""
-LINK_LINE: Final = 129
-LINK_BYTE: Final = 48
-"""One line, and one byte of the program, passed when the links are set anew."""
+TYPED_NUMBER: Final = 394
+TYPED_DIGIT: Final = 335
+"""The number in front of a typed line, and each of its digits."""
+STORE_LINE: Final = 1507
+"""A numbered line put in or taken out, beside what `editing_costs` says of its place."""
+NEW_LINE_NUMBER: Final = 24
+"""A line typed under a number that there is not yet."""
 
 # -- errors and commands --------------------------------------------------------------------------
 ERROR_RAISED: Final = 1040
@@ -258,55 +242,6 @@ def number_field(value: Number, left: int, right: int, exponent: bool) -> int:
     # A zero is written like any other number here, other than by PRINT.
     total += number_text(value if value or not isinstance(value, int) else 1, " ")
     return total + number_costs.field(value, left, right, exponent)
-
-
-_PASSED: Final = tuple(
-    sum(len(word) for word in words.SPELLINGS[:place]) for place in range(len(words.SPELLINGS) + 1)
-)
-
-
-def spelling(text: bytes) -> int:
-    """T-states to spell out a stored line for LIST and EDIT."""
-    return sum(
-        SPELL_CHARACTER if code < tokens.FIRST else SPELL_TOKEN + SPELL_WORD * (code - tokens.FIRST)
-        for code in text
-    )
-
-
-def crunching(crunched: bytes, typed: bytes = b"") -> int:
-    """T-states to crunch a typed line.
-
-    Args:
-        crunched: what it came to.
-        typed: what was typed, where `?` is quicker than PRINT.
-    """
-    total = -CRUNCH_QUESTION * (typed.count(b"?") if b'"' not in typed else 0)
-    quoted = in_data = False
-    for place, code in enumerate(crunched):
-        quoted ^= code == _QUOTE
-        in_data = in_data and (quoted or code != _COLON)
-        if quoted or in_data or 0x30 <= code < 0x3C or code in (_QUOTE, _BLANK):
-            total += CRUNCH_PLAIN
-        elif code < tokens.FIRST:
-            total += CRUNCH_FOUND + CRUNCH_PASSED * _PASSED[-1]
-        else:
-            index = min(code, tokens.APOSTROPHE) - tokens.FIRST
-            total += CRUNCH_FOUND + CRUNCH_PASSED * _PASSED[index]
-            if code in (tokens.REM, tokens.APOSTROPHE):
-                return total + CRUNCH_PLAIN * (len(crunched) - place - 1)
-            in_data = code == tokens.DATA
-    return total
-
-
-def storing(moved: int, lines: int, size: int) -> int:
-    """T-states to put a line into the program or take one out.
-
-    Args:
-        moved: bytes of the program behind it.
-        lines: lines of the program.
-        size: bytes of the program.
-    """
-    return STORE_LINE + STORE_BYTE * moved + LINK_LINE * lines + LINK_BYTE * size
 
 
 # -- the cassette ---------------------------------------------------------------------------------

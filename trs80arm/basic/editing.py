@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from trs80arm.basic import costs, cruncher, endings, room
+from trs80arm.basic import costs, cruncher, editing_costs, endings, room
 from trs80arm.basic.errors import Code
 from trs80arm.basic.state import State
 
@@ -20,19 +20,22 @@ def store_line(state: State, number: int, text: bytes) -> None:
     Raises:
         BasicError: OM when it does not fit.
     """
-    crunched = cruncher.crunch(text) if text.strip(b" \t\n") else b""
+    crunched, cost = cruncher.crunch(text)
+    if not text.strip(b" \t\n"):
+        crunched = b""
     program = state.program
     control = state.control
-    behind = program.end - (program.address_from(number) or program.end)
-    state.clock.now += costs.crunching(crunched, text) + costs.storing(
-        behind, len(program), program.end - program.start
-    )
+    clock = state.clock
+    clock.now += costs.STORE_LINE + cost
+    clock.now += editing_costs.search(program, number)
     control.dot = number
+    if program.find(number) is None:
+        clock.now += costs.NEW_LINE_NUMBER
     needed = len(crunched) + LINE_OVERHEAD + room.LINE
     if crunched and program.find(number) is None:
         # The variables are about to go, but the stack is still there.
         state.room.need(needed - (state.variables.end - program.end))
-    program.delete(number)
+    delete_range(state, number, number)
     frames = list(control.frames)
     state.clear_all()
     if crunched:
@@ -42,8 +45,20 @@ def store_line(state: State, number: int, text: bytes) -> None:
             state.room.need(needed)
         finally:
             control.frames[1:] = []
+        place = program.address_from(number) or program.end - 2
+        clock.now += editing_costs.put_in(place, program.end, crunched)
         program.store(number, crunched)
         state.clear_all()
+    clock.now += editing_costs.link(program, number)
+
+
+def delete_range(state: State, first: int, last: int) -> None:
+    """Take the lines from `first` to `last` out of the program, in the time of the ROM's move."""
+    program = state.program
+    before = program.end
+    if program.delete_range(first, last):
+        stop = (program.address_from(first) or program.end - 2) + before - program.end
+        state.clock.now += editing_costs.take_out(stop, before)
 
 
 def load_lines(state: State, lines: Iterable[tuple[int, bytes]]) -> None:

@@ -99,7 +99,7 @@ class Execution(Activity):
     def _must_look(self, state: State) -> bool:
         """Whether there is something to do or to know before or behind the next statement."""
         return (
-            state.control.traced
+            bool(state.control.trace)
             or bool(state.listeners)
             or not state.host.console.quiet
             or self.noted is not None
@@ -129,7 +129,7 @@ class Execution(Activity):
             self._tell(state, listener, address)
         self.statement = address
         self.forced_line = None
-        if state.control.traced and not ram[address] and (ram[address + 1] or ram[address + 2]):
+        if state.control.trace and not ram[address] and (ram[address + 1] or ram[address + 2]):
             number = state.program.number_at(address + 1)
             if address >= state.program.start - 1:
                 state.output.show(b"<%d>" % number)

@@ -95,7 +95,7 @@ class SystemArea:
         if address == 0x40F2:
             return 0xFF if state.control.handling else 0
         if address == addresses.TRACE_FLAG:
-            return 0xAF if state.control.traced else 0
+            return state.control.trace
         words = self._words()
         if address in words:
             return words[address] & 0xFF
@@ -115,7 +115,7 @@ class SystemArea:
         elif address == 0x40F2:
             state.control.handling = bool(value)
         elif address == addresses.TRACE_FLAG:
-            state.control.traced = bool(value)
+            state.control.trace = value
             state.engine.look_around()
         elif addresses.TYPE_TABLE <= address < addresses.TYPE_TABLE + addresses.LETTERS:
             state.engine.look_around()

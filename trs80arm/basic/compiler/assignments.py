@@ -133,6 +133,7 @@ class AssignmentCompiler:
             else:
                 kind = self._out.constant(target.kind)
                 self._out.emit(f"{target.text} = read_number({kind})")
+            self._out.emit("end_item()")
             if self._reader.code != COMMA:
                 break
             self._reader.advance()

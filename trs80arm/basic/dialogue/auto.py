@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from trs80arm.basic import cruncher
+from trs80arm.basic import cruncher, editing_costs
 from trs80arm.basic.addresses import set_word, word
 from trs80arm.basic.dialogue import line_range
 from trs80arm.basic.errors import BasicError, Code
@@ -18,8 +18,8 @@ FLAG: Final = 0x40E1
 CURRENT: Final = 0x40E2
 STEP: Final = 0x40E4
 _DEFAULT = 10
-_T_PROMPT: Final = 3330
-"""T-states of finding and printing the number, beside the display's own."""
+_T_PROMPT: Final = 2240
+"""T-states of a prompt, beside looking for the line, its number's digits and the display."""
 
 
 def is_on(state: State) -> bool:
@@ -63,7 +63,8 @@ def auto(state: State, rest: bytes) -> None:
 def prompt(state: State) -> int:
     """Print the number that is due, with `*` if there is such a line."""
     number = word(state.memory.ram, CURRENT)
-    state.clock.now += _T_PROMPT
+    state.clock.now += _T_PROMPT + editing_costs.number_text(number)
+    state.clock.now += editing_costs.search(state.program, number)
     state.output.show(str(number).encode("ascii"))
     state.host.console.put(ord(" " if state.program.find(number) is None else "*"))
     return number

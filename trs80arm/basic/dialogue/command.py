@@ -70,12 +70,11 @@ class CommandLevel(Home):
         """
         number, rest = cruncher.split_line(text)
         if number is None:
-            crunched = cruncher.crunch(rest)
-            state.clock.now += costs.crunching(crunched, rest)
+            crunched, cost = cruncher.crunch(rest)
+            state.clock.now += cost
             execution.execute_direct(state, crunched)
             return True
-        if rest:
-            state.clock.now += costs.NUMBERED_LINE
+        state.clock.now += costs.TYPED_NUMBER + costs.TYPED_DIGIT * len(str(number))
         editing.store_line(state, number, rest)
         return False
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from enum import Enum
 from typing import Final
 
-from trs80arm.basic import costs, cruncher, editing, keyboard
+from trs80arm.basic import addresses, cruncher, editing, editing_costs, keyboard
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.dialogue import line_range
 from trs80arm.basic.errors import BasicError, Code
@@ -20,15 +20,33 @@ LINE_LENGTH: Final = 255
 _BACK, _ENTER, _SHIFT_UP = 8, 13, 27
 _MARK = ord("!")
 
-_T_KEY: Final = 311
-"""T-states from a key to what it does, beside display and keyboard."""
-_T_CHARACTER: Final = 44
-"""T-states of the loop that prints the rest of the line, per character."""
-_T_FINISH: Final = 1430
-_T_BEGIN: Final = 530
-"""T-states of EDIT itself, beside spelling out the line."""
-_T_NUMBER: Final = 5085
-"""T-states of turning the line's number into digits."""
+# T-states observed on the ROM with single keys on lines of 3, 24 and 49 characters.
+_T_KEY: Final = 212
+"""From a key to what it does, beside display and keyboard."""
+_T_DIGIT: Final = 504
+_T_COMMAND: Final = {
+    "\b": 319, " ": 273, "L": 807, "I": 965, "X": 994, "H": 1163, "C": 999, "S": 824, "K": 1029,
+    "A": 1224, "E": 560, "Q": 0, "D": 956, "\r": 0,
+}  # fmt: skip
+_T_OTHER: Final = 926
+"""A digit of a count, a command, and a key that is none: what it takes beside what it does, and the
+look at the keyboard after it."""
+_T_CHARACTER: Final = 59
+"""One character printed, or gone back."""
+_T_LENGTH: Final = 25
+"""One character of the line when L or A begins it again."""
+_T_MOVED: Final = 69
+"""One character behind one that is deleted, moved down."""
+_T_DELETED: Final = 195
+_T_INSERT, _T_INSERT_END, _T_INSERT_BACK = 1150, 354, 437
+_T_CHANGE: Final = 680
+_T_SEARCH, _T_SEARCHED = 854, 98
+_T_KILL, _T_KILLED = 764, 240
+_T_FINISH: Final = 350
+_T_COUNTED: Final = 33
+"""One character of the line when EDIT begins."""
+_T_NUMBER: Final = 1540
+"""T-states of beginning to show the line, beside its number's digits."""
 
 
 class _Mode(Enum):
@@ -81,16 +99,17 @@ class Edit(Activity):
 
     def _begin(self, state: State) -> None:
         """Spell the line out and go to its start."""
+        state.clock.now += editing_costs.search(state.program, self._number)
         text = state.program.text(self._number)
         if text is None:
             raise BasicError(Code.UL)
         state.control.dot = self._number
         self._line = bytearray(cruncher.spell(text))
-        state.clock.now += _T_BEGIN + costs.spelling(text)
+        state.clock.now += cruncher.spelling_cost(text) + _T_COUNTED * len(self._line)
         self._again(state)
 
     def _again(self, state: State) -> None:
-        state.clock.now += _T_NUMBER
+        state.clock.now += _T_NUMBER + editing_costs.number_text(self._number)
         state.output.show(b"%d " % self._number)
         state.host.console.show_cursor(True)
         self._place = 0
@@ -111,15 +130,19 @@ class Edit(Activity):
         self._show(state, len(self._line))
 
     def _command(self, state: State, code: int) -> None:
+        clock = state.clock
         if ord("0") <= code <= ord("9"):
+            clock.now += _T_DIGIT
             self._count = (self._count * 10 + code - ord("0")) & 0xFF
             return
         count = self._count or 1
         self._count = 0
         key = chr(code).upper() if code < 128 else ""
+        clock.now += _T_COMMAND.get(key, _T_OTHER)
         if code == _BACK:
             for _ in range(min(count, self._place)):
                 self._place -= 1
+                clock.now += _T_CHARACTER
                 state.host.console.put(_BACK)
         elif code == _ENTER:
             self._show_rest(state)
@@ -129,6 +152,7 @@ class Edit(Activity):
         elif key == "L":
             self._show_rest(state)
             state.output.show(b"\r")
+            clock.now += _T_LENGTH * len(self._line)
             self._again(state)
         elif key == "I":
             self._mode = _Mode.INSERT
@@ -164,26 +188,39 @@ class Edit(Activity):
         console.put(_MARK)
         for _ in range(min(count, len(self._line) - self._place)):
             console.put(self._line.pop(self._place))
+            state.clock.now += _T_DELETED + self._moved_down()
         console.put(_MARK)
+
+    def _moved_down(self) -> int:
+        """T-states to close the gap that a character has left at the place."""
+        return _T_MOVED * (len(self._line) - self._place)
 
     def _insert(self, state: State, code: int) -> None:
         console = state.host.console
+        clock = state.clock
         if code == _ENTER:
             self._show_rest(state)
             self._finish(state)
         elif code == _SHIFT_UP:
+            clock.now += _T_INSERT_END
             self._take_command()
         elif code == _BACK:
+            clock.now += _T_INSERT_BACK
             if self._place:
                 self._place -= 1
                 del self._line[self._place]
+                clock.now += self._moved_down()
                 console.put(_BACK)
         elif len(self._line) < LINE_LENGTH:
+            here = addresses.INPUT_BUFFER + self._place
+            rest = len(self._line) - self._place
+            clock.now += _T_INSERT + editing_costs.moved_up(here, here + rest)
             self._line.insert(self._place, code)
             self._place += 1
             console.put(code)
 
     def _change(self, state: State, code: int) -> None:
+        state.clock.now += _T_CHANGE
         self._line[self._place] = code
         self._place += 1
         state.host.console.put(code)
@@ -195,14 +232,18 @@ class Edit(Activity):
         """Go, or delete, up to the n-th place behind this one that has the character."""
         console, line = state.host.console, self._line
         kill = self._mode is _Mode.KILL
+        clock = state.clock
+        clock.now += _T_KILL if kill else _T_SEARCH
         if kill:
             console.put(_MARK)
         while self._count and self._place < len(line):
             console.put(line[self._place])
             if kill:
                 del line[self._place]
+                clock.now += _T_KILLED + self._moved_down()
             else:
                 self._place += 1
+                clock.now += _T_SEARCHED
             if self._place < len(line) and line[self._place] == code:
                 self._count -= 1
         if kill:

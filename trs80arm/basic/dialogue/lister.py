@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-from trs80arm.basic import costs, cruncher, keyboard
+from trs80arm.basic import cruncher, editing, editing_costs, keyboard
 from trs80arm.basic.dialogue import line_range
 from trs80arm.basic.dialogue.line_range import LineRange
 from trs80arm.basic.errors import BasicError, Code
@@ -15,11 +15,12 @@ from trs80arm.basic.pause import Pause
 from trs80arm.basic.state import Activity, State
 
 _NEWLINE = 13
-_T_LINE: Final = 5670
-"""T-states of finding a line and turning its number into digits."""
-_T_CHARACTER: Final = 41
+_T_LINE: Final = 2500
+"""T-states of beginning a line, beside its number's digits."""
+_T_CHARACTER: Final = 75
 """T-states of the loop that prints a line, per character."""
-_T_DELETE: Final = 6600
+_T_DELETE: Final = 3600
+"""T-states of DELETE, beside finding, taking out and linking."""
 
 
 class Listing(Activity):
@@ -75,7 +76,7 @@ class Listing(Activity):
         clock = state.clock
         text = state.program.text(number) or b""
         state.control.dot = number
-        clock.now += _T_LINE + costs.spelling(text)
+        clock.now += _T_LINE + editing_costs.number_text(number) + cruncher.spelling_cost(text)
         put = state.host.printer.put if self._printer else state.host.console.put
         for code in b"%d " % number + cruncher.spell(text):
             clock.now += _T_CHARACTER
@@ -104,6 +105,7 @@ def llist(state: State, rest: bytes) -> None:
 
 def _begin(state: State, rest: bytes, *, printer: bool) -> None:
     lines = line_range.parse(state, rest)
+    state.clock.now += editing_costs.search(state.program, lines.first)
     state.return_to_command()
     state.begin(Listing(lines, printer=printer))
 
@@ -114,11 +116,15 @@ def delete(state: State, rest: bytes) -> None:
     Raises:
         BasicError: SN for what is no range, FC if the last line is not there or before the first.
     """
+    program, clock = state.program, state.clock
     lines = line_range.parse(state, rest)
-    if lines.first > lines.last or state.program.find(lines.last) is None:
+    clock.now += editing_costs.search(program, lines.first)
+    clock.now += editing_costs.search(program, lines.last)
+    if lines.first > lines.last or program.find(lines.last) is None:
         raise BasicError(Code.FC)
-    state.clock.now += _T_DELETE
-    state.program.delete_range(lines.first, lines.last)
+    clock.now += _T_DELETE
+    editing.delete_range(state, lines.first, lines.last)
+    clock.now += editing_costs.link(program, lines.first)
     state.clear_all()
     state.output.show(b"READY\r")
     state.return_to_command(ready=False)

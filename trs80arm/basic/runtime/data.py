@@ -158,26 +158,24 @@ class DataReader(Part):
             address += 1
         return address
 
-    def _end(self, address: int) -> None:
-        """Behind an item must be a comma, a colon or the end; SN in the DATA line."""
-        address = self._skip(address)
+    def end_item(self) -> None:
+        """Behind an item must be a comma, a colon or the end; SN in the DATA line.
+
+        The ROM looks only when the item is in its variable: `12X` leaves 12 there.
+        """
+        address = self._skip(self._place)
         if self._ram[address] not in (0, _COLON, _COMMA):
             raise LineError(Code.SN, self._control.data_line)
         self._place = address
 
     def read_number(self, kind: Kind) -> Any:
-        """READ of a number; OV, SN in the DATA line."""
+        """READ of a number; OV, and SN in READ's own line for `1%` into a double."""
         address = self._item()
         text = self._state.program.text_from(address)
         meter = number_costs.LiteralMeter()
-        try:
-            value, end = literal.scan(text, 0, double.ZERO if kind == DOUBLE else 0, meter)
-        except BasicError as error:
-            if error.code is Code.SN:
-                raise LineError(Code.SN, self._control.data_line) from None
-            raise
+        value, end = literal.scan(text, 0, double.ZERO if kind == DOUBLE else 0, meter)
         self._clock.now += costs.constant(value, meter.total) + costs.read(kind, value)
-        self._end(address + end)
+        self._place = address + end
         return convert.to_kind(kind, value)
 
     def read_string(self) -> Descriptor:
@@ -197,7 +195,7 @@ class DataReader(Part):
                 address += 1
             length = address - start
         self._clock.now += costs.STRING_LITERAL + costs.STRING_CHARACTER * length
-        self._end(address)
+        self._place = address
         return self._strings.literal(length, start)
 
     # -- INPUT --------------------------------------------------------------------------------

@@ -89,7 +89,7 @@ ROUTINES: Final[dict[type[Part], tuple[str, ...]]] = {
         *("first_code", "free_strings", "text_at"),
     ),
     DataReader: (
-        *("begin_read", "end_read", "read_number", "read_string"),
+        *("begin_read", "end_item", "end_read", "read_number", "read_string"),
         *("begin_input", "begin_tape_input"),
     ),
     Hardware: (

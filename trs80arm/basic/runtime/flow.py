@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NoReturn
 
 from trs80arm.basic import endings, room
-from trs80arm.basic.control import ForFrame, GosubFrame
+from trs80arm.basic.control import TRACE_ON, ForFrame, GosubFrame
 from trs80arm.basic.dialogue import auto, edit, lister
 from trs80arm.basic.errors import BasicError, Code, LineError
 from trs80arm.basic.execution import Execution, Leave, under_way
@@ -182,7 +182,7 @@ class Flow(Part):
     def new_program(self) -> NoReturn:
         """NEW."""
         self._output.clear_screen()
-        self._control.traced = False
+        self._control.trace = 0
         self._state.clear_program()
         self._state.return_to_command()
         raise Leave(0)
@@ -209,7 +209,7 @@ class Flow(Part):
 
     def trace(self, on: bool) -> None:
         """TRON and TROFF."""
-        self._control.traced = on
+        self._control.trace = TRACE_ON if on else 0
 
     # -- commands -----------------------------------------------------------------------------
 

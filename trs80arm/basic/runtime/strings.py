@@ -79,15 +79,21 @@ class StringFunctions(Part):
         """VAL: the number at the start of a string, scanned as a double.
 
         A sign counts only as the very first character: VAL(" -5") is 0. For an empty string it is
-        an integer 0.
+        an integer 0. While it scans, the ROM ends the string with a zero in the byte behind it; an
+        overflow leaves that zero, in a literal where the closing quote was.
         """
+        behind = sum(string) & 0xFFFF
         text = self._strings.take(string)
         if not text:
             return 0
         if text[:1] in _BLANKS and text.lstrip(b" \t\n")[:1] in _SIGNS:
             return 0
         meter = number_costs.LiteralMeter()
-        found = literal.scan(text.partition(b"\0")[0], 0, double.ZERO, meter)
+        try:
+            found = literal.scan(text.partition(b"\0")[0], 0, double.ZERO, meter)
+        except BasicError:
+            self._state.memory.poke(behind, 0)
+            raise
         self._clock.now += costs.constant(found.value, meter.total)
         return found.value
 
