@@ -193,6 +193,9 @@ def _state(thing: Any) -> Any:
         match state:
             case (None, dict(slots)):
                 return slots
+            case dict(attributes):
+                # A class among them is how the machine is wired, not what it holds.
+                return {n: value for n, value in attributes.items() if not isinstance(value, type)}
         return state
     if is_dataclass(cls):
         return {field.name: getattr(thing, field.name) for field in fields(cls)}

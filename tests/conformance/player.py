@@ -7,7 +7,6 @@ not in that of the segments, which count from the key being taken.
 
 from __future__ import annotations
 
-import functools
 from dataclasses import dataclass, field
 
 from tests.conformance.case import Case, Entry
@@ -60,14 +59,6 @@ def keys_of(character: str) -> tuple[Key, ...]:
     return keys
 
 
-@functools.cache
-def _switched_on(ram: int, memory_size: str, blocks: bool) -> tuple[Rig, bytes]:
-    """A rig and its state when it was switched on: quicker than a new rig for every case."""
-    settings = RigSettings(ram_kib=ram, memory_size=memory_size, armbasic=False, blocks=blocks)
-    rig = Rig(settings)
-    return rig, rig.snapshot()
-
-
 class Session:
     """A rig without ARMBASIC and the hands that type on it; one at a time.
 
@@ -78,8 +69,8 @@ class Session:
     """
 
     def __init__(self, ram: int = 16, memory_size: str = "", *, blocks: bool = True) -> None:
-        self.rig, snapshot = _switched_on(ram, memory_size, blocks)
-        self.rig.restore(snapshot)
+        settings = RigSettings(ram_kib=ram, memory_size=memory_size, armbasic=False, blocks=blocks)
+        self.rig = Rig(settings)
         self._codes: list[int] = []
         self.rig.listen(lambda code, is_echo: self._codes.append(code))
 

@@ -115,10 +115,7 @@ class State:
         self._engine: Engine | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        state = {**self.__dict__, "listeners": [], "_engine": None}
-        # How the machine is wired is not what it holds.
-        del state["_make_engine"]
-        return state
+        return {**self.__dict__, "listeners": [], "_engine": None}
 
     @property
     def engine(self) -> Engine:
