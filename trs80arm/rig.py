@@ -396,6 +396,20 @@ class Rig:
         self._works.arm.move_joint(joint, value)
         self._record("move_joint", joint, value)
 
+    def pull(self, x: float, y: float, z: float) -> None:
+        """Pull at the hand until `let_go`, or push: ounces along x, y and z, at the fingertip.
+
+        With their current on the motors hold against it as well as they can; without current the
+        joints give way to what is more than the friction of their gears.
+        """
+        self._record("pull", x, y, z)
+        self._works.arm.pull((x, y, z))
+
+    def let_go(self) -> None:
+        """Do not pull at the hand any more."""
+        self._record("let_go")
+        self._works.arm.pull(None)
+
     def move_to(self, pose: Pose) -> None:
         """Put the hand by hand to a pose, as the operator can while the motors are off.
 

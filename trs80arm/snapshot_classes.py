@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import fields
 from enum import Enum
 
-from trs80arm.arm import body, events, fixtures, geometry, shapes
+from trs80arm.arm import body, events, fixtures, forces, geometry, shapes
 from trs80arm.arm.model import ArmModel, Motor, Pose
 from trs80arm.arm.models import MODELS
 from trs80arm.arm.settings import ArmSettings
@@ -63,6 +63,9 @@ VALUES: dict[str, type] = _by_name(
         geometry.ArmPoints,
         geometry.CableDrive,
         events.ArmEvent,
+        events.Happening,
+        forces.Strength,
+        forces.Curve,
         fixtures.Obstacle,
         fixtures.Proximity,
         fixtures.Tactile,

@@ -113,3 +113,25 @@ def test_a_held_part_is_carried_along(arm: MiniMover) -> None:
     assert arm.state().held == "block"
     center = arm.bench.parts["block"].box.center
     assert center == pytest.approx((6, 4, 3.5), abs=0.05)
+
+
+@pytest.mark.parametrize("direction", [1, -1])
+def test_energising_pulls_a_rotor_up_to_four_half_steps_and_five_by_the_registers(
+    direction: int,
+) -> None:
+    worst, pulled = 0, 0
+    for by in range(8):
+        generator = PulseGenerator(MiniMover(bench=Bench("empty")))
+        generator.turn(0, 8, delay_period(100))
+        generator.off()
+        arm = generator.arm
+        steps = arm.model.drives[0].steps
+        before = arm.state().angles.base + by / steps
+        arm.move_joint("base", math.degrees(before))
+        began = arm.rotors[0]
+        generator.turn(0, direction, delay_period(100))
+        first = arm.rotors[0] - began
+        generator.turn(0, direction, delay_period(100))
+        pulled = max(pulled, abs(first))
+        worst = max(worst, abs(arm.rotors[0] - began - 2 * direction))
+    assert (pulled, worst) == (3, 5)

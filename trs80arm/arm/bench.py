@@ -235,12 +235,12 @@ class Bench:
             depth: how many more parts it may push in turn.
 
         Returns:
-            Whether it gave way; a part too heavy, or against something fixed, does not.
+            Whether it gave way; a part against something fixed does not.
         """
         by = (by[0], by[1], 0.0)
         length = math.hypot(by[0], by[1])
         friction = self.settings.table_friction
-        if length < 1e-12 or friction * part.weight / 16 > self.settings.push_limit:
+        if length < 1e-12:
             return False
         along = _side_along(part.box, by)
         if height - part.box.bottom > 2 * part.box.half[along] / (2 * friction):
@@ -293,6 +293,19 @@ class Bench:
             part.box = box
         table.rotor = rotor
         return True
+
+    def weight_on(self, part: Part) -> float:
+        """Ounces of all that stands on a part, on one another too."""
+        riders, found = [part], 0.0
+        seen = {part.name}
+        while riders:
+            under = riders.pop()
+            for other in self.standing():
+                if other.name not in seen and _rests_on(other.box, under.box):
+                    seen.add(other.name)
+                    riders.append(other)
+                    found += other.weight
+        return found
 
     def bears(self, part: Part) -> bool:
         """Whether anything stands on a part."""

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from trs80arm.arm.limits import load_fractions
-from trs80arm.arm.motors import ROWS, shortest_periods
+from trs80arm.arm.forces import cosines
+from trs80arm.arm.model import Motor
+from trs80arm.arm.motors import ROWS
 from trs80arm.arm.shapes import Box
 from trs80arm.arm.world import FEED_CLEARANCE
 
@@ -128,22 +129,27 @@ class _Stretch:
     def _keep_pace(self) -> None:
         """Motors that drop out of step; the arithmetic is that of `StepperMotor.keep_pace`."""
         arm = self.arm
-        weight = arm.grip.weight
         lag = arm.settings.pull_out_lag
         margin = arm.settings.speed_margin
+        burdens = arm.world.burdens()
+        hand = arm.model.hand
         for latch, mine in enumerate(self.writes):
             if not len(mine):
                 continue
-            motor = arm.motors[latch]
+            motor, drive = arm.motors[latch], arm.model.drives[latch]
             turns = self.turns[mine]
-            loaded = weight > 0 if latch < 5 else bool(self.squeeze.any() or arm.grip.squeeze)
-            if loaded:
-                before = self.before[mine]
-                squeeze = np.maximum(0, arm.grip.contact - arm.drive.cable(before.T))
-                load = load_fractions(latch, turns, arm.drive, before, weight, squeeze)
-                periods = shortest_periods(arm.model.drives[latch], load, margin)
+            before = self.before[mine].T
+            if drive.turns is Motor.HAND:
+                squeeze = np.maximum(0, arm.grip.contact - arm.drive.cable(before))
+                against = np.where(turns < 0, 16 * (squeeze / hand.pound_steps), 0.0)
             else:
-                periods = np.full(len(mine), arm.free_periods[latch], dtype=np.int64)
+                against = arm.strength.weight(
+                    drive.turns, arm.drive.driven(before), burdens, cosines
+                )
+                if drive.turns is not Motor.BASE:
+                    against = np.where(turns * drive.sign > 0, against, -against)
+                against = np.where(turns == 0, 0.0, np.maximum(0.0, against))
+            periods = arm.strength.curves[drive.turns].periods(against, margin)
             work = np.abs(turns) * periods
             times = self.times[mine]
             total = np.cumsum(work)
@@ -170,10 +176,8 @@ class _Stretch:
         n = self.free_until
         if not n:
             return
-        home, limits = self.arm.drive.home, self.arm.model.limits
-        a, b, c, d, e = self.arm.model.turned(self.rotors[:n].T)
-        base, shoulder, elbow = home.base + a, home.shoulder + b, home.elbow + c
-        left, right = home.left_gear + d, home.right_gear + e
+        limits = self.arm.model.limits
+        base, shoulder, elbow, left, right = self.arm.drive.driven(self.rotors[:n].T)
         pitch = (left + right) / 2
         bend = elbow - shoulder
         low, high = limits.shoulder

@@ -213,17 +213,15 @@ class CableDrive:
         angles = inverse(model, pose.x, pose.y, pose.z, pose.pitch, pose.roll)
         return cls(model, angles, round(pose.opening * model.hand_steps))
 
+    def driven(self, rotors: Rotors) -> tuple[Any, Any, Any, Any, Any]:
+        """Radians of base, upper arm, forearm, left and right gear; arrays for arrays."""
+        a, b, c, d, e = self.model.turned(rotors)
+        base, shoulder, elbow, left, right = self.home.driven
+        return base + a, shoulder + b, elbow + c, left + d, right + e
+
     def angles(self, rotors: Sequence[int]) -> JointAngles:
         """Joint angles (radians) for rotor positions (half-steps)."""
-        a, b, c, d, e = self.model.turned(rotors)
-        home = self.home
-        return JointAngles.of_gears(
-            home.base + a,
-            home.shoulder + b,
-            home.elbow + c,
-            home.left_gear + d,
-            home.right_gear + e,
-        )
+        return JointAngles.of_gears(*self.driven(rotors))
 
     def cable(self, rotors: Rotors) -> Any:
         """Half-steps of hand cable paid out, by the hand's motor and by the forearm.

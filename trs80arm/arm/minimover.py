@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -17,13 +18,15 @@ import numpy.typing as npt
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.body import Body
 from trs80arm.arm.burst import LONGEST, run_free
-from trs80arm.arm.events import ArmEvent, EventKind, Reason
-from trs80arm.arm.geometry import CableDrive, JointAngles, OutOfReach, inverse, pose_of
+from trs80arm.arm.events import ArmEvent, EventKind, Happening, Reason
+from trs80arm.arm.forces import Burden, Strength, Vector, cosine, torques
+from trs80arm.arm.geometry import CableDrive, JointAngles, OutOfReach, forward, inverse, pose_of
 from trs80arm.arm.grip import Grip
-from trs80arm.arm.limits import beyond_any_stop, beyond_stop, load_fraction
-from trs80arm.arm.model import Motor, Pose
-from trs80arm.arm.motors import RING, ROWS, StepperMotor, shortest_period
+from trs80arm.arm.limits import beyond_any_stop, beyond_stop, steps_to_stops
+from trs80arm.arm.model import Link, Motor, Pose
+from trs80arm.arm.motors import RING, ROWS, T_STATES_PER_SECOND, StepperMotor
 from trs80arm.arm.settings import ArmSettings
+from trs80arm.arm.stride import stride
 from trs80arm.arm.world import World
 
 __all__ = ["ArmState", "InTheWay", "MiniMover", "MotorsOn", "OutOfReach", "Pose"]
@@ -34,6 +37,11 @@ TURNED_BY_HAND = (*(angle.name for angle in fields(JointAngles)), "hand")
 """What the operator's hands can turn one by one."""
 SHORT = 48
 """Writes in a burst below which a plain loop is quicker than arrays."""
+
+LULL = T_STATES_PER_SECOND // 2
+"""T-states after which what happens again is another event."""
+MANY = 256
+"""Happenings that are remembered, at least, to tell whether one goes on."""
 
 ELBOW, HAND, AUXILIARY = int(Motor.ELBOW), int(Motor.HAND), 6
 
@@ -88,7 +96,7 @@ class MiniMover:
         bench: what the arm works on.
         drive: the cables; it knows the pose in which the arm was switched on.
         motors: six, and the turntable's as the seventh.
-        free_periods: T-states per half-step that each motor needs without load.
+        strength: what its motors can do, and what its own weight asks of them.
         events: what happened, the latest `settings.events_kept` of it.
         event_count: events so far, those dropped from the list included.
     """
@@ -97,16 +105,21 @@ class MiniMover:
         self.settings = settings or ArmSettings()
         self.model = self.settings.arm_model
         self.motors = [StepperMotor() for _ in range(7)]
+        self.strength = Strength.of(self.model)
         # The turntable's motor is of the base's kind.
-        drives = (*self.model.drives, self.model.drives[Motor.BASE])
-        self.free_periods = tuple(
-            shortest_period(drive, 0.0, self.settings.speed_margin) for drive in drives
-        )
+        self._motor_kinds = (*(drive.turns for drive in self.model.drives), Motor.BASE)
+        self._stops_off = 0
         self.events: list[ArmEvent] = []
         self.event_count = 0
+        self._happening: dict[Happening, int] = {}
         self._time = 0
         self._held_back: set[int] = set()
+        self._pull: Vector | None = None
         self._set_up(Bench.standard() if bench is None else bench)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # The distance to the stops is found anew; how it was counted hangs on how a run is cut.
+        return {**self.__dict__, "_stops_off": 0}
 
     def _set_up(self, bench: Bench) -> None:
         """Stand at a bench, in the pose in which it has the arm switched on."""
@@ -120,6 +133,7 @@ class MiniMover:
                 f"{error}"
             ) from None
         self._rotors = [0] * 6
+        self._stops_off = 0
         self._world = World(bench, self.settings, self.drive)
         self._world.start()
 
@@ -162,16 +176,25 @@ class MiniMover:
         when = np.asarray(times, dtype=np.int64)
         where = np.asarray(latches, dtype=np.int64)
         what = np.asarray(nibbles, dtype=np.int64)
+        done = 0
+        if self._free and stride(self, when, where, what, stop):
+            return count
+        ahead = self._hand_ahead(where)
+        if ahead >= SHORT and stride(self, when[:ahead], where[:ahead], what[:ahead], stop):
+            done = ahead
         lists = when.tolist(), where.tolist(), what.tolist()
         ends = np.append(when[1:] != when[:-1], True)
-        done, patience = 0, SHORT
+        patience = SHORT
         while done < count:
             ran = 0
-            if count - done >= SHORT and all(motor.settled for motor in self.motors):
-                window = slice(done, min(count, done + LONGEST))
-                ran, ended = run_free(
-                    self, when[window], where[window], what[window], stop, ends[window]
-                )
+            if count - done >= SHORT and self._free:
+                end = min(count, done + LONGEST)
+                window = slice(done, end)
+                piece = when[window], where[window], what[window]
+                if done and stride(self, *piece, stop):
+                    done = end
+                    continue
+                ran, ended = run_free(self, *piece, stop, ends[window])
                 done += ran
                 if ended:
                     return done
@@ -181,6 +204,17 @@ class MiniMover:
             if ended:
                 return done
         return done
+
+    def _hand_ahead(self, latches: npt.NDArray[np.int64]) -> int:
+        """Writes at the beginning of a burst in which the hand alone goes on to open or close."""
+        if not self._free or (latches != HAND).any():
+            return 0
+        return min(len(latches), self._world.finger_steps())
+
+    @property
+    def _free(self) -> bool:
+        """Whether every motor is in step and no more than its own weight and load bears on it."""
+        return not self._bears and all(motor.settled for motor in self.motors)
 
     def _apply_singly(
         self,
@@ -209,6 +243,7 @@ class MiniMover:
     def arrive(self, rotors: list[int], time: int) -> None:
         """Be where free motion has led to."""
         self._rotors[:] = rotors
+        self._stops_off = 0
         self._time = max(self._time, time)
         self._world.arrive(rotors)
 
@@ -234,26 +269,114 @@ class MiniMover:
         if row < 0:
             motor.release()
             self._held_back.discard(latch)
+            if self._bears:
+                self._give_way()
             return
         turn = motor.turn_field(row)
-        period, loaded = self._period(latch, turn)
+        against, outside = self._resistance(latch, turn, self._rotors)
+        curve = self.strength.curves[self._motor_kinds[latch]]
+        period = curve.period(against, self.settings.speed_margin)
         if not motor.keep_pace(time, turn, period, self.settings.pull_out_lag):
-            motor.trouble = Reason.LOAD if loaded else Reason.RATE
+            motor.trouble = Reason.LOAD if outside > 0.0 else Reason.RATE
+        self._world.room = curve.stall - against
         self._follow(latch)
         if self._held_back:
             self._follow_others(latch)
+        if self._bears:
+            self._give_way()
 
-    def _period(self, motor: int, turn: int) -> tuple[int, bool]:
-        """T-states per half-step under the present load, and whether load is what counts."""
-        grip = self._world.grip
-        squeeze = grip.squeeze if motor == HAND else 0
-        if turn == 0 or motor == AUXILIARY or not (squeeze or grip.weight):
-            return self.free_periods[motor], False
-        angles = self.drive.angles(self._rotors)
-        load = load_fraction(motor, turn, self.model, angles, grip.weight, squeeze)
-        if load <= 0.0:
-            return self.free_periods[motor], False
-        return shortest_period(self.model.drives[motor], load, self.settings.speed_margin), True
+    def period_at(self, latch: int, turn: int, rotors: Sequence[int]) -> int:
+        """T-states that a motor needs for a half-step with all rotors standing somewhere."""
+        turns = self._motor_kinds[latch]
+        if turns is Motor.HAND:
+            squeeze = max(0, self.grip.contact - self.drive.cable(rotors))
+            against = 16 * (squeeze / self.model.hand.pound_steps) if turn < 0 else 0.0
+        else:
+            against = self._resistance(latch, turn, rotors)[0]
+        return self.strength.curves[turns].period(against, self.settings.speed_margin)
+
+    def _resistance(self, latch: int, turn: int, rotors: Sequence[int]) -> tuple[float, float]:
+        """Torque that a motor turns against, at least 0, and how much of it is not own weight."""
+        if turn == 0 or latch == AUXILIARY:
+            return 0.0, 0.0
+        turns, world = self._motor_kinds[latch], self._world
+        burdens, pushed = world.burdens(), self._pushed(turns)
+        own = self._weight(turns, (), rotors)
+        weight = self._weight(turns, burdens, rotors) if burdens else own
+        if turns is Motor.BASE:
+            against = weight - pushed if turn > 0 else weight + pushed
+            return max(0.0, against), against
+        up = turn * self.model.drives[latch].sign > 0
+        against, alone = (weight - pushed, own) if up else (pushed - weight, -own)
+        return max(0.0, against), against - alone
+
+    def _weight(self, turns: Motor, burdens: Sequence[Burden], rotors: Sequence[int]) -> float:
+        """Torque with which weight pulls a motor's angle down (the base: drags it)."""
+        if turns is Motor.HAND or (turns is Motor.BASE and not burdens):
+            return 0.0
+        driven = self.drive.driven(rotors)
+        return float(self.strength.weight(turns, driven, burdens, cosine))
+
+    def _pushed(self, turns: Motor) -> float:
+        """Torque of contacts and of the operator's hand; positive pushes the angle up."""
+        pushed = self._world.torques[turns]
+        if self._pull is not None:
+            angles = self._world.angles
+            tip = forward(self.model, angles).fingertip
+            pushed += torques(self.model, angles, Link.HAND, tip, self._pull)[turns]
+        return pushed
+
+    @property
+    def _bears(self) -> bool:
+        """Whether motors that stand might have to give way.
+
+        Something presses on the arm or is pushed by it, the hand is pulled at or has something
+        heavy in it, or its cable is too tight. Full load is nothing to a motor that stands.
+        """
+        world, model = self._world, self.model
+        if self._pull is not None or world.strained:
+            return True
+        if world.grip.squeeze > model.hand.most_squeeze:
+            return True
+        return bool(world.grip.weight) and (
+            sum(burden.weight for burden in world.burdens()) > model.full_load
+        )
+
+    def _give_way(self) -> None:
+        """Motors that stand and bear more than they hold are turned by it.
+
+        With its current on a rotor falls by whole rings, without it by half-steps.
+        """
+        for latch, drive in enumerate(self.model.drives):
+            motor, curve = self.motors[latch], self.strength.curves[drive.turns]
+            while True:
+                pull = self._pushed(drive.turns)
+                weight = self._weight(drive.turns, self._world.burdens(), self._rotors)
+                if drive.turns is not Motor.BASE:
+                    pull -= weight
+                if abs(pull) <= (curve.holds if motor.row >= 0 else curve.friction):
+                    break
+                step = drive.sign if pull > 0 else -drive.sign
+                if not self._turned(latch, step):
+                    break
+
+    def _turned(self, latch: int, step: int) -> bool:
+        """Let a rotor be turned to its next place of rest by what pulls; whether it could."""
+        motor = self.motors[latch]
+        for _ in range(RING if motor.row >= 0 else 1):
+            self._rotors[latch] += step
+            self._stops_off = 0
+            if beyond_stop(latch, step, self.drive, self._rotors):
+                self._rotors[latch] -= step
+                return False
+            motor.rotor += step
+            self._world.moved(self._rotors, latch)
+        if motor.row < 0:
+            motor.field = motor.rotor
+        else:
+            motor.trouble, motor.followed = Reason.LOAD, 0
+            self._count_rings(latch, motor.rotor)
+        return True
 
     def _follow(self, latch: int) -> None:
         """Let a rotor go where its field pulls it, as far as it can."""
@@ -293,43 +416,42 @@ class MiniMover:
         """
         if latch == AUXILIARY:
             return None if self._world.turn_table(step) else Reason.CONTACT
-        rotors = self._rotors
+        world, rotors = self._world, self._rotors
         rotors[latch] += step
-        stop = beyond_stop(latch, step, self.drive, rotors)
-        blocked = Reason.STOP if stop else self._world.try_move(latch, step, rotors)
-        if blocked is not None:
-            rotors[latch] -= step
-        if latch == ELBOW:
-            # Cable that the forearm pulls in beyond what the hand motor can hold turns it.
-            excess = self._world.grip.excess(self.drive.cable(rotors))
-            if excess > 0:
-                self._yield_hand(excess)
-        return blocked
-
-    def _yield_hand(self, excess: int) -> None:
-        """The hand's rotor is pulled round by its own cable."""
-        motor = self.motors[HAND]
-        give = excess if motor.row < 0 else -(-excess // RING) * RING
-        motor.rotor += give
-        self._rotors[HAND] += give
-        self._world.regrip(self._rotors)
-        if motor.row < 0:
-            motor.field = motor.rotor
+        if self._stops_off > 0:
+            self._stops_off -= 1
         else:
-            motor.trouble, motor.followed = Reason.LOAD, 0
-            self._count_rings(HAND, motor.rotor)
+            if beyond_stop(latch, step, self.drive, rotors):
+                rotors[latch] -= step
+                return Reason.STOP
+            self._stops_off = steps_to_stops(self.drive, rotors)
+        world.moved(rotors, latch)
+        if not (self._bears or world.grip.squeeze):
+            return None
+        turns = self._motor_kinds[latch]
+        if self._resistance(latch, step, rotors)[0] <= self.strength.curves[turns].stall:
+            return None
+        rotors[latch] -= step
+        world.moved(rotors, latch)
+        return Reason.LOAD if turns is Motor.HAND or not world.met else Reason.CONTACT
 
     def _held_up(self, latch: int, reason: Reason) -> None:
         """Something holds a rotor back; what it is is news the first time."""
-        motor = self.motors[latch]
-        if reason is Reason.CONTACT and not (
-            motor.trouble is Reason.CONTACT and motor.followed < RING
-        ):
+        if reason is Reason.CONTACT:
             name = self._world.met or "something"
-            self._note(
-                EventKind.CONTACT, f"{self.model.motor_names[latch]} blocked by {name}", latch
+            force = self._force(latch)
+            self._tell(
+                Happening(EventKind.CONTACT, self.model.motor_names[latch], name), latch, force
             )
-        motor.trouble = reason
+        self.motors[latch].trouble = reason
+
+    def _force(self, latch: int) -> float:
+        """Ounces at the end of the link that contacts put on a motor."""
+        if latch == AUXILIARY:
+            return 0.0
+        turns, model = self._motor_kinds[latch], self.model
+        levers = (model.reach, model.link, model.link, model.hand_length, model.hand_length, 1.0)
+        return abs(self._world.torques[turns]) / levers[turns]
 
     def _count_rings(self, latch: int, target: int) -> None:
         """Note rings that a rotor has lost or regained against its field."""
@@ -340,54 +462,83 @@ class MiniMover:
         steps = RING * motor.ring - behind
         motor.ring = behind // RING
         reason = motor.trouble
-        for i in range(len(self.events) - 1, -1, -1):
-            event = self.events[i]
-            if motor.losing is None or event.number < motor.losing:
-                break
-            same = event.reason is reason and (event.steps < 0) == (steps < 0)
-            if event.number == motor.losing and same:
-                steps += event.steps
-                text = _slip_text(self.model.motor_names[latch], steps, reason)
-                self.events[i] = replace(event, steps=steps, text=text)
-                return
-        motor.losing = self.event_count
-        self._note(
-            EventKind.SLIP,
-            _slip_text(self.model.motor_names[latch], steps, reason),
-            latch,
-            steps,
-            reason,
-        )
+        name = self.model.motor_names[latch]
+        way = "back" if steps < 0 else "on"
+        happening = Happening(EventKind.SLIP, name, way, reason)
+        goes_on = motor.losing is not None
+        motor.losing = self._tell(happening, latch, self._force(latch), steps, goes_on=goes_on)
 
     def _tell_news(self) -> None:
         """Turn what the bench has to tell into events."""
         for kind, text in self.bench.news:
-            self._note(kind, text)
+            self._tell(Happening(kind, text))
         self.bench.news.clear()
 
-    def _note(
+    def _tell(
         self,
-        kind: EventKind,
-        text: str,
+        happening: Happening,
         motor: int | None = None,
+        force: float = 0.0,
         steps: int = 0,
-        reason: Reason | None = None,
-    ) -> None:
-        """Remember an event; what goes on and on is one."""
-        if kind in (EventKind.CONTACT, EventKind.PUSHED) and self.events:
-            last = self.events[-1]
-            if (last.kind, last.motor, last.text) == (kind, motor, text):
-                return
-        self.events.append(ArmEvent(self.event_count, self._time, kind, motor, steps, reason, text))
+        *,
+        goes_on: bool = False,
+    ) -> int:
+        """Remember that something happens; however long it goes on it is one event.
+
+        Args:
+            happening: what it is.
+            motor: to which it happens.
+            force: ounces.
+            steps: lost by it, half-steps.
+            goes_on: whether it has not ended, however long ago it was last told of.
+
+        Returns:
+            The event's number.
+        """
+        number = self._happening.get(happening)
+        if number is not None and self.events and number >= self.events[0].number:
+            index = number - self.events[0].number
+            event = self.events[index]
+            if (goes_on and motor is not None) or self._time - event.until <= LULL:
+                event = replace(
+                    event,
+                    until=self._time,
+                    count=event.count + 1,
+                    steps=event.steps + steps,
+                    force=max(event.force, force),
+                )
+                text = happening.text(event.steps, event.force)
+                self.events[index] = replace(event, text=text)
+                return number
+        number = self.event_count
+        self._happening[happening] = number
+        self.events.append(
+            ArmEvent(
+                number,
+                self._time,
+                happening.kind,
+                motor,
+                steps,
+                happening.reason,
+                happening.text(steps, force),
+                until=self._time,
+                force=force,
+            )
+        )
         self.event_count += 1
         if len(self.events) > self.settings.events_kept:
             del self.events[0]
+        if len(self._happening) > MANY:
+            self._happening = {
+                one: at for one, at in self._happening.items() if at >= self.events[0].number
+            }
+        return number
 
     # Looking at it
 
     def state(self) -> ArmState:
         """A snapshot for display."""
-        angles = self.drive.angles(self._rotors)
+        angles = self._world.angles
         grip = self._world.grip
         six = self.motors[:6]
         return ArmState(
@@ -424,6 +575,21 @@ class MiniMover:
         return self._world.grip
 
     # The operator's hands
+
+    def pull(self, force: Vector | None) -> None:
+        """Pull at the hand until told otherwise.
+
+        Motors with their current on hold against it up to what they can, and lose rings beyond
+        that; without current the joints give way as soon as it is more than the friction of their
+        gears.
+
+        Args:
+            force: ounces along x, y and z, at the fingertip; None to let go.
+        """
+        self._pull = force if force and any(force) else None
+        if self._pull is not None:
+            self._give_way()
+            self._tell_news()
 
     def move_joint(self, joint: str, value: float) -> None:
         """Turn one joint by hand.
@@ -491,9 +657,12 @@ class MiniMover:
         if name is not None:
             raise InTheWay(f"{name} is in the way")
         self._rotors[:] = rotors
+        self._stops_off = 0
         for latch, rotor in enumerate(rotors):
             self.motors[latch].rotor = rotor
             self.motors[latch].release()
+        if self._bears:
+            self._give_way()
         self._tell_news()
 
 
@@ -501,14 +670,3 @@ def _six(numbers: Iterable[int]) -> Six:
     """Six numbers as a tuple."""
     base, shoulder, elbow, left, right, hand = numbers
     return base, shoulder, elbow, left, right, hand
-
-
-def _slip_text(motor: str, steps: int, reason: Reason) -> str:
-    """How a loss reads."""
-    why = {
-        Reason.RATE: "too fast",
-        Reason.LOAD: "too much load",
-        Reason.STOP: "at its stop",
-        Reason.CONTACT: "blocked",
-    }[reason]
-    return f"{motor} slipped {abs(steps)} steps: {why}"

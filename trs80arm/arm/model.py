@@ -121,6 +121,52 @@ class Hand:
         return math.ceil(self.switch_force * self.pound_steps)
 
 
+class Link(IntEnum):
+    """The pieces of an arm that take up room."""
+
+    UPPER_ARM = 0
+    FOREARM = 1
+    HAND = 2
+    LEFT_FINGER = 3
+    RIGHT_FINGER = 4
+
+
+@dataclass(frozen=True, slots=True)
+class LinkSolid:
+    """A box that is part of a link.
+
+    Attributes:
+        name: what it is called where it touches something.
+        link: of which it is part.
+        center: in the link's frame, inches: along the link from its joint (for a finger, from the
+            fingertip), across to its left, and up. A finger's frame lies on its inner face.
+        half: half its size along the same axes, inches.
+    """
+
+    name: str
+    link: Link
+    center: tuple[float, float, float]
+    half: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Weights:
+    """What the moving links weigh.
+
+    Attributes:
+        upper_arm, forearm, hand: ounces.
+        upper_arm_at, forearm_at, hand_at: their centres of mass, inches along the link from
+            shoulder, elbow and wrist.
+    """
+
+    upper_arm: float
+    upper_arm_at: float
+    forearm: float
+    forearm_at: float
+    hand: float
+    hand_at: float
+
+
 @dataclass(frozen=True)
 class ArmModel:
     """One make of arm.
@@ -139,6 +185,10 @@ class ArmModel:
         limits: where the joints end.
         hand: the gripper.
         full_load: ounces that it carries at full extension.
+        static_force: ounces that it bears at the hand, standing with its motors on.
+        weights: of the links.
+        stiffness: of the cables, by `Motor`: ounce-inches per radian, ounces per inch of opening.
+        solids: the room that the links take up.
         start: the pose in which it is switched on.
     """
 
@@ -153,6 +203,10 @@ class ArmModel:
     limits: Limits
     hand: Hand
     full_load: float
+    static_force: float
+    weights: Weights
+    stiffness: tuple[float, float, float, float, float, float]
+    solids: tuple[LinkSolid, ...]
     start: Pose
     sources: tuple[tuple[str, str], ...] = ()
     _motor_of: tuple[int, ...] = field(init=False, repr=False, compare=False)

@@ -8,14 +8,10 @@ rotor, and tells it how far the rotor got.
 
 from __future__ import annotations
 
-import numpy as np
-import numpy.typing as npt
-
 from trs80arm.arm.events import Reason
-from trs80arm.arm.model import Drive
+from trs80arm.arm.forces import NEVER, T_STATES_PER_SECOND
 
-T_STATES_PER_SECOND = 1_774_080
-"""The unit of the times on latch writes."""
+__all__ = ["PHASES", "RING", "ROWS", "T_STATES_PER_SECOND", "StepperMotor"]
 
 PHASES = (0b0101, 0b0100, 0b0110, 0b0010, 0b1010, 0b1000, 0b1001, 0b0001)
 """Figure 8 from top to bottom, phi1 the high bit; downwards is clockwise, a positive count."""
@@ -40,36 +36,6 @@ def _row(nibble: int) -> int:
 
 ROWS = tuple(_row(nibble) for nibble in range(16))
 """Row of Figure 8 for each of the sixteen coil patterns; -1 where there is no field."""
-
-NEVER = 1 << 40
-"""Period, in T-states, of a motor whose load is more than it can move."""
-
-
-def shortest_period(drive: Drive, load: float, margin: float) -> int:
-    """T-states that a motor needs for a half-step.
-
-    The rate falls in a straight line from no load through full load and on to zero.
-
-    Args:
-        drive: of the motor.
-        load: torque as a fraction of full load.
-        margin: multiple of the listed rates at which the motor drops out.
-    """
-    free, full = drive.no_load_rate, drive.full_load_rate
-    rate = margin * (free - (free - full) * load)
-    return int(T_STATES_PER_SECOND / rate) if rate > 1.0 else NEVER
-
-
-def shortest_periods(
-    drive: Drive, load: npt.NDArray[np.float64], margin: float
-) -> npt.NDArray[np.int64]:
-    """`shortest_period` for an array of loads, equal to the last T-state."""
-    free, full = drive.no_load_rate, drive.full_load_rate
-    rate = margin * (free - (free - full) * load)
-    able = rate > 1.0
-    periods = np.full(len(load), NEVER, dtype=np.int64)
-    periods[able] = (T_STATES_PER_SECOND / rate[able]).astype(np.int64)
-    return periods
 
 
 class StepperMotor:

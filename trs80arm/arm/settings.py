@@ -18,7 +18,6 @@ _RANGES: dict[str, tuple[float, float]] = {
     "pull_out_lag": (1, 4),
     "pad_friction": (0, 10),
     "table_friction": (0.01, 10),
-    "push_limit": (0, 100),
     "grip_slide": (0, 1),
     "touch": (0, 0.25),
     "base_front": (0, 4),
@@ -50,8 +49,6 @@ class ArmSettings:
             of Table 1.
         table_friction: coefficient between a part and what it stands on. A part pushed higher
             up than its depth over this number (halved) falls over.
-        push_limit: the arm is blocked by a part whose friction on the table exceeds this force;
-            the static load force of Table 1.
         grip_slide: how far a held part may be pushed up or down between the fingers, in one
             grip, before it blocks the arm.
         touch: how far the fingertips may be pressed into something before cables and links
@@ -72,11 +69,10 @@ class ArmSettings:
     """
 
     model: str = "minimover5"
-    speed_margin: float = 1.15
+    speed_margin: float = 1.0
     pull_out_lag: int = 4
     pad_friction: float = 0.75
     table_friction: float = 0.5
-    push_limit: float = 4.0
     grip_slide: float = 0.15
     touch: float = 0.03
     base_front: float = 1.625

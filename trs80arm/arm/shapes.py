@@ -84,6 +84,33 @@ class Box:
         for name, value in zip(("center", "axes", "half"), state, strict=True):
             object.__setattr__(self, name, value)
 
+    def distance(self, place: Vector) -> float:
+        """From a place to the nearest point of the box, inches; 0 inside."""
+        away = minus(place, self.center)
+        return math.sqrt(
+            sum(
+                max(abs(dot(away, axis)) - half, 0.0) ** 2
+                for axis, half in zip(self.axes, self.half, strict=True)
+            )
+        )
+
+    def gap(self, start: Vector, end: Vector) -> float:
+        """How far a segment is from the box at least; negative where it may be inside."""
+        a, b = minus(start, self.center), minus(end, self.center)
+        gaps = []
+        for axis, half in zip(self.axes, self.half, strict=True):
+            p, q = dot(a, axis), dot(b, axis)
+            gaps.append((p if p < q else q) - half if p + q > 0 else -(p if p > q else q) - half)
+        return max(gaps)
+
+    def distance_around(self, place: Vector) -> float:
+        """The same if the box were turned about the z axis to wherever it is nearest; at least."""
+        here = math.hypot(place[0], place[1])
+        there = math.hypot(self.center[0], self.center[1])
+        away = max(abs(here - there) - self.radius, 0.0)
+        above = max(place[2] - self.top, self.bottom - place[2], 0.0)
+        return math.sqrt(away * away + above * above)
+
     def moved(self, by: Vector) -> Box:
         """The same box elsewhere."""
         return Box(plus(self.center, by), self.axes, self.half)

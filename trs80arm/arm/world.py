@@ -8,19 +8,37 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.body import Body, Hold
-from trs80arm.arm.events import EventKind, Reason
+from trs80arm.arm.events import EventKind
 from trs80arm.arm.fixtures import Feeder, Part
-from trs80arm.arm.geometry import CableDrive
+from trs80arm.arm.forces import Burden, torques
+from trs80arm.arm.geometry import CableDrive, JointAngles
 from trs80arm.arm.grip import Grip
+from trs80arm.arm.model import Link, Motor
 from trs80arm.arm.settings import ArmSettings
-from trs80arm.arm.shapes import SKIN, Box, depth, interval, minus, overlap, plus
+from trs80arm.arm.shapes import SKIN, Box, Vector, depth, interval, minus, overlap, plus
+from trs80arm.arm.trigonometry import sin_cos
 
+Six = tuple[float, float, float, float, float, float]
 HAND = 5
+FAR = 100.0
+"""More inches than there are."""
+NEAR = 0.02
+"""What is nearer than this counts as touching, inches."""
+LOOK_EVERY = 8
+"""Half-steps near something after which it is seen whether the arm has come away from it."""
+PUSHED_FOR = 4
+"""Half-steps for which a part goes on to resist after it was met."""
 FINGER_TURNS = 8
 """Pushes of one displacement each after which a part that still is not clear blocks the arm."""
+_LINKS = (Link.UPPER_ARM, Link.FOREARM, Link.HAND, Link.HAND, Link.HAND, Link.HAND)
+"""What each segment of `Body` is part of."""
+_HELD = 2
+"""The segment that a held part goes with."""
+NONE = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 GRAZE = 0.005
 """A carried part may graze others by this much, inches."""
 FEED_CLEARANCE = 2.5
@@ -31,7 +49,11 @@ class World:
     """Body of the arm, hold of the hand, and the bench.
 
     Attributes:
-        body: the arm as it stands.
+        joints: where the joints are, in the half-steps of their motors; behind the rotors where
+            something is in the way and the cables give.
+        torques: what contacts do to the motors, by `Motor`, ounce-inches (ounces on the opening);
+            positive where they push the angle up or the hand open.
+        room: torque that the motor which is about to move still has for pushing.
         grip: the hand's hold.
         met: name of what blocked the arm last, or None.
         ceiling: height of the highest thing that the hand does not carry, inches.
@@ -45,13 +67,41 @@ class World:
         self.drive = drive
         self.model = drive.model
         self.grip = Grip(self.model, drive.home_cable)
-        self.body = Body(self.model, drive.home, self.grip.opening, settings.finger_length)
+        self._body_then = Body(self.model, drive.home, self.grip.opening, settings.finger_length)
+        self._stale = False
+        self._slack = 0.0
+        self._look_again = 0
+        self._rings = self._table = 0.0
+        self._levers = self.levers()
+        side = settings.base_width / 2
+        front, rear = math.hypot(settings.base_front, side), math.hypot(settings.base_rear, side)
+        body = math.hypot(settings.body_radius, settings.body_radius)
+        # Base plate and body as the arm meets them that turns above them: from where to where
+        # along it, and how high.
+        self._own_rings = (
+            (-rear, front, 0.0, settings.base_height),
+            (-body, body, settings.base_height, settings.body_top),
+        )
+        self.joints = [0] * 6
+        self.torques: Six = NONE
+        self.room = math.inf
+        self._pushing: dict[str, float] = {}
+        self._moving = 0
+        self._met_ago = 0
         self.met: str | None = None
         self._things: list[tuple[str, Box, Part | None]] = []
         self.ceiling = 0.0
         self.vacant: list[Feeder] = []
         self.pushes = 0
         self._burdened = False
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What has been looked at ahead is found anew; how far ahead hangs on how a run is cut.
+        state = {**self.__dict__, "_body_then": self.body, "_stale": False, "room": math.inf}
+        state |= {"_slack": 0.0, "_rings": 0.0, "_table": 0.0, "_look_again": 0}
+        if not self._pushing:
+            state |= {"_moving": 0, "_met_ago": 0}
+        return state
 
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
@@ -72,7 +122,201 @@ class World:
 
     # What a half-step meets
 
-    def try_move(self, latch: int, step: int, rotors: Sequence[int]) -> Reason | None:
+    def moved(self, rotors: Sequence[int], latch: int) -> None:
+        """Let the joints follow the rotors as far as nothing is in the way.
+
+        Args:
+            rotors: positions of all.
+            latch: of the motor that has moved.
+        """
+        joints = self.joints
+        # A part that is pushed along is met only every few steps.
+        self._met_ago += 1
+        if latch != self._moving or self._met_ago > PUSHED_FOR:
+            self._pushing.clear()
+        self._moving = latch
+        self._follow(latch, rotors[latch])
+        while any(
+            joint != rotor and self._follow(other, rotor)
+            for other, (joint, rotor) in enumerate(zip(joints, rotors, strict=True))
+        ):
+            pass
+        self.torques = self._torques(rotors)
+
+    def _follow(self, latch: int, rotor: int) -> bool:
+        """Let a joint go to its rotor; whether it has moved at all."""
+        joints, moved = self.joints, False
+        while joints[latch] != rotor:
+            step = 1 if rotor > joints[latch] else -1
+            joints[latch] += step
+            if not self._try_move(latch, step, joints):
+                joints[latch] -= step
+                break
+            moved = True
+        return moved
+
+    def _torques(self, rotors: Sequence[int]) -> Six:
+        """What gives in the cables, what is pushed and what is squeezed, as torque."""
+        joints, model = self.joints, self.model
+        squeeze = 16 * self.grip.force
+        if not squeeze and not self._pushing and joints == rotors:
+            return NONE
+        found = [0.0] * 6
+        found[Motor.HAND] = squeeze
+        for latch, drive in enumerate(model.drives):
+            give = drive.sign * (rotors[latch] - joints[latch]) / drive.steps
+            found[drive.turns] -= model.stiffness[drive.turns] * give
+        found[model.drives[self._moving].turns] += sum(self._pushing.values())
+        base, shoulder, elbow, left, right, hand = found
+        return base, shoulder, elbow, left, right, hand
+
+    @property
+    def angles(self) -> JointAngles:
+        """Angles of the joints as they stand, radians."""
+        return self.drive.angles(self.joints)
+
+    @property
+    def around(self) -> float:
+        """How far what is between or in the fingers, and they themselves, reach from the tip."""
+        hold = self.grip.hold
+        reach = self.model.hand.range / 2
+        if hold is None:
+            return reach
+        return max(reach, math.hypot(*hold.center) + math.hypot(*hold.half))
+
+    def levers(self) -> tuple[float, ...]:
+        """Inches that a half-step of each motor moves anything of the arm nearer, at most."""
+        model, around = self.model, self.around
+        levers = {
+            Motor.BASE: model.reach + around,
+            Motor.SHOULDER: model.link,
+            # Raising the forearm opens the hand as well.
+            Motor.ELBOW: model.link + 0.5 * model.drives[2].steps / model.hand_steps,
+            # A gear turns pitch and roll by half as much.
+            Motor.LEFT_WRIST: model.hand_length / 2 + around,
+            Motor.RIGHT_WRIST: model.hand_length / 2 + around,
+            Motor.HAND: 0.5,
+        }
+        return tuple(levers[drive.turns] / drive.steps for drive in model.drives)
+
+    def clearance(self, *, turning: bool) -> float:
+        """Inches by which all that moves is clear of all that it could touch, at least.
+
+        Args:
+            turning: whether the base may turn meanwhile, as far as it likes; things are then taken
+                for rings around its axis.
+
+        Returns:
+            0 where something may happen with the next half-step.
+        """
+        tip, least = self.body.points.fingertip, self._over_table()
+        for feeder in self.vacant:
+            out = math.hypot(tip[0] - feeder.x, tip[1] - feeder.y)
+            if turning:
+                out = math.hypot(*tip[:2]) + math.hypot(feeder.x, feeder.y)
+            least = min(least, FEED_CLEARANCE + feeder.place.radius - NEAR - out)
+        if least <= 0.0:
+            return 0.0
+        least = self._over_rings(least) if turning else self._beside_things(least)
+        return max(0.0, least)
+
+    def _spend(self, latch: int) -> float:
+        """Count a half-step off the clearance; what is left, inches."""
+        lever = self._levers[latch]
+        self._slack -= lever
+        if latch == 0:
+            # The base turns nothing nearer to the table, nor out of the rings around its axis.
+            return max(self._slack, self._rings)
+        self._rings -= lever
+        self._table -= lever
+        return max(self._slack, min(self._rings, self._table))
+
+    def _over_table(self) -> float:
+        """Inches by which the arm and what it holds are clear of the table."""
+        points = self.body.points
+        level = math.hypot(points.pointing[0], points.pointing[1])
+        tip = points.fingertip[2] - max(level * self.body.opening / 2, self._load_reach)
+        return min(points.wrist[2], points.elbow[2], tip) - NEAR
+
+    @property
+    def _load_reach(self) -> float:
+        """How far what is in the hand reaches from the fingertip."""
+        hold = self.grip.hold
+        return 0.0 if hold is None else math.hypot(*hold.center) + math.hypot(*hold.half)
+
+    def _over_rings(self, least: float) -> float:
+        """`least`, or the clearance from things wherever the base turns, if that is less."""
+        points, around = self.body.points, self._load_reach
+        hand = math.hypot(self.model.hand_length / 6, self.body.opening / 2) + NEAR
+        quarter = self.model.link / 4 + NEAR
+        spheres = [
+            (_part_way(points.wrist, points.fingertip, share), hand)
+            for share in (1 / 6, 0.5, 5 / 6)
+        ]
+        for start, end in ((points.elbow, points.wrist), (points.shoulder, points.elbow)):
+            spheres += [(_part_way(start, end, share), quarter) for share in (0.25, 0.75)]
+        if around:
+            spheres.append((points.fingertip, around + NEAR))
+        low = min(place[2] - reach for place, reach in spheres)
+        s, c = sin_cos(self.drive.driven(self.joints)[0])
+        for near, far, bottom, top in self._own_rings:
+            if top < low - least:
+                continue
+            for (x, y, z), reach in spheres:
+                out = x * c + y * s
+                beside, above = max(near - out, out - far, 0.0), max(z - top, bottom - z, 0.0)
+                least = min(least, math.sqrt(beside * beside + above * above) - reach)
+        for _, box, _ in self._things[len(self._own_rings) :]:
+            if least <= 0.0:
+                break
+            if box.top >= low - least:
+                away = (box.distance_around(place) - reach for place, reach in spheres)
+                least = min(least, *away)
+        return least
+
+    def _beside_things(self, least: float) -> float:
+        """`least`, or the clearance of links, fingers and load as they are, if that is less."""
+        tip, around = self.body.points.fingertip, self._load_reach
+        give = self.settings.touch / 2
+        for _, box, _ in self._things:
+            for start, end in self.body.segments:
+                least = min(least, box.gap(start, end) + give)
+            if around:
+                least = min(least, box.distance(tip) - around - NEAR)
+            if least <= 0.0:
+                break
+        return least
+
+    def finger_steps(self) -> int:
+        """Half-steps that the hand alone can be stepped, either way, before anything happens."""
+        grip, model, body = self.grip, self.model, self.body
+        if grip.part is not None or grip.fixed is not None or self.vacant or grip.cable < 0:
+            return 0
+        room = math.inf
+        if abs(body.points.across[2]) > 1e-9:
+            room = body.lowest_tip - NEAR
+        for _, box, _ in self._things:
+            for start, end in body.segments[3:]:
+                room = min(room, box.gap(start, end) - NEAR)
+        most = model.hand.range * model.hand_steps - grip.cable
+        return max(0, int(min(2 * room * model.hand_steps, most, grip.cable)) - 2)
+
+    @property
+    def strained(self) -> bool:
+        """Whether anything gives, or is pushed."""
+        return bool(self._pushing) or any(self.torques[:5])
+
+    def burdens(self) -> tuple[Burden, ...]:
+        """What rests in the hand: the part held, and what stands on it."""
+        grip = self.grip
+        if grip.hold is None or grip.part is None:
+            return ()
+        weight = grip.weight
+        if self._burdened:
+            weight += self.bench.weight_on(self.bench.parts[grip.part])
+        return (Burden(weight, grip.hold.center),)
+
+    def _try_move(self, latch: int, step: int, rotors: Sequence[int]) -> bool:
         """Take up a new position.
 
         Args:
@@ -81,18 +325,22 @@ class World:
             rotors: all positions after the step.
 
         Returns:
-            What blocks it, or None if the arm has moved there.
+            Whether the arm has moved there.
         """
         grip = self.grip
         cable = self.drive.cable(rotors)
-        if latch == HAND and step < 0 and grip.excess(cable):
-            return Reason.LOAD
+        # Fingers that close take hold of what they touch; otherwise a touch may give.
+        spare = self.settings.touch if cable < grip.cable else 0.0
+        if grip.part is None and grip.fixed is None and self._spend(latch) > spare:
+            grip.cable, self._stale = cable, True
+            return True
+        self._slack = self._rings = self._table = 0.0
         body = self._body(rotors, grip.opening_at(cable))
         hold, slid = grip.hold, grip.slid
         before = self._carried(self.body)
         if not self._clear(body, before):
             grip.hold, grip.slid = hold, slid
-            return Reason.CONTACT
+            return False
         held = self._carried(body)
         closing = cable < grip.cable
         self.body, grip.cable = body, cable
@@ -106,7 +354,14 @@ class World:
         elif closing:
             self._close_on(rotors)
         self._feed()
-        return None
+        self._look_again -= 1
+        if self._look_again < 0:
+            self._slack = self.clearance(turning=False)
+            self._rings = 0.0 if self.vacant else self._over_rings(FAR)
+            self._table = self._over_table()
+            near = max(self._slack, self._rings) < 4 * max(self._levers)
+            self._look_again = LOOK_EVERY if near else 0
+        return True
 
     def turn_table(self, step: int) -> bool:
         """Turn the turntable by a half-step; whether it could."""
@@ -120,13 +375,6 @@ class World:
             self.met = "what stands on it"
         self._changed()
         return turned
-
-    def regrip(self, rotors: Sequence[int]) -> None:
-        """The cable has slipped: bring the hold in line with it."""
-        self.grip.cable = self.drive.cable(rotors)
-        self.body = self._body(rotors, self.grip.opening)
-        if self.grip.contact:
-            self._hold_on(rotors, HAND)
 
     def place(self, before: Sequence[int], rotors: list[int]) -> str | None:
         """Put the arm somewhere else by hand.
@@ -154,6 +402,9 @@ class World:
             self.bench.parts[self.grip.part].box = held
         self._changed()
         self._walk_hand(rotors, wanted)
+        self.joints[:] = rotors
+        self._pushing.clear()
+        self.torques = self._torques(rotors)
         self._feed()
         return None
 
@@ -168,6 +419,17 @@ class World:
                     bits &= ~(1 << sensor.bit)
         return bits
 
+    @property
+    def body(self) -> Body:
+        """Links and fingers as they stand."""
+        if self._stale:
+            self.body = self._body(self.joints, self.grip.opening)
+        return self._body_then
+
+    @body.setter
+    def body(self, body: Body) -> None:
+        self._body_then, self._stale = body, False
+
     # Contact
 
     def _body(self, rotors: Sequence[int], opening: float) -> Body:
@@ -180,6 +442,7 @@ class World:
     def _changed(self) -> None:
         """Parts have moved: look at the bench anew."""
         bench = self.bench
+        self._slack, self._rings, self._look_again = 0.0, 0.0, 0
         self._things = [(o.name, o.box, None) for o in bench.obstacles]
         self._things += [(part.name, part.box, part) for part in bench.standing()]
         self.ceiling = max((box.top for _, box, _ in self._things), default=0.0)
@@ -289,6 +552,9 @@ class World:
         if abs(by[2]) > math.hypot(by[0], by[1]):
             return False
         gave = False
+        force = self._resistance(part, index, here, by)
+        if abs(force) > self.room:
+            return False
         for _ in range(FINGER_TURNS):
             if not self.bench.push(part, by, here[2]):
                 break
@@ -299,12 +565,26 @@ class World:
                 break
         if gave:
             self.pushes += 1
+            self._met_ago = 0
+            self._pushing[part.name] = force
             self.bench.news.append((EventKind.PUSHED, f"{part.name} pushed aside"))
             self._changed()
         return (
             part.name not in self.bench.parts
             or interval(part.box, start, end, self.settings.touch) is None
         )
+
+    def _resistance(self, part: Part, index: int, place: Vector, way: Vector) -> float:
+        """What a part, with all that stands on it, does to the motor that pushes it."""
+        length = math.hypot(way[0], way[1])
+        if length < 1e-12:
+            return 0.0
+        weight = part.weight + self.bench.weight_on(part)
+        friction = self.settings.table_friction * weight / length
+        force = (-friction * way[0], -friction * way[1], 0.0)
+        angles = self.drive.angles(self.joints)
+        turns = self.model.drives[self._moving].turns
+        return torques(self.model, angles, _LINKS[index], place, force)[turns]
 
     def _carried_past(
         self, body: Body, before: Box, name: str, box: Box, part: Part | None
@@ -320,10 +600,13 @@ class World:
         by = minus(held.center, before.center)
         if part is not None and abs(by[2]) <= math.hypot(by[0], by[1]):
             height = max(held.bottom, box.bottom)
+            force = self._resistance(part, _HELD, held.center, by)
             for _ in range(FINGER_TURNS):
-                if not self.bench.push(part, by, height):
+                if abs(force) > self.room or not self.bench.push(part, by, height):
                     break
                 self.pushes += 1
+                self._met_ago = 0
+                self._pushing[part.name] = force
                 self._changed()
                 if part.name not in self.bench.parts or not overlap(held, part.box, GRAZE):
                     self.bench.news.append((EventKind.PUSHED, f"{part.name} pushed aside"))
@@ -371,7 +654,10 @@ class World:
     def arrive(self, rotors: Sequence[int]) -> None:
         """Be somewhere that free motion has led to."""
         grip = self.grip
+        self.joints[:] = rotors
+        self._slack, self._rings, self._look_again = 0.0, 0.0, 0
         grip.cable = self.drive.cable(rotors)
+        self.torques = self._torques(rotors)
         self.body = self._body(rotors, grip.opening)
         held = self._carried(self.body)
         if held is not None and grip.part is not None:
@@ -388,7 +674,8 @@ class World:
         while self.grip.cable != wanted:
             step = 1 if wanted > self.grip.cable else -1
             rotors[HAND] += step
-            if self.try_move(HAND, step, rotors) is not None:
+            squeezed = self.grip.excess(self.drive.cable(rotors)) and step < 0
+            if squeezed or not self._try_move(HAND, step, rotors):
                 rotors[HAND] -= step
                 return
 
@@ -494,6 +781,11 @@ class World:
                 continue
             self.bench.feed(feeder)
             self._changed()
+
+
+def _part_way(start: Vector, end: Vector, share: float) -> Vector:
+    """A place on the way from one point to another."""
+    return plus(start, minus(end, start), share)
 
 
 def _as_clear(held: Box, before: Box, box: Box) -> bool:

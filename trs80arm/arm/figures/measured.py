@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.events import EventKind
-from trs80arm.arm.experiments import table1
+from trs80arm.arm.experiments import Verdict, table1
 from trs80arm.arm.figures.chart import Chart, Series, Style, Table
 from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.minimover import InTheWay, MiniMover
@@ -148,7 +148,7 @@ def table1_rows() -> Table:
             row.name,
             f"{row.article:g} {row.unit}",
             f"{row.measured:.3f}".rstrip("0").rstrip(".") + f" {row.unit}",
-            "yes" if row.kept else "no",
+            row.contradiction if row.verdict is Verdict.CONTRADICTED else row.verdict.value,
         )
         for row in table1()
     )

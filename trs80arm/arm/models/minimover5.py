@@ -4,12 +4,23 @@ from __future__ import annotations
 
 from math import radians
 
-from trs80arm.arm.model import ArmModel, Drive, Hand, Limits, Motor, Pose
+from trs80arm.arm.model import (
+    ArmModel,
+    Drive,
+    Hand,
+    Limits,
+    Link,
+    LinkSolid,
+    Motor,
+    Pose,
+    Weights,
+)
 
 _S1 = 937.8  # half-steps per radian of base and shoulder: Table 4, line 121
 _S3 = 551.4  # of the forearm: line 122
 _S4 = 203.7  # of each wrist gear: line 123
 _S6 = 618.0  # half-steps per inch of hand opening: line 124
+_GIVE = 0.25  # inches that the cables of shoulder and elbow give under the static force: a guess
 _POUND = 52  # half-steps of hand cable per pound: article, on joint 6
 
 MINIMOVER5 = ArmModel(
@@ -37,6 +48,23 @@ MINIMOVER5 = ArmModel(
     ),
     hand=Hand(range=3.0, pound_steps=_POUND, full_grip=3.0, switch_force=2 / 16),
     full_load=8.0,
+    static_force=64.0,
+    weights=Weights(12.0, 3.5, 11.0, 3.5, 11.0, 1.75),
+    stiffness=(
+        64.0 / _GIVE * 7.0**2,
+        64.0 / _GIVE * 7.0**2,
+        64.0 / _GIVE * 7.0**2,
+        64.0 / _GIVE * 3.5**2 / 2,
+        64.0 / _GIVE * 3.5**2 / 2,
+        16 * _S6 / _POUND,
+    ),
+    solids=(
+        LinkSolid("upper arm", Link.UPPER_ARM, (3.5, 0.0, 0.0), (4.0, 1.25, 0.75)),
+        LinkSolid("forearm", Link.FOREARM, (3.4, 0.0, 0.0), (3.6, 1.0, 0.55)),
+        LinkSolid("hand", Link.HAND, (0.9, 0.0, 0.0), (0.9, 0.75, 0.4)),
+        LinkSolid("left finger", Link.LEFT_FINGER, (-0.85, 0.1, 0.0), (0.85, 0.1, 0.3)),
+        LinkSolid("right finger", Link.RIGHT_FINGER, (-0.85, -0.1, 0.0), (0.85, 0.1, 0.3)),
+    ),
     start=Pose(5.0, 0.0, 0.0, -90.0, 0.0, 0.0),
     sources=(
         ("shoulder_height, link, hand_length", "article, Table 4, lines 101 to 103"),
@@ -46,7 +74,16 @@ MINIMOVER5 = ArmModel(
         ("elbow_pays_out, compensated", "article, on joint 6 and on @STEP"),
         ("limits", "Table 1; gears and pitch from the article on joints 4 and 5"),
         ("hand", "article, on joint 6; range and greatest force from Table 1"),
-        ("full_load", "Table 1"),
+        ("full_load, static_force", "Table 1"),
+        (
+            "weights",
+            "guessed: a third of Table 1's 6 lb; with them 8 oz is carried through Table 4",
+        ),
+        ("stiffness", "guessed: a quarter of an inch under 4 lb; the hand's from the article"),
+        (
+            "solids",
+            "guessed; a finger's length is the later manual's",
+        ),
         ("start", "Table 4's initialization point, data line 10000"),
     ),
 )

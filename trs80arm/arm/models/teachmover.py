@@ -53,6 +53,9 @@ TEACHMOVER = replace(
             "32 steps a pound; the rest guessed to be the MiniMover's",
         ),
         ("link", "7 in: TeachVal III"),
-        ("limits, full_load, start", "guessed to be the MiniMover's"),
+        (
+            "limits, full_load, static_force, weights, stiffness, solids, start",
+            "guessed to be the MiniMover's",
+        ),
     ),
 )

@@ -1,0 +1,298 @@
+"""A whole burst in one stride: free motion far from everything, for next to nothing a write.
+
+`MiniMover` asks here first. Nothing is computed for single writes but which way each motor turns
+and when; that nothing can happen follows from bounds: the longest time that a motor may need for
+a half-step, the stops, and how far the arm is from whatever it could touch, in inches that its
+drives' levers make of half-steps. Where a bound is not enough `burst` looks more closely.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from trs80arm.arm.forces import nearest_and_farthest
+from trs80arm.arm.model import Motor
+from trs80arm.arm.motors import ROWS
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from trs80arm.arm.minimover import MiniMover
+
+Array = npt.NDArray[np.int64]
+
+Span = tuple[float, float]
+
+_GEARS = (Motor.LEFT_WRIST, Motor.RIGHT_WRIST)
+_ROWS = np.array(ROWS, dtype=np.int64)
+
+
+@dataclass(slots=True)
+class _Train:
+    """The writes to one motor.
+
+    Attributes:
+        latch: of the motor.
+        places: which writes of the burst they are.
+        turns: half-steps that each turns the field, 1 or -1.
+        end: the rotor's position after the last.
+        low, high: the least and the greatest position that it comes to.
+    """
+
+    latch: int
+    places: Array
+    turns: Array
+    end: int
+    low: int
+    high: int
+
+
+def stride(
+    arm: MiniMover,
+    times: Array,
+    latches: Array,
+    nibbles: Array,
+    stop: tuple[int, int] | None,
+) -> bool:
+    """Do a burst at once, if it is certain that nothing happens in it.
+
+    Args:
+        arm: the arm, every motor of it settled.
+        times: T-states.
+        latches: 0 to 6.
+        nibbles: coil patterns.
+        stop: as for `MiniMover.apply`, the grip switch only.
+
+    Returns:
+        Whether it was done; if not, nothing was.
+    """
+    trains = _trains(arm, latches, nibbles)
+    if not trains:
+        return False
+    low, high = list(arm.rotors), list(arm.rotors)
+    for train in trains:
+        low[train.latch], high[train.latch] = train.low, train.high
+    pays = ((Motor.HAND, 1), (Motor.ELBOW, arm.model.elbow_pays_out))
+    gears = ((one, arm.model.drives[arm.model.latch(one)].sign) for one in _GEARS)
+    paid = _together(arm, trains, dict(pays), len(times))
+    pitched = _together(arm, trains, dict(gears), len(times))
+    if not (
+        _hand_stays(arm, paid, stop)
+        and _within_stops(arm, low, high, pitched)
+        and _in_time(arm, trains, times, low, high, paid[0])
+        and _clear(arm, low, high, pitched, closes=paid[0] < 0)
+    ):
+        return False
+    _arrive(arm, trains, times, nibbles)
+    return True
+
+
+def _trains(arm: MiniMover, latches: Array, nibbles: Array) -> list[_Train]:
+    """The writes motor by motor; none where one of them is not a half-step of a motor."""
+    rows = _ROWS[nibbles & 15]
+    if int(rows.min()) < 0 or int(latches.min()) < 0 or int(latches.max()) > 5:
+        return []
+    trains = []
+    for latch, motor in enumerate(arm.motors[:6]):
+        places = np.flatnonzero(latches == latch)
+        if not len(places):
+            continue
+        turns = rows[places]
+        before = (motor.field if motor.row >= 0 else motor.rotor) & 7
+        turns[1:] -= turns[:-1].copy()
+        turns[0] -= before
+        turns += 3
+        turns &= 7
+        turns -= 3
+        least, most = int(turns.min()), int(turns.max())
+        if least < -1 or most > 1:
+            return []
+        if least == most:
+            if not least:
+                return []
+            end = motor.rotor + least * len(places)
+            low, high = sorted((motor.rotor + least, end))
+        else:
+            if not turns.all():
+                return []
+            path = np.cumsum(turns)
+            end = motor.rotor + int(path[-1])
+            low, high = motor.rotor + int(path.min()), motor.rotor + int(path.max())
+        trains.append(
+            _Train(latch, places, turns, end, min(low, motor.rotor), max(high, motor.rotor))
+        )
+    return trains
+
+
+def _hand_stays(arm: MiniMover, paid: tuple[int, int], stop: tuple[int, int] | None) -> bool:
+    """Whether neither stop nor switch nor grip of the hand can come into play."""
+    model, grip = arm.model, arm.grip
+    now = arm.drive.cable(arm.rotors)
+    least, most = paid
+    hand = model.hand
+    squeezes = max(0, grip.contact - now - most), max(0, grip.contact - now - least)
+    if squeezes[1] > hand.most_squeeze - 2 or now + most > hand.range * model.hand_steps - 2:
+        return False
+    if stop is not None and (squeezes[1] >= hand.switch_steps or 0b1111 & stop[0] == stop[1]):
+        return False
+    if grip.part is None and grip.fixed is None:
+        return True
+    if grip.hold is None:
+        return least == most == 0
+    carried = 32 * arm.settings.pad_friction * (squeezes[0] / hand.pound_steps)
+    return squeezes[0] > 0 and bool(carried >= grip.weight)
+
+
+def _together(
+    arm: MiniMover, trains: list[_Train], signs: dict[Motor, int], count: int
+) -> tuple[int, int]:
+    """How far a sum of two motors' positions goes below and above where it is.
+
+    Args:
+        arm: the arm.
+        trains: the writes motor by motor.
+        signs: how the motors count in the sum.
+        count: writes in the burst.
+    """
+    moving = [(train, signs[kind]) for train, kind in _kinds(arm, trains) if kind in signs]
+    if not moving:
+        return 0, 0
+    if len(moving) == 1:
+        ((train, sign),) = moving
+        here = arm.rotors[train.latch]
+        ends = sign * (train.low - here), sign * (train.high - here)
+        return min(ends), max(ends)
+    steps = np.zeros(count, dtype=np.int64)
+    for train, sign in moving:
+        steps[train.places] = sign * train.turns
+    path = np.cumsum(steps)
+    return min(0, int(path.min())), max(0, int(path.max()))
+
+
+def _kinds(arm: MiniMover, trains: list[_Train]) -> list[tuple[_Train, Motor]]:
+    """Each motor's writes with what it turns."""
+    return [(train, arm.model.drives[train.latch].turns) for train in trains]
+
+
+def _pitches(arm: MiniMover, pitched: tuple[int, int]) -> Span:
+    """The least and the greatest pitch, radians."""
+    drive = arm.model.drives[arm.model.latch(Motor.LEFT_WRIST)]
+    *_, left, right = arm.drive.driven(arm.rotors)
+    here = (left + right) / 2
+    return here + pitched[0] / (2 * drive.steps), here + pitched[1] / (2 * drive.steps)
+
+
+def _within_stops(
+    arm: MiniMover, low: Sequence[int], high: Sequence[int], pitched: tuple[int, int]
+) -> bool:
+    """Whether no joint can come to its end."""
+    limits = arm.model.limits
+    base, shoulder, elbow, left, right = _spans(arm, low, high)
+    pitch = _pitches(arm, pitched)
+    return (
+        max(-base[0], base[1]) < limits.base
+        and shoulder[0] > limits.shoulder[0]
+        and shoulder[1] < limits.shoulder[1]
+        and elbow[0] - shoulder[1] > limits.elbow[0]
+        and elbow[1] - shoulder[0] < limits.elbow[1]
+        and max(pitch[1] - elbow[0], elbow[1] - pitch[0]) < limits.pitch
+        and max(-left[0], left[1], -right[0], right[1]) < limits.gear
+    )
+
+
+def _spans(arm: MiniMover, low: Sequence[int], high: Sequence[int]) -> tuple[Span, ...]:
+    """The angles that each driven joint comes to, from the least to the greatest, radians."""
+    one, other = arm.drive.driven(low), arm.drive.driven(high)
+    return tuple((min(a, b), max(a, b)) for a, b in zip(one, other, strict=True))
+
+
+def _in_time(
+    arm: MiniMover,
+    trains: list[_Train],
+    times: Array,
+    low: Sequence[int],
+    high: Sequence[int],
+    least: int,
+) -> bool:
+    """Whether every rotor is done with each half-step before the next is asked of it."""
+    strength, margin = arm.strength, arm.settings.speed_margin
+    burdens = arm.world.burdens()
+    spans = _spans(arm, low, high)
+    for train in trains:
+        drive, motor = arm.model.drives[train.latch], arm.motors[train.latch]
+        turns = drive.turns
+        if turns is Motor.HAND:
+            squeeze = max(0, arm.grip.contact - arm.drive.cable(arm.rotors) - least)
+            against = 16 * (squeeze / arm.model.hand.pound_steps)
+        elif turns in (Motor.SHOULDER, Motor.ELBOW):
+            level, steep = nearest_and_farthest(*spans[turns])
+            weight = strength.most(turns, burdens)
+            up = bool(train.turns[0] * drive.sign > 0)
+            same = bool((train.turns == train.turns[0]).all())
+            against = max(0.0, weight * (level if up else -steep)) if same else weight
+        else:
+            against = strength.most(turns, burdens)
+        period = strength.curves[turns].period(against, margin)
+        when = times[train.places]
+        if int(when[0]) < motor.done:
+            return False
+        if len(when) > 1 and int((when[1:] - when[:-1]).min()) < period:
+            return False
+    return True
+
+
+def _clear(
+    arm: MiniMover,
+    low: Sequence[int],
+    high: Sequence[int],
+    pitched: tuple[int, int],
+    *,
+    closes: bool,
+) -> bool:
+    """Whether nothing can come near anything, however the motors get to where they get."""
+    travel = [
+        lever * max(most - here, here - least)
+        for lever, here, least, most in zip(arm.world.levers(), arm.rotors, low, high, strict=True)
+    ]
+    lever = arm.world.levers()
+    way = sum(travel)
+    turn = travel[arm.model.latch(Motor.BASE)]
+    rolling = sum(travel[arm.model.latch(gear)] for gear in _GEARS)
+    # Seen as rings around the base everything is far from the hand however it is rolled.
+    pitching = lever[arm.model.latch(Motor.LEFT_WRIST)] * max(-pitched[0], pitched[1])
+    # Fingers that close take hold of what they touch; otherwise a touch may give.
+    spare = arm.settings.touch if closes else 0.0
+    return way - turn - rolling + pitching < arm.world.clearance(turning=True) or (
+        way + spare < arm.world.clearance(turning=False)
+    )
+
+
+def _arrive(arm: MiniMover, trains: list[_Train], times: Array, nibbles: Array) -> None:
+    """Leave the arm as the burst leaves it."""
+    ends = [int(train.places[-1]) for train in trains]
+    # Where every rotor stood just before the last step of each motor, whose time hangs on it.
+    stood = [list(arm.rotors) for _ in trains]
+    for train in trains:
+        begun = np.searchsorted(train.places, ends)
+        for rotors, steps in zip(stood, begun.tolist(), strict=True):
+            one_way = train.high - train.low == len(train.turns)
+            first = int(train.turns[0])
+            rotors[train.latch] += steps * first if one_way else int(train.turns[:steps].sum())
+    rotors = list(arm.rotors)
+    for train, end, before in zip(trains, ends, stood, strict=True):
+        motor = arm.motors[train.latch]
+        turned = train.end - motor.rotor
+        time, nibble = int(times[end]), int(nibbles[end]) & 15
+        motor.follow(len(train.places))
+        motor.moved = time
+        motor.done = time + arm.period_at(train.latch, int(train.turns[-1]), before)
+        motor.field = (motor.field if motor.row >= 0 else motor.rotor) + turned
+        motor.rotor = train.end
+        motor.row = ROWS[nibble]
+        motor.coils = nibble
+        rotors[train.latch] = train.end
+    arm.arrive(rotors, int(times[-1]))
