@@ -42,8 +42,6 @@ class Screen:
     def show_cursor(self, on: bool) -> None:
         """No cursor."""
 
-    wide = False
-
     def point(self, x: int, y: int) -> bool:
         return (x + y) % 2 == 0
 

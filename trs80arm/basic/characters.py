@@ -28,7 +28,7 @@ AT: Final = 0x40
 CLOSE_BRACKET: Final = 0x5D
 """Taken for a `)` behind subscripts."""
 
-BLANKS: Final = frozenset(b" \t\n")
+BLANKS: Final = b" \t\n"
 """What the ROM passes on its way to the next character (RST 10H)."""
 
 

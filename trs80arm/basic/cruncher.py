@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from trs80arm.basic import tokens, words
-from trs80arm.basic.characters import BLANK, COLON, QUESTION, QUOTE
+from trs80arm.basic.characters import BLANK, BLANKS, COLON, QUESTION, QUOTE, ZERO, is_digit
 from trs80arm.basic.errors import BasicError, Code
 
 LAST_LINE = 65529
@@ -67,13 +67,13 @@ def line_number(text: bytes, position: int = 0) -> tuple[int | None, int]:
     number = 0
     digits = False
     while True:
-        while position < size and text[position] in b" \t\n":
+        while position < size and text[position] in BLANKS:
             position += 1
-        if position >= size or not 0x30 <= text[position] <= 0x39:
+        if position >= size or not is_digit(text[position]):
             return (number if digits else None), position
         if number > LAST_LINE // 10:
             raise BasicError(Code.SN)
-        number = number * 10 + text[position] - 0x30
+        number = number * 10 + text[position] - ZERO
         digits = True
         position += 1
 
@@ -88,9 +88,9 @@ def split_line(text: bytes) -> tuple[int | None, bytes]:
     """
     size = len(text)
     start = 0
-    while start < size and text[start] in b" \t\n":
+    while start < size and text[start] in BLANKS:
         start += 1
-    if start >= size or not 0x30 <= text[start] <= 0x39:
+    if start >= size or not is_digit(text[start]):
         return None, text[start:]
     number, end = line_number(text, start)
     behind = end
@@ -197,7 +197,7 @@ def crunch(text: bytes) -> Crunched:
             cost += _T_QUESTION
             position += 1
             continue
-        elif 0x30 <= code < 0x3C:
+        elif ZERO <= code < _ABOVE:
             cost += _T_DIGIT
         else:
             word, end, search = _search(text, position)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from trs80arm.basic import costs, cruncher, editing_costs, endings, room
+from trs80arm.basic.characters import BLANKS
 from trs80arm.basic.errors import Code
 from trs80arm.basic.state import State
 
@@ -21,7 +22,7 @@ def store_line(state: State, number: int, text: bytes) -> None:
         BasicError: OM when it does not fit.
     """
     crunched, cost = cruncher.crunch(text)
-    if not text.strip(b" \t\n"):
+    if not text.strip(BLANKS):
         crunched = b""
     program = state.program
     control = state.control

@@ -84,10 +84,6 @@ class Console(Protocol):
     def show_cursor(self, on: bool) -> None:
         """Switch the `_` at the cursor on or off (codes 14 and 15)."""
 
-    @property
-    def wide(self) -> bool:
-        """Whether the display is in 32-column mode."""
-
     def point(self, x: int, y: int) -> bool:
         """Whether the graphics block x 0..127, y 0..47 is lit (POINT)."""
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
+from trs80arm.basic.characters import ZERO
 from trs80arm.basic.numbers import decimal, double, literal, registers, single
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.numbers.double import Double
@@ -199,7 +200,7 @@ def text(value: Number, shown: str) -> int:
     """
     negative = NEGATIVE if shown[0] == "-" else 0
     if isinstance(value, int) and value != -32768:
-        count = sum(code - 0x30 for code in shown.encode("ascii")[1:])
+        count = sum(code - ZERO for code in shown.encode("ascii")[1:])
         total = INTEGER_TEXT + INTEGER_DIGIT * (len(shown) - 1) + INTEGER_COUNT * count
         return total + negative + (0 if value else INTEGER_ZERO)
     total = TEXT_CHARACTER * len(shown) + negative
@@ -245,7 +246,7 @@ def single_scaling(value: float) -> int:
     assert isinstance(x, float)
     figures = decimal.digits(decimal.cut(x), decimal.SINGLE_DIGITS)
     total = SINGLE_UP * places if places > 0 else -SINGLE_DOWN * places
-    total += SINGLE_COUNT * sum(code - 0x30 for code in figures.encode("ascii"))
+    total += SINGLE_COUNT * sum(code - ZERO for code in figures.encode("ascii"))
     return total + SINGLE_SHIFT * (24 - single.to_register(x)[0] + 128)
 
 
@@ -266,8 +267,8 @@ def double_scaling(value: Double) -> int:
         total += DOUBLE_UP + (DOUBLE_UP_CARRY if _carries(x.mantissa, 56) else 0)
         x = double.times_ten(x)
     figures = decimal.digits(decimal.cut(x), decimal.DOUBLE_DIGITS).encode("ascii")
-    total += DOUBLE_COUNT_HIGH * sum(code - 0x30 for code in figures[:10])
-    return total + DOUBLE_COUNT_LOW * sum(code - 0x30 for code in figures[10:])
+    total += DOUBLE_COUNT_HIGH * sum(code - ZERO for code in figures[:10])
+    return total + DOUBLE_COUNT_LOW * sum(code - ZERO for code in figures[10:])
 
 
 def product_by(value: float) -> int:

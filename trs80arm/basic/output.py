@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Final
 
 from trs80arm.basic import addresses, costs
+from trs80arm.basic.characters import BLANK
 from trs80arm.basic.host import Host
 
 _NEWLINE: Final = 13
 _LINE_FEED: Final = 10
-_BLANK: Final = 0x20
 _CLEAR_SCREEN: Final = (0x1C, 0x1F)
 
 
@@ -77,6 +77,6 @@ class Output:
         column = self._ram[addresses.PRINTER_COLUMN]
         if code in (_NEWLINE, _LINE_FEED):
             column = 0
-        elif code >= _BLANK:
+        elif code >= BLANK:
             column = column + 1 & 0xFF
         self._ram[addresses.PRINTER_COLUMN] = column

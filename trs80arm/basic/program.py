@@ -12,9 +12,12 @@ from collections.abc import Iterable, Iterator
 
 from trs80arm.basic import addresses
 from trs80arm.basic.addresses import set_word, word
+from trs80arm.basic.characters import COLON, QUOTE
 from trs80arm.basic.host import Memory
 
 _RAM_START = 0x4000
+_LAST = 0xFFF0
+"""No program reaches so far up; the search through a broken one stops here."""
 LINE_HEAD = 4
 """A line's link and number."""
 
@@ -128,6 +131,15 @@ class Program:
         ram = self._memory.ram
         end = ram.find(0, address, self._memory.top)
         return bytes(ram[address : end if end >= 0 else self._memory.top])
+
+    def statement_end(self, address: int) -> int:
+        """The colon, or the zero, that ends the statement at an address, quotes respected."""
+        ram = self._memory.ram
+        quoted = False
+        while ram[address] and (quoted or ram[address] != COLON) and address < _LAST:
+            quoted ^= ram[address] == QUOTE
+            address += 1
+        return address
 
     def text(self, number: int) -> bytes | None:
         """The crunched text of a line, None if there is none of that number."""

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from trs80arm.basic import costs
+from trs80arm.basic.characters import BLANKS, COLON, END, QUOTE, ZERO, is_digit
 from trs80arm.basic.compiler.emitter import Emitter
-
-_BLANKS = (0x20, 0x09, 0x0A)
 
 
 class Reader:
@@ -35,7 +34,7 @@ class Reader:
 
     def skip(self) -> int:
         """Pass blanks; the character behind them."""
-        while self.code in _BLANKS:
+        while self.code in BLANKS:
             self.position += 1
             self._out.cost += costs.BLANK
         return self.code
@@ -44,7 +43,7 @@ class Reader:
         """The next character that is no blank (RST 10H)."""
         self.position += 1
         code = self.skip()
-        self._out.cost += costs.CHARACTER if code >= 0x3A else costs.LOW_CHARACTER
+        self._out.cost += costs.CHARACTER if code >= COLON else costs.LOW_CHARACTER
         return code
 
     def state(self) -> tuple[int, int]:
@@ -58,12 +57,12 @@ class Reader:
     @property
     def at_end(self) -> bool:
         """Whether the statement ends here."""
-        return self.code in (0, 0x3A)
+        return self.code in (END, COLON)
 
     def string_literal(self) -> tuple[int, int]:
         """Length and address of the quoted text that begins here; the reader goes behind it."""
         start = self.position + 1
-        end = self.text.find(b'"', start)
+        end = self.text.find(bytes((QUOTE,)), start)
         if end < 0:
             end = len(self.text)
         self.position = end
@@ -77,9 +76,9 @@ class Reader:
         quoted = False
         while self.position < len(self.text):
             code = self.text[self.position]
-            if code == 0x22:
+            if code == QUOTE:
                 quoted = not quoted
-            elif code == 0x3A and not quoted:
+            elif code == COLON and not quoted:
                 return
             self.position += 1
             self._out.cost += costs.SKIPPED
@@ -91,10 +90,10 @@ class Reader:
             The number; -1 when it is too large, which is ?SN.
         """
         number: int | None = None
-        while 0x30 <= self.code <= 0x39:
+        while is_digit(self.code):
             if (number or 0) > 6552:
                 return -1
-            number = (number or 0) * 10 + self.code - 0x30
+            number = (number or 0) * 10 + self.code - ZERO
             self._out.cost += costs.LINE_DIGIT
             self.advance()
         return number

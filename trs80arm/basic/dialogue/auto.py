@@ -10,6 +10,7 @@ from typing import Final
 
 from trs80arm.basic import cruncher, editing_costs
 from trs80arm.basic.addresses import set_word, word
+from trs80arm.basic.characters import COMMA
 from trs80arm.basic.dialogue import line_range
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.state import State
@@ -43,7 +44,7 @@ def auto(state: State, rest: bytes) -> None:
     if not line_range.at_end(rest, position):
         start, position = line_range.line_or_dot(state, rest, position)
         if not line_range.at_end(rest, position):
-            if rest[position] != ord(","):
+            if rest[position] != COMMA:
                 raise BasicError(Code.SN)
             step = word(state.memory.ram, STEP)
             position = line_range.skip_blanks(rest, position + 1)

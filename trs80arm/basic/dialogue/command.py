@@ -9,8 +9,9 @@ from typing import Any, Final
 
 from trs80arm.basic import costs, cruncher, editing, execution
 from trs80arm.basic.activity import Waiting
+from trs80arm.basic.characters import BLANKS
 from trs80arm.basic.control import DIRECT
-from trs80arm.basic.dialogue import auto, line_range
+from trs80arm.basic.dialogue import auto
 from trs80arm.basic.dialogue.edit import Edit
 from trs80arm.basic.dialogue.line_input import Line, LineInput
 from trs80arm.basic.errors import Code
@@ -56,7 +57,7 @@ class CommandLevel(Home):
             self._ready = True
         elif number is not None:
             self._numbered(state, number, result.text)
-        elif result.text is not None and result.text.strip(line_range.BLANKS):
+        elif result.text is not None and result.text.strip(BLANKS):
             # An error in storing the line, as any, leads to READY.
             self._ready = True
             self._ready = self._enter(state, result.text)

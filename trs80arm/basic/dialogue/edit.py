@@ -9,8 +9,9 @@ from __future__ import annotations
 from enum import Enum
 from typing import Final
 
-from trs80arm.basic import addresses, cruncher, editing, editing_costs, keyboard
+from trs80arm.basic import addresses, characters, cruncher, editing, editing_costs, keyboard
 from trs80arm.basic.activity import Waiting
+from trs80arm.basic.characters import EXCLAMATION
 from trs80arm.basic.dialogue import line_range
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.state import Activity, State
@@ -18,7 +19,6 @@ from trs80arm.basic.state import Activity, State
 LINE_LENGTH: Final = 255
 """Characters that a line being edited holds; I ignores keys beyond."""
 _BACK, _ENTER, _SHIFT_UP = 8, 13, 27
-_MARK = ord("!")
 
 # T-states observed on the ROM with single keys on lines of 3, 24 and 49 characters.
 _T_KEY: Final = 212
@@ -131,9 +131,9 @@ class Edit(Activity):
 
     def _command(self, state: State, code: int) -> None:
         clock = state.clock
-        if ord("0") <= code <= ord("9"):
+        if characters.is_digit(code):
             clock.now += _T_DIGIT
-            self._count = (self._count * 10 + code - ord("0")) & 0xFF
+            self._count = (self._count * 10 + code - characters.ZERO) & 0xFF
             return
         count = self._count or 1
         self._count = 0
@@ -185,11 +185,11 @@ class Edit(Activity):
         if self._place == len(self._line):
             return
         console = state.host.console
-        console.put(_MARK)
+        console.put(EXCLAMATION)
         for _ in range(min(count, len(self._line) - self._place)):
             console.put(self._line.pop(self._place))
             state.clock.now += _T_DELETED + self._moved_down()
-        console.put(_MARK)
+        console.put(EXCLAMATION)
 
     def _moved_down(self) -> int:
         """T-states to close the gap that a character has left at the place."""
@@ -235,7 +235,7 @@ class Edit(Activity):
         clock = state.clock
         clock.now += _T_KILL if kill else _T_SEARCH
         if kill:
-            console.put(_MARK)
+            console.put(EXCLAMATION)
         while self._count and self._place < len(line):
             console.put(line[self._place])
             if kill:
@@ -247,7 +247,7 @@ class Edit(Activity):
             if self._place < len(line) and line[self._place] == code:
                 self._count -= 1
         if kill:
-            console.put(_MARK)
+            console.put(EXCLAMATION)
         self._take_command()
 
     def _finish(self, state: State) -> None:

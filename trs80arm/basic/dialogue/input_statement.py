@@ -11,17 +11,13 @@ from typing import Any, Final, Protocol
 
 from trs80arm.basic import costs, number_costs
 from trs80arm.basic.activity import Waiting
+from trs80arm.basic.characters import BLANKS, COLON, COMMA, END, QUOTE
 from trs80arm.basic.dialogue.line_input import LineInput
 from trs80arm.basic.execution import break_
 from trs80arm.basic.kinds import Kind
 from trs80arm.basic.numbers import double, literal
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.state import Activity, State
-
-_BLANKS = b" \t\n"
-_QUOTE = ord('"')
-_COMMA = ord(",")
-_COLON = ord(":")
 
 _T_ASK: Final = 269
 _T_ITEM: Final = 2130
@@ -81,7 +77,7 @@ class Items:
     def _skip(self) -> int:
         """Go to the next character that is no blank; 0 at the end."""
         text = self._text
-        while self._place < len(text) and text[self._place] in _BLANKS:
+        while self._place < len(text) and text[self._place] in BLANKS:
             self._place += 1
         return text[self._place] if self._place < len(text) else 0
 
@@ -97,22 +93,22 @@ class Items:
     def string(self) -> bytes:
         """The next item as a string: quoted, or up to a comma or colon."""
         text = self._text
-        if self._skip() == _QUOTE:
+        if self._skip() == QUOTE:
             end = text.find(b'"', self._place + 1)
             end = len(text) if end < 0 else end
             start, self._place = self._place + 1, end + 1
             return text[start:end]
         start = self._place
-        while self._place < len(text) and text[self._place] not in b",:":
+        while self._place < len(text) and text[self._place] not in (COMMA, COLON):
             self._place += 1
         return text[start : self._place]
 
     def separator(self) -> bool:
         """Pass the comma behind an item; whether one, or the end, or a colon was there."""
         code = self._skip()
-        self._comma = code == _COMMA
+        self._comma = code == COMMA
         self._place += self._comma
-        return self._comma or code in (0, _COLON)
+        return self._comma or code in (END, COLON)
 
 
 class InputStatement(Activity):

@@ -12,6 +12,7 @@ from typing import Final
 from trs80arm.basic import addresses, keyboard
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.addresses import word
+from trs80arm.basic.characters import BLANK
 from trs80arm.basic.state import Activity, State
 
 LINE_LENGTH: Final = 240
@@ -20,7 +21,6 @@ LINE_LENGTH: Final = 240
 _BREAK, _LEFT, _RIGHT, _DOWN, _ENTER = 1, 8, 9, 10, 13
 _SHIFT_LEFT, _SHIFT_RIGHT, _CLEAR = 24, 25, 31
 _WIDE, _HOME, _ERASE = 23, 28, 31
-_BLANK = 32
 _TAB = 8
 
 # T-states of the editor beside display and keyboard, measured from key to key.
@@ -76,7 +76,7 @@ class LineInput(Activity):
     def _key(self, state: State, code: int) -> None:
         """Do what a key other than ENTER and BREAK does."""
         console, line = state.host.console, self._line
-        if code >= _BLANK or code == _DOWN:
+        if code >= BLANK or code == _DOWN:
             if len(line) < LINE_LENGTH:
                 line.append(code)
                 console.echo(code)
@@ -88,8 +88,8 @@ class LineInput(Activity):
         elif code == _RIGHT:
             for _ in range(_TAB - console.column % _TAB):
                 if len(line) < LINE_LENGTH:
-                    line.append(_BLANK)
-                    console.echo(_BLANK)
+                    line.append(BLANK)
+                    console.echo(BLANK)
         elif code == _SHIFT_RIGHT:
             console.echo(_WIDE)
         elif code == _CLEAR:

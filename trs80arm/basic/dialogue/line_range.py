@@ -8,16 +8,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-from trs80arm.basic import cruncher
+from trs80arm.basic import cruncher, tokens
+from trs80arm.basic.characters import BLANKS, COLON, END, POINT
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.state import State
 
-MINUS: Final = 0xCE
-"""The token of `-`."""
 BEYOND: Final = 0xFFFA
 """The end of a range that has none: larger than any line number."""
-BLANKS = b" \t\n"
-"""What the ROM's fetch routine passes over."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +34,7 @@ def skip_blanks(text: bytes, position: int) -> int:
 
 def at_end(text: bytes, position: int) -> bool:
     """Whether a statement ends at `position`."""
-    return position >= len(text) or text[position] in b"\0:"
+    return position >= len(text) or text[position] in (END, COLON)
 
 
 def line_or_dot(state: State, text: bytes, position: int) -> tuple[int, int]:
@@ -50,7 +47,7 @@ def line_or_dot(state: State, text: bytes, position: int) -> tuple[int, int]:
         BasicError: SN for a number above 65529.
     """
     position = skip_blanks(text, position)
-    if position < len(text) and text[position] == ord("."):
+    if position < len(text) and text[position] == POINT:
         return state.control.dot, skip_blanks(text, position + 1)
     number, end = cruncher.line_number(text, position)
     return number or 0, skip_blanks(text, end)
@@ -68,7 +65,7 @@ def parse(state: State, text: bytes) -> LineRange:
     first, position = line_or_dot(state, text, position)
     if at_end(text, position):
         return LineRange(first, first)
-    if text[position] != MINUS:
+    if text[position] != tokens.MINUS:
         raise BasicError(Code.SN)
     position = skip_blanks(text, position + 1)
     if at_end(text, position):

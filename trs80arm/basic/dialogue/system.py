@@ -11,6 +11,7 @@ from typing import Any, Final
 from trs80arm.basic import costs, cruncher, keyboard
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.addresses import word
+from trs80arm.basic.characters import BLANKS
 from trs80arm.basic.dialogue import line_range
 from trs80arm.basic.dialogue.line_input import Line, LineInput
 from trs80arm.basic.errors import BasicError, Code
@@ -40,7 +41,7 @@ class SystemCommand(Activity):
         if result.text is None:
             state.return_to_command()
             return
-        answer: bytes = result.text.strip(b" \t\n")
+        answer: bytes = result.text.strip(BLANKS)
         if not answer:
             raise BasicError(Code.SN)
         if answer[:1] == b"/":

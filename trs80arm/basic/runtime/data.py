@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from trs80arm.basic import costs, number_costs, tokens
+from trs80arm.basic.characters import BLANKS, CLOSE, COLON, COMMA, END, OPEN, QUOTE
 from trs80arm.basic.dialogue.input_statement import InputStatement
 from trs80arm.basic.dialogue.tape_statements import InputTape
 from trs80arm.basic.errors import BasicError, Code, LineError
@@ -14,9 +15,6 @@ from trs80arm.basic.numbers import convert, double, literal
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.state import State
 from trs80arm.basic.variables import Descriptor
-
-_COLON, _COMMA, _QUOTE = 0x3A, 0x2C, 0x22
-_BLANKS = b" \t\n"
 
 
 class ListedTarget:
@@ -55,10 +53,10 @@ class Targets:
         ram = self._state.memory.ram
         address = self._places[0]
         count, depth = 1, 0
-        while ram[address] and (ram[address] != _COLON):
+        while ram[address] and (ram[address] != COLON):
             code = ram[address]
-            depth += (code == 0x28) - (code == 0x29)
-            count += code == _COMMA and depth <= 0
+            depth += (code == OPEN) - (code == CLOSE)
+            count += code == COMMA and depth <= 0
             address += 1
         return count
 
@@ -74,7 +72,7 @@ class Targets:
     @property
     def at_end(self) -> bool:
         """Whether the statement ends behind the variables found."""
-        return self._state.memory.ram[self._places[-1]] in (0, _COLON)
+        return self._state.memory.ram[self._places[-1]] in (END, COLON)
 
     def find(self, number: int) -> Any:
         """The variable of that number; what comes before it has been found already."""
@@ -82,22 +80,18 @@ class Targets:
         address = self._places[number]
         reference, end = self._state.engine.find_target(address)
         ram = self._state.memory.ram
-        if ram[end] == _COMMA:
+        if ram[end] == COMMA:
             end += 1
-            while ram[end] in _BLANKS:
+            while ram[end] in BLANKS:
                 end += 1
         self._places.append(end)
         return reference
 
     def finish(self) -> int:
         """Where the program goes on: behind the last variable, or behind the statement."""
-        ram = self._state.memory.ram
         address = self._places[-1]
         if len(self._places) <= len(self):
-            quoted = False
-            while ram[address] and (quoted or ram[address] != _COLON):
-                quoted ^= ram[address] == _QUOTE
-                address += 1
+            return self._state.program.statement_end(address)
         return address
 
 
@@ -127,7 +121,7 @@ class DataReader(Part):
         ram = self._ram
         control = self._control
         address = self._place
-        if ram[address] == _COMMA:
+        if ram[address] == COMMA:
             return self._skip(address + 1)
         while True:
             if address >= _LAST:
@@ -135,7 +129,7 @@ class DataReader(Part):
             if not ram[address]:
                 if not (ram[address + 1] or ram[address + 2]):
                     raise BasicError(Code.OD)
-                control.data_line = ram[address + 3] | ram[address + 4] << 8
+                control.data_line = self._state.program.number_at(address + 1)
                 address += 4
                 self._clock.now += costs.DATA_LINE
             else:
@@ -143,18 +137,12 @@ class DataReader(Part):
             address = self._skip(address + 1)
             if ram[address] == tokens.DATA:
                 return self._skip(address + 1)
-            quoted = False
             start = address
-            while ram[address] and (quoted or ram[address] != _COLON):
-                quoted ^= ram[address] == _QUOTE
-                address += 1
-                if address >= _LAST:
-                    # Only a pointer that was POKEd astray comes here.
-                    raise BasicError(Code.OD)
+            address = self._state.program.statement_end(start)
             self._clock.now += costs.SKIPPED * (address - start)
 
     def _skip(self, address: int) -> int:
-        while self._ram[address] in _BLANKS and address < _LAST:
+        while self._ram[address] in BLANKS and address < _LAST:
             address += 1
         return address
 
@@ -164,7 +152,7 @@ class DataReader(Part):
         The ROM looks only when the item is in its variable: `12X` leaves 12 there.
         """
         address = self._skip(self._place)
-        if self._ram[address] not in (0, _COLON, _COMMA):
+        if self._ram[address] not in (END, COLON, COMMA):
             raise LineError(Code.SN, self._control.data_line)
         self._place = address
 
@@ -183,15 +171,15 @@ class DataReader(Part):
         address = self._item()
         ram = self._ram
         start = address
-        if ram[address] == _QUOTE:
+        if ram[address] == QUOTE:
             start = address = address + 1
-            while ram[address] and ram[address] != _QUOTE:
+            while ram[address] and ram[address] != QUOTE:
                 address += 1
             length = address - start
             if ram[address]:
                 address += 1
         else:
-            while ram[address] not in (0, _COLON, _COMMA):
+            while ram[address] not in (END, COLON, COMMA):
                 address += 1
             length = address - start
         self._clock.now += costs.STRING_LITERAL + costs.STRING_CHARACTER * length

@@ -12,6 +12,7 @@ from trs80arm.basic.execution import Execution, Leave, under_way
 from trs80arm.basic.kinds import INTEGER
 from trs80arm.basic.numbers import integer, single
 from trs80arm.basic.outcome import Ending
+from trs80arm.basic.program import LINE_HEAD
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.variables import Scalar
 
@@ -146,16 +147,8 @@ class Flow(Part):
         """RESUME NEXT: the separator behind the failing statement."""
         # POKEd astray, the address may leave too little memory behind it.
         address = min(self._control.error_address, _LAST)
-        ram = self._ram
-        address += 1
-        if not ram[address - 1]:
-            address += 4
-        quoted = False
-        while ram[address] and (quoted or ram[address] != 0x3A) and address < 0xFFFF:
-            if ram[address] == 0x22:
-                quoted = not quoted
-            address += 1
-        return address
+        text = address + 1 if self._ram[address] else address + 1 + LINE_HEAD
+        return self._state.program.statement_end(text)
 
     # -- ends ---------------------------------------------------------------------------------
 

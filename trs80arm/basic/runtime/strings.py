@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from trs80arm.basic import addresses, costs, number_costs
+from trs80arm.basic.characters import BLANKS
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import decimal, double, literal
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.variables import NO_STRING, Descriptor
 
-_BLANKS = (b" ", b"\t", b"\n")
 _SIGNS = (b"+", b"-")
 
 
@@ -86,7 +86,7 @@ class StringFunctions(Part):
         text = self._strings.take(string)
         if not text:
             return 0
-        if text[:1] in _BLANKS and text.lstrip(b" \t\n")[:1] in _SIGNS:
+        if text[0] in BLANKS and text.lstrip(BLANKS)[:1] in _SIGNS:
             return 0
         meter = number_costs.LiteralMeter()
         try:
