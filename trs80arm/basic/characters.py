@@ -25,11 +25,16 @@ COLON: Final = 0x3A
 SEMICOLON: Final = 0x3B
 QUESTION: Final = 0x3F
 AT: Final = 0x40
+FIRST_LETTER: Final = 0x41
+LAST_LETTER: Final = 0x5A
 CLOSE_BRACKET: Final = 0x5D
 """Taken for a `)` behind subscripts."""
 
 BLANKS: Final = b" \t\n"
 """What the ROM passes on its way to the next character (RST 10H)."""
+
+CAPITAL: Final = 0x5F
+"""The bits that a small letter shares with its capital."""
 
 
 def is_digit(code: int) -> bool:
@@ -39,4 +44,9 @@ def is_digit(code: int) -> bool:
 
 def is_letter(code: int) -> bool:
     """Whether a character is a capital letter."""
-    return 0x41 <= code <= 0x5A
+    return FIRST_LETTER <= code <= LAST_LETTER
+
+
+def is_small_letter(code: int) -> bool:
+    """Whether a character is a small letter."""
+    return 0x61 <= code <= 0x7A

@@ -8,7 +8,17 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from trs80arm.basic import tokens, words
-from trs80arm.basic.characters import BLANK, BLANKS, COLON, QUESTION, QUOTE, ZERO, is_digit
+from trs80arm.basic.characters import (
+    BLANK,
+    BLANKS,
+    CAPITAL,
+    COLON,
+    QUESTION,
+    QUOTE,
+    ZERO,
+    is_digit,
+    is_small_letter,
+)
 from trs80arm.basic.errors import BasicError, Code
 
 LAST_LINE = 65529
@@ -131,8 +141,8 @@ def _search(text: bytes, position: int) -> _Found:
     first = text[position]
     size = len(text)
     cost = _T_ABOVE * (first >= _ABOVE)
-    if 0x61 <= first <= 0x7A:
-        first &= 0x5F
+    if is_small_letter(first):
+        first &= CAPITAL
         cost += _T_SMALL_FIRST
     for code, word in _BY_FIRST.get(first, ()):
         place = position + 1
@@ -148,8 +158,8 @@ def _search(text: bytes, position: int) -> _Found:
             if place >= size:
                 break
             got = text[place]
-            if 0x61 <= got <= 0x7A:
-                got &= 0x5F
+            if is_small_letter(got):
+                got &= CAPITAL
                 cost += _T_SMALL
             if got != wanted:
                 break
@@ -215,8 +225,8 @@ def crunch(text: bytes) -> Crunched:
                     break
                 in_data = word == tokens.DATA
                 continue
-            if 0x61 <= code <= 0x7A:
-                code &= 0x5F
+            if is_small_letter(code):
+                code &= CAPITAL
         out.append(code)
         position += 1
     return Crunched(bytes(out), cost)

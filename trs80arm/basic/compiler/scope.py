@@ -11,6 +11,7 @@ from types import CellType
 from typing import NamedTuple
 
 from trs80arm.basic import costs
+from trs80arm.basic.characters import FIRST_LETTER
 from trs80arm.basic.kinds import BY_SIZE, SINGLE, Kind
 from trs80arm.basic.variables import Array, Key, Scalar, Variables
 
@@ -76,7 +77,7 @@ class Scope:
 
     def default_kind(self, letter: int) -> Kind:
         """The kind of a name without suffix, by its first letter (DEFINT and so on)."""
-        return BY_SIZE.get(self._types[letter - 0x41], SINGLE)
+        return BY_SIZE.get(self._types[letter - FIRST_LETTER], SINGLE)
 
     def scalar(self, key: Key) -> Scalar:
         """A simple variable."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from trs80arm.basic import addresses, costs, room
+from trs80arm.basic.characters import FIRST_LETTER
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.kinds import STRING, Kind
 from trs80arm.basic.numbers import convert
@@ -123,7 +124,7 @@ class Storage(Part):
 
     def define(self, size: int, first: int, last: int) -> None:
         """DEFINT and so on for a range of letters."""
-        start = addresses.TYPE_TABLE - 0x41
+        start = addresses.TYPE_TABLE - FIRST_LETTER
         for letter in range(first, last + 1):
             self._ram[start + letter] = size
         self._state.engine.look_around()
