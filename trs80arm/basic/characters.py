@@ -36,6 +36,9 @@ BLANKS: Final = b" \t\n"
 CAPITAL: Final = 0x5F
 """The bits that a small letter shares with its capital."""
 
+OF_NAMES: Final = frozenset((*range(ZERO, NINE + 1), *range(FIRST_LETTER, LAST_LETTER + 1)))
+"""Digits and capital letters, which go on a variable's name."""
+
 
 def is_digit(code: int) -> bool:
     """Whether a character is a decimal digit."""

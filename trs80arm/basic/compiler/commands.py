@@ -1,4 +1,4 @@
-"""Words that end a program or work on it: END, STOP, CONT, NEW, TRON, LIST, EDIT and so on."""
+"""Words that end a program or work on it: END, CONT, NEW, TRON, LIST; and REM and DATA, passed."""
 
 from __future__ import annotations
 
@@ -59,3 +59,13 @@ class CommandCompiler:
         self._out.charge()
         length = len(self._reader.text) - self._reader.position
         self._out.emit(f"{word.calls}(text_at({length}, {self._reader.address}))")
+
+    # -- passed -------------------------------------------------------------------------------
+
+    def remark(self, _word: Word) -> None:
+        """REM and ELSE: the rest of the line is nothing."""
+        self._reader.skip_rest()
+
+    def data(self, _word: Word) -> None:
+        """DATA met in passing."""
+        self._reader.skip_statement()

@@ -6,7 +6,8 @@ facts, Expressions). What begins with a word is read by the function compiler.
 
 from __future__ import annotations
 
-from typing import Final, Protocol
+from collections.abc import Callable
+from typing import Final
 
 from trs80arm.basic import characters, costs, number_costs, room, tokens, words
 from trs80arm.basic.characters import CLOSE, COMMA, OPEN, QUOTE
@@ -48,31 +49,23 @@ _MAX_DEPTH: Final = 100
 """Nesting beyond which an expression is ?OM, as it is on the ROM when its stack is full."""
 
 
-class FunctionReader(Protocol):
-    """Reads operands that begin with a word."""
-
-    def operand(self, word: words.Word) -> Expression:
-        """The operand whose word stands here."""
-
-
 class ExpressionCompiler:
     """Reads expressions from a line and writes them as Python text.
 
     Args:
         draft: the statement.
+        function: reads an operand that begins with a word.
 
     Attributes:
         convert: conversions of values.
-        functions: who reads functions.
     """
 
-    functions: FunctionReader
-
-    def __init__(self, draft: Draft) -> None:
+    def __init__(self, draft: Draft, function: Callable[[words.Word], Expression]) -> None:
         self._draft = draft
         self._reader = draft.reader
         self._out = draft.out
         self._scope = draft.scope
+        self._function = function
         self.convert = Conversions(draft.out)
         self._operand_end = 0
         """Where the operand read last ends, which string comparison goes back to."""
@@ -276,7 +269,7 @@ class ExpressionCompiler:
         if code == characters.AMPERSAND:
             raise Mistake(Code.L3)
         if code in words.FUNCTIONS:
-            return self.functions.operand(words.BY_TOKEN[code])
+            return self._function(words.BY_TOKEN[code])
         return self._in_parentheses()
 
     def _in_parentheses(self) -> Expression:
@@ -348,7 +341,7 @@ class ExpressionCompiler:
         first = reader.code
         name = chr(first)
         code = reader.advance()
-        while characters.is_digit(code) or characters.is_letter(code):
+        while code in characters.OF_NAMES:
             self._out.cost += costs.NAME_LETTER
             if len(name) < 2:
                 name += chr(code)

@@ -375,17 +375,6 @@ class FlowCompiler:
             out.go_to_found("resume_again()")
         return False
 
-    # -- passed -------------------------------------------------------------------------------
-
-    def remark(self, _word: Word) -> None:
-        """REM and ELSE: the rest of the line is nothing."""
-        self._pass_rest()
-        self._reader.position = len(self._reader.text)
-
-    def data(self, _word: Word) -> None:
-        """DATA met in passing."""
-        self._reader.skip_statement()
-
     def restore(self, word: Word) -> None:
         """RESTORE: READ begins again."""
         self._out.cost += word.work

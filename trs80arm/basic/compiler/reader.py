@@ -6,6 +6,8 @@ from trs80arm.basic import costs
 from trs80arm.basic.characters import BLANKS, COLON, END, QUOTE, ZERO, is_digit
 from trs80arm.basic.compiler.emitter import Emitter
 
+_QUOTE, _COLON = bytes((QUOTE,)), bytes((COLON,))
+
 
 class Reader:
     """A cursor in the text of one line.
@@ -62,7 +64,7 @@ class Reader:
     def string_literal(self) -> tuple[int, int]:
         """Length and address of the quoted text that begins here; the reader goes behind it."""
         start = self.position + 1
-        end = self.text.find(bytes((QUOTE,)), start)
+        end = self.text.find(_QUOTE, start)
         if end < 0:
             end = len(self.text)
         self.position = end
@@ -71,17 +73,19 @@ class Reader:
         self.skip()
         return end - start, self.base + start
 
+    def skip_rest(self) -> None:
+        """Go to the end of the line, passing all without a look."""
+        self._out.cost += costs.SKIPPED * (len(self.text) - self.position)
+        self.position = len(self.text)
+
     def skip_statement(self) -> None:
         """Go to the colon or the end that ends the statement, quotes respected (1F05H)."""
-        quoted = False
-        while self.position < len(self.text):
-            code = self.text[self.position]
-            if code == QUOTE:
-                quoted = not quoted
-            elif code == COLON and not quoted:
-                return
-            self.position += 1
-            self._out.cost += costs.SKIPPED
+        text, start = self.text, self.position
+        end = text.find(_COLON, start)
+        while end >= 0 and text.count(_QUOTE, start, end) % 2:
+            end = text.find(_COLON, end + 1)
+        self.position = end if end >= 0 else len(text)
+        self._out.cost += costs.SKIPPED * (self.position - start)
 
     def digits(self) -> int | None:
         """A line number as the ROM reads it (1E5AH); None where there is no digit.

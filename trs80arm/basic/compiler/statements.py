@@ -7,6 +7,7 @@ that it needs. Which part reads which word is said in the word's row in `words`.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 
 from trs80arm.basic import costs, words
 from trs80arm.basic.characters import AT
@@ -54,21 +55,70 @@ class StatementCompiler:
         loops: list[Key],
         armbasic: bool,
     ) -> None:
-        draft = self._draft = Draft(reader, out, scope)
+        self._draft = Draft(reader, out, scope)
         self._reader = reader
         self._out = out
+        self._program = program
+        self._line = line
+        self._loops = loops
         self._armbasic = armbasic
-        expressions = ExpressionCompiler(draft)
-        functions = expressions.functions = FunctionCompiler(draft, expressions)
-        self.assignments = AssignmentCompiler(draft, expressions, line)
-        self.flow = FlowCompiler(
-            draft, expressions, self.assignments, self._statement, program, line, loops
+
+    # -- the parts, each made when it is needed first -----------------------------------------
+
+    @cached_property
+    def functions(self) -> FunctionCompiler:
+        """Who reads functions."""
+        return FunctionCompiler(self._draft, self.expressions)
+
+    @cached_property
+    def expressions(self) -> ExpressionCompiler:
+        """Who reads expressions; it leaves what begins with a word to `functions`."""
+        return ExpressionCompiler(self._draft, lambda word: self.functions.operand(word))
+
+    @cached_property
+    def assignments(self) -> AssignmentCompiler:
+        """LET, READ, INPUT and so on."""
+        return AssignmentCompiler(self._draft, self.expressions, self._line)
+
+    @cached_property
+    def flow(self) -> FlowCompiler:
+        """GOTO, IF, FOR and so on."""
+        return FlowCompiler(
+            self._draft,
+            self.expressions,
+            self.assignments,
+            self._statement,
+            self._program,
+            self._line,
+            self._loops,
         )
-        self.hardware = HardwareCompiler(draft, expressions, functions)
-        self.tape = TapeCompiler(draft, expressions, self.assignments)
-        self.output = OutputCompiler(draft, expressions, self.tape)
-        self.arm = ArmCompiler(draft, expressions, self.assignments)
-        self.commands = CommandCompiler(draft)
+
+    @cached_property
+    def hardware(self) -> HardwareCompiler:
+        """POKE, SET and so on."""
+        return HardwareCompiler(self._draft, self.expressions, self.functions)
+
+    @cached_property
+    def tape(self) -> TapeCompiler:
+        """CSAVE and so on."""
+        return TapeCompiler(self._draft, self.expressions, self.assignments)
+
+    @cached_property
+    def output(self) -> OutputCompiler:
+        """PRINT."""
+        return OutputCompiler(self._draft, self.expressions, self.tape)
+
+    @cached_property
+    def arm(self) -> ArmCompiler:
+        """The `@` statements."""
+        return ArmCompiler(self._draft, self.expressions, self.assignments)
+
+    @cached_property
+    def commands(self) -> CommandCompiler:
+        """END, LIST and so on, and what is passed."""
+        return CommandCompiler(self._draft)
+
+    # -- the statement ------------------------------------------------------------------------
 
     @property
     def plain(self) -> bool:
@@ -115,15 +165,13 @@ class StatementCompiler:
         if code < words.FIRST:
             self.assignments.let(_LET)
             return True
-        if code in words.DISK:
-            raise Mistake(Code.L3)
-        if code not in words.STATEMENTS:
-            raise Mistake(Code.SN)
-        word = words.BY_TOKEN[code]
+        found = _PARSERS.get(code)
+        if found is None:
+            raise Mistake(Code.L3 if code in words.DISK else Code.SN)
+        word, part, method = found
         self._reader.advance()
         self._draft.plain &= word.plain
         self._draft.observes |= word.observes
-        part, method = _PARSERS[code]
         return method(getattr(self, part), word) is not False
 
 
@@ -137,10 +185,10 @@ _PARTS = {
 }
 
 
-def _parser(token: int) -> tuple[str, Callable[[object, Word], bool | None]]:
-    part, method = words.BY_TOKEN[token].parser.split(".")
-    return part, getattr(_PARTS[part], method)
+def _parser(word: Word) -> tuple[Word, str, Callable[[object, Word], bool | None]]:
+    part, method = word.parser.split(".")
+    return word, part, getattr(_PARTS[part], method)
 
 
-_PARSERS = {token: _parser(token) for token in words.STATEMENTS}
+_PARSERS = {token: _parser(words.BY_TOKEN[token]) for token in words.STATEMENTS}
 """How each statement is read; a row that names no part or method fails here, at the start."""
