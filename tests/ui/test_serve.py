@@ -25,12 +25,12 @@ def free_port() -> int:
         return int(probe.getsockname()[1])
 
 
-def answer_of(port: int, process: subprocess.Popen[str]) -> str:
+def answer_of(address: str, process: subprocess.Popen[str]) -> str:
     """The first page, as soon as there is one."""
     end = time.monotonic() + PATIENCE
     while time.monotonic() < end and process.poll() is None:
         try:
-            with urllib.request.urlopen(f"http://127.0.0.1:{port}/", timeout=5) as page:
+            with urllib.request.urlopen(address, timeout=5) as page:
                 return str(page.read().decode())
         except OSError:
             time.sleep(0.1)
@@ -47,13 +47,17 @@ def test_a_browser_gets_a_page_with_a_terminal(tmp_path: Path) -> None:
         cwd=tmp_path,
         env=os.environ | {"PYTHONUNBUFFERED": "1"},
     )
+    assert process.stdout is not None
     try:
-        page = answer_of(port, process)
+        told = "".join(process.stdout.readline() for _ in LIMITS.splitlines())
+        address = told.split()[2]
+        page = answer_of(address, process)
     finally:
         process.send_signal(signal.SIGINT)
-        said, _ = process.communicate(timeout=PATIENCE)
+        process.communicate(timeout=PATIENCE)
+    assert address.startswith(f"http://127.0.0.1:{port}/?token=")
     assert f"ws://127.0.0.1:{port}/ws" in page
-    assert LIMITS.format(host="127.0.0.1", port=port) in said
+    assert told.rstrip("\n") == LIMITS.format(address=address)
 
 
 def test_without_the_extra_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:

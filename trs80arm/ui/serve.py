@@ -1,23 +1,23 @@
 """The terminal program in a browser, by textual-serve: for a classroom or a look from elsewhere.
 
 The browser's terminal reports no key releases, so there keys are held by the timer, the latch or
-the mouse; nothing else is missing.
+the mouse; nothing else is missing. Who does not have the address that is printed at the start, with
+the token in it, sees nothing; what a visitor can ask for is in `ui.visitors`.
 """
 
 from __future__ import annotations
 
-import shlex
 import sys
 from pathlib import Path
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
 LIMITS = """\
-Serving on http://{host}:{port}  (Ctrl+C ends it)
-In a browser: no key releases (hold with the mouse, or latch with Ctrl+D), one machine for each
-visitor, and files are those of this computer."""
+Serving on {address}  (Ctrl+C ends it)
+Only this address opens it. In a browser: no key releases (hold with the mouse, or latch with
+Ctrl+D), one machine for each visitor, and files are those of this computer."""
 OPEN_TO_OTHERS = """\
-Careful: {host} is not this computer alone. Whoever reaches it can read and write the files that you
-can, through the open and save dialogs."""
+Careful: {host} is not this computer alone. Whoever has the address can read and write the files
+that you can, through the open and save dialogs."""
 
 
 class ServeError(Exception):
@@ -36,7 +36,9 @@ def serve_terminal(host: str, port: int, program: Path | None) -> None:
         ServeError: the extra is not installed, or the port cannot be had.
     """
     try:
-        from textual_serve.server import Server  # type: ignore[import-not-found, unused-ignore]
+        import textual_serve.server  # type: ignore[import-not-found, unused-ignore]  # noqa: F401
+
+        from trs80arm.ui.visitors import Visitors
     except ImportError:
         raise ServeError("serve needs the extra: pip install 'trs80arm[web]'") from None
     words = [sys.executable, "-m", "trs80arm", "terminal", "--keys", "repeat"]
@@ -44,10 +46,10 @@ def serve_terminal(host: str, port: int, program: Path | None) -> None:
         if not program.is_file():
             raise ServeError(f"{program}: no such file")
         words.append(str(program.resolve()))
-    print(LIMITS.format(host=host, port=port))
+    server = Visitors(words, host, port)
+    print(LIMITS.format(address=server.address), flush=True)
     if host not in LOOPBACK:
-        print(OPEN_TO_OTHERS.format(host=host))
-    server = Server(shlex.join(words), host=host, port=port, title="trs80arm")
+        print(OPEN_TO_OTHERS.format(host=host), flush=True)
     try:
         server.serve()
     except OSError as error:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import contextlib
 import os
+import signal
 import sys
+import threading
+import time
 
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.places import state_folder
@@ -14,6 +17,10 @@ from trs80arm.ui.app import Trs80Arm
 from trs80arm.ui.themes import THEMES
 
 CRASHED = 3
+SERVER = "TRS80ARM_SERVER"
+"""The environment variable with the number of the process that serves this one to a browser."""
+LOOK_SECONDS = 2.0
+"""Between two looks at whether the server is still there."""
 
 
 def run_terminal(options: TerminalOptions) -> int:
@@ -41,6 +48,7 @@ def run_terminal(options: TerminalOptions) -> int:
             file=sys.stderr,
         )
         return USAGE_ERROR
+    _end_with_server()
     result = app.run()
     if result is None:
         # Textual has restored the terminal and shown what went wrong.
@@ -50,6 +58,23 @@ def run_terminal(options: TerminalOptions) -> int:
     with contextlib.suppress(OSError):
         _tell_of_copies(app)
     return result
+
+
+def _end_with_server() -> None:
+    """A program that a browser sees ends with its server, also when that was killed."""
+    server = os.environ.get(SERVER, "")
+    if server.isdecimal():
+        watch = threading.Thread(target=_watch_server, args=(int(server),), daemon=True)
+        watch.start()
+
+
+def _watch_server(server: int) -> None:
+    while os.getppid() == server:
+        time.sleep(LOOK_SECONDS)
+    os.kill(os.getpid(), signal.SIGTERM)
+    # Should the program not hear: it keeps its copies within that time.
+    time.sleep(2 * LOOK_SECONDS)
+    os._exit(CRASHED)
 
 
 def _tell_of_copies(app: Trs80Arm) -> None:
