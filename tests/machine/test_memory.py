@@ -93,3 +93,29 @@ def test_a_pickled_memory_still_guards_its_rom() -> None:
         42,
         43,
     )
+
+
+def test_memory_cannot_grow_or_shrink() -> None:
+    memory = Memory(48)
+    for content in (b"", b"AB", b"ABCDE"):
+        with pytest.raises(BufferError):
+            memory.ram[0x5000:0x5003] = content
+    with pytest.raises(BufferError):
+        del memory.ram[0x5000]
+    with pytest.raises(BufferError):
+        memory.ram.append(1)
+    assert len(memory.ram) == 65536
+    copy = pickle.loads(pickle.dumps(memory))
+    with pytest.raises(BufferError):
+        copy.ram.clear()
+
+
+def test_reading_and_writing_go_around_the_end_of_memory() -> None:
+    memory = Memory(48)
+    memory.write(0xFFFE, b"ABCD")
+    assert memory.read(0xFFFE, 4) == b"AB\xff\xff", "there is ROM at 0"
+    memory.write(0x5000, b"XYZ")
+    assert memory.read(0x5001, 2) == b"YZ"
+    small = Memory(4)
+    small.write(small.top - 1, b"AB")
+    assert small.read(small.top - 1, 2) == b"A\xff"

@@ -248,3 +248,39 @@ def test_typing_that_is_stopped_leaves_no_key_down(moment: float) -> None:
     assert rig.held == {"A"}
     rig.run_for(0.5)
     assert rig.held == frozenset()
+
+
+@pytest.mark.parametrize(
+    ("ram", "lines", "seen"),
+    [
+        (16, ['A$="A":V=VARPTR(A$):POKE V+1,255:POKE V+2,255:POKE V,9:B$=A$+""', "PRINT PEEK(-1)"],
+         " 255"),
+        (48, ['A$="A"+"":POKE VARPTR(A$),9:B$=A$+"":PRINT LEN(B$)'], " 9"),
+        (48, ['10 A$="A"+"":V=VARPTR(A$):POKE V+1,250:POKE V+2,255:POKE V,255:B$=A$+""', "RUN"],
+         None),
+        (16, ["10 POKE -1,44:POKE 16639,255:POKE 16640,255:READ A", "RUN"], "?OD ERROR IN 10"),
+        (48, ["10 POKE -1,44:POKE 16639,255:POKE 16640,255:READ A", "RUN"], "?SN ERROR IN 0"),
+        (48, ["10 POKE -1,34:POKE -2,44:POKE 16639,254:POKE 16640,255:READ A$", "RUN"], None),
+    ],
+)  # fmt: skip
+def test_strings_and_data_at_the_end_of_memory_are_read_around_it(
+    ram: int, lines: list[str], seen: str | None
+) -> None:
+    rig = Rig(RigSettings(ram_kib=ram))
+    for line in lines:
+        rig.type(line + "\r")
+        rig.run_until_waiting()
+    if seen is not None:
+        assert seen in rig.screen()
+    rig.type("\x01PRINT 7\r")
+    rig.run_until_waiting()
+    assert " 7" in rig.screen()
+    assert len(rig.memory.ram) == 65536
+
+
+def test_a_literal_longer_than_a_descriptor_can_say_has_a_length_of_one_byte() -> None:
+    rig = Rig()
+    rig.load_text(f'10 A$="{"X" * 300}":PRINT PEEK(VARPTR(A$));LEN(A$)')
+    rig.type("RUN\r")
+    rig.run_until_waiting()
+    assert " 44  44" in rig.screen()

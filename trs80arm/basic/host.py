@@ -37,7 +37,7 @@ class Memory(Protocol):
     """The memory map of 64K addresses."""
 
     ram: bytearray
-    """65536 bytes: the storage behind every address that no region claims."""
+    """65536 bytes, never more or fewer: the storage behind every address that no region claims."""
     top: int
     """The first address without RAM: 8000H on a 16K machine."""
 
@@ -46,6 +46,15 @@ class Memory(Protocol):
 
     def poke(self, address: int, value: int) -> None:
         """Store a byte as the Z-80 would; ROM and empty addresses ignore it."""
+
+    def read(self, address: int, length: int) -> bytes:
+        """The bytes that the Z-80 would read from an address on, around the end of memory.
+
+        Within RAM they are those of the storage; regions there are not asked.
+        """
+
+    def write(self, address: int, data: bytes) -> None:
+        """Store bytes as the Z-80 would from an address on, likewise."""
 
     def attach(self, start: int, stop: int, region: Region) -> None:
         """Let `region` answer for `start <= address < stop` from now on."""

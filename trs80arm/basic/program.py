@@ -136,6 +136,7 @@ class Program:
         """The colon, or the zero, that ends the statement at an address, quotes respected."""
         ram = self._memory.ram
         quoted = False
+        address &= 0xFFFF
         while ram[address] and (quoted or ram[address] != COLON) and address < _LAST:
             quoted ^= ram[address] == QUOTE
             address += 1
@@ -205,11 +206,9 @@ class Program:
 
     def _replace(self, start: int, stop: int, new: bytes) -> None:
         """Put `new` where `start <= address < stop` was, and mend the links, as 1AF8H does."""
-        ram = self._memory.ram
         end = self.end
-        rest = bytes(ram[stop:end])
-        ram[start : start + len(new)] = new
-        ram[start + len(new) : start + len(new) + len(rest)] = rest
+        rest = bytes(self._memory.ram[stop:end])
+        self._memory.write(start, new + rest)
         self.end = end + len(new) - (stop - start)
         self.mend()
 
@@ -221,6 +220,6 @@ class Program:
         while address < end - 2 and (ram[address] or ram[address + 1]):
             text = address + LINE_HEAD
             following = text + len(self.text_from(text)) + 1
-            set_word(ram, address, following)
+            set_word(ram, address, following & 0xFFFF)
             address = following
         self.changed()

@@ -31,7 +31,6 @@ class StringSpace:
 
     def __init__(self, memory: Memory, clock: Clock, variables: Variables) -> None:
         self._memory = memory
-        self._ram = memory.ram
         self._clock = clock
         self._variables = variables
         self.top = memory.top - 1
@@ -51,12 +50,12 @@ class StringSpace:
         length, address = string
         end = address + length
         if address > self.bottom:
-            return bytes(self._ram[address:end])
+            return self._memory.read(address, length)
         # From the program on bytes are plain RAM unless they lie among the variables.
         if address >= addresses.PROGRAM and (
             address >= self._variables.end or end <= self._variables.start
         ):
-            return bytes(self._ram[address:end])
+            return self._memory.read(address, length)
         peek = self._memory.peek
         return bytes([peek(place & 0xFFFF) for place in range(address, end)])
 
@@ -78,7 +77,8 @@ class StringSpace:
         """A temporary for characters that stand in memory already."""
         if len(self.temporaries) >= TEMPORARIES:
             raise BasicError(Code.ST)
-        string = [length, address]
+        # The descriptor has one byte for the length.
+        string = [length & 0xFF, address]
         self.temporaries.append(string)
         return string
 
@@ -113,7 +113,7 @@ class StringSpace:
         """A temporary in string space with these characters; OS, ST."""
         length = len(text)
         address = self.allocate(length)
-        self._ram[address : address + length] = text
+        self._memory.write(address, text)
         return self.push([length, address])
 
     def concatenate(self, left: Descriptor, right: Descriptor) -> Descriptor:
@@ -129,7 +129,7 @@ class StringSpace:
         text = self.bytes_of(left) + self.bytes_of(right)
         self.free(right)
         self.free(left)
-        self._ram[address : address + length] = text
+        self._memory.write(address, text)
         self._clock.now += length * costs.STRING_BYTE
         return self.push([length, address])
 
@@ -139,7 +139,7 @@ class StringSpace:
         address = self.allocate(length)
         text = self.bytes_of(string)[start : start + length]
         self.free(string)
-        self._ram[address : address + length] = text
+        self._memory.write(address, text)
         self._clock.now += length * costs.STRING_BYTE
         return self.push([length, address])
 
@@ -157,7 +157,7 @@ class StringSpace:
             length = string[0]
             address = self.allocate(length)
             text = self.bytes_of(string)
-            self._ram[address : address + length] = text
+            self._memory.write(address, text)
             self._clock.now += length * costs.STRING_BYTE
         if temporary:
             temporaries.pop()
@@ -182,12 +182,12 @@ class StringSpace:
         self._clock.now += self._collecting(len(live))
         live.sort(key=lambda string: string[1], reverse=True)
         free = self.top
-        ram = self._ram
+        memory = self._memory
         for string in live:
             length, address = string
             new = free - length + 1
             if new != address:
-                ram[new : new + length] = bytes(ram[address : address + length])
+                memory.write(new, memory.read(address, length))
                 string[1] = new
             free -= length
             self._clock.now += length * costs.COLLECT_BYTE

@@ -7,7 +7,7 @@ attached as regions and see only their own addresses.
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Any, Protocol
 
 ADDRESSES = 0x10000
 RAM_START = 0x4000
@@ -65,9 +65,10 @@ class Memory:
     """64K addresses, some of them RAM, some of them devices, the rest empty.
 
     Attributes:
-        ram: 65536 bytes, the storage behind every address that no region claims. Whoever changes
-            it directly must stay within RAM: the bytes below 4000H and from `top` on read 255 and
-            stand for what is not there.
+        ram: 65536 bytes, the storage behind every address that no region claims. It cannot grow or
+            shrink: a slice of it takes as many bytes as it has. Whoever changes it directly must
+            stay within RAM: the bytes below 4000H and from `top` on read 255 and stand for what
+            is not there. `read` and `write` take any address.
         top: the first address without RAM: 8000H on a 16K machine.
     """
 
@@ -86,10 +87,38 @@ class Memory:
         self.ram = bytearray(ADDRESSES)
         self.ram[:RAM_START] = bytes((EMPTY,)) * RAM_START
         self.ram[self.top :] = bytes((EMPTY,)) * (ADDRESSES - self.top)
+        self._pin()
         self._owners: list[Region | None] = [None] * _PAGES
         read_only = _ReadOnly(self.ram)
         self.attach(0, RAM_START, read_only)
         self.attach(self.top, ADDRESSES, read_only)
+
+    def _pin(self) -> None:
+        """Hold a view of the storage, for as long as there is one Python does not resize it."""
+        self._view = memoryview(self.ram)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name != "_view"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._pin()
+
+    def read(self, address: int, length: int) -> bytes:
+        """The bytes that the Z-80 would read from an address on, around the end of memory."""
+        end = address + length
+        if address >= RAM_START and end <= self.top:
+            return bytes(self.ram[address:end])
+        return bytes(self.peek(place & 0xFFFF) for place in range(address, end))
+
+    def write(self, address: int, data: bytes) -> None:
+        """Store bytes as the Z-80 would from an address on, around the end of memory."""
+        end = address + len(data)
+        if address >= RAM_START and end <= self.top:
+            self.ram[address:end] = data
+        else:
+            for place, value in enumerate(data, address):
+                self.poke(place & 0xFFFF, value)
 
     def peek(self, address: int) -> int:
         """The byte that the Z-80 would read at an address, 0 to 65535."""

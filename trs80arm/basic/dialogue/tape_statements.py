@@ -192,7 +192,7 @@ class Cload(Reading):
             return
         memory = state.memory
         if self._verify:
-            if memory.peek(self._address) != value:
+            if memory.peek(self._address & 0xFFFF) != value:
                 self.stop(state)
                 state.output.show(b"BAD\r")
                 state.return_to_command()

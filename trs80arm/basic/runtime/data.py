@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from trs80arm.basic import costs, number_costs, tokens
@@ -15,6 +16,14 @@ from trs80arm.basic.numbers import convert, double, literal
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.state import State
 from trs80arm.basic.variables import Descriptor
+
+ADDRESSES = 0x10000
+
+
+def around_from(address: int) -> Iterator[int]:
+    """Every address once, from one on and around the end of memory, as the Z-80 counts."""
+    for place in range(address, address + ADDRESSES):
+        yield place & 0xFFFF
 
 
 class ListedTarget:
@@ -51,13 +60,13 @@ class Targets:
 
     def __len__(self) -> int:
         ram = self._state.memory.ram
-        address = self._places[0]
         count, depth = 1, 0
-        while ram[address] and (ram[address] != COLON):
+        for address in around_from(self._places[0]):
             code = ram[address]
+            if code in (0, COLON):
+                break
             depth += (code == OPEN) - (code == CLOSE)
             count += code == COMMA and depth <= 0
-            address += 1
         return count
 
     def __getitem__(self, number: int) -> ListedTarget:
@@ -120,7 +129,7 @@ class DataReader(Part):
         """The address of the next item; OD when there is none."""
         ram = self._ram
         control = self._control
-        address = self._place
+        address = self._place & 0xFFFF
         if ram[address] == COMMA:
             return self._skip(address + 1)
         while True:
@@ -142,9 +151,18 @@ class DataReader(Part):
             self._clock.now += costs.SKIPPED * (address - start)
 
     def _skip(self, address: int) -> int:
-        while self._ram[address] in BLANKS and address < _LAST:
-            address += 1
-        return address
+        if self._ram[address & 0xFFFF] in BLANKS:
+            for place in around_from(address):
+                if self._ram[place] not in BLANKS:
+                    return place
+        return address & 0xFFFF
+
+    def _distance(self, start: int, ends: bytes) -> int:
+        """How many characters there are from an address to one of the codes in `ends`."""
+        for length, place in enumerate(around_from(start)):
+            if self._ram[place] in ends:
+                return length
+        return ADDRESSES
 
     def end_item(self) -> None:
         """Behind an item must be a comma, a colon or the end; SN in the DATA line.
@@ -172,16 +190,14 @@ class DataReader(Part):
         ram = self._ram
         start = address
         if ram[address] == QUOTE:
-            start = address = address + 1
-            while ram[address] and ram[address] != QUOTE:
-                address += 1
-            length = address - start
-            if ram[address]:
+            start = address + 1 & 0xFFFF
+            length = self._distance(start, b'\0"')
+            address = start + length
+            if ram[address & 0xFFFF]:
                 address += 1
         else:
-            while ram[address] not in (END, COLON, COMMA):
-                address += 1
-            length = address - start
+            length = self._distance(start, b"\0:,")
+            address += length
         self._clock.now += costs.STRING_LITERAL + costs.STRING_CHARACTER * length
         self._place = address
         return self._strings.literal(length, start)

@@ -129,4 +129,4 @@ class StringFunctions(Part):
 
     def text_at(self, length: int, address: int) -> bytes:
         """Characters of the program text."""
-        return bytes(self._ram[address : address + length])
+        return self._memory.read(address, length)
