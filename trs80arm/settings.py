@@ -20,6 +20,7 @@ import tomlkit
 from platformdirs import user_config_path
 from tomlkit.exceptions import TOMLKitError
 
+from trs80arm.machine.typist import check_answer
 from trs80arm.options import TerminalOptions, TerminalSettings
 from trs80arm.plain_values import SettingsError as SettingsError
 from trs80arm.plain_values import fit, keys_of
@@ -63,6 +64,7 @@ class MachineSettings:
     def __post_init__(self) -> None:
         if self.ram not in (4, 16, 32, 48):
             raise ValueError(f"ram must be 4, 16, 32 or 48, not {self.ram}")
+        check_answer(self.memory_size)
 
 
 @dataclass(frozen=True)

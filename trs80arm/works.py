@@ -27,11 +27,8 @@ from trs80arm.machine.memory import RAM_SIZES_KIB, Memory
 from trs80arm.machine.ports import Ports, SystemPort
 from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer, PrinterDriver
 from trs80arm.machine.tape import Tape
-from trs80arm.machine.typist import Typist
+from trs80arm.machine.typist import Typist, check_answer
 from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
-
-LONGEST_ANSWER = 16
-"""Characters of what is typed at MEMORY SIZE?"""
 
 
 @dataclass(frozen=True)
@@ -59,9 +56,7 @@ class RigSettings:
     def __post_init__(self) -> None:
         if self.ram_kib not in RAM_SIZES_KIB:
             raise ValueError(f"ram_kib must be 4, 16, 32 or 48, not {self.ram_kib}")
-        answer = self.memory_size
-        if len(answer) > LONGEST_ANSWER or not (answer.isascii() and answer.isprintable()):
-            raise ValueError(f"memory_size must be at most {LONGEST_ANSWER} plain characters")
+        check_answer(self.memory_size)
 
 
 @dataclass(order=True)

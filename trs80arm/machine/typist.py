@@ -23,7 +23,19 @@ PERIOD = 100 * _MS
 next key's 60 ms time for the echo of a line that scrolls, CLEAR, or the L of EDIT."""
 GLANCE = 250 * _MS
 """After ENTER, how long a typist with nothing more to type is not yet at the next line."""
+LONGEST_ANSWER = 16
+"""Characters of an answer that is given by itself, as that to MEMORY SIZE?"""
 _LINE_ENDS = frozenset((Key.ENTER, Key.BREAK))
+
+
+def check_answer(text: str) -> None:
+    """Refuse what nobody would answer to MEMORY SIZE?
+
+    Raises:
+        ValueError: it is long, or no plain characters.
+    """
+    if len(text) > LONGEST_ANSWER or not (text.isascii() and text.isprintable()):
+        raise ValueError(f"memory_size must be at most {LONGEST_ANSWER} plain characters")
 
 
 class Typist:

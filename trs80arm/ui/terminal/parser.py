@@ -1,8 +1,9 @@
 """Textual's parser of terminal input, taught to tell key presses from releases.
 
-It overrides one private hook, `XTermParser._sequence_to_key_events`. What concerns event types is
-taken off a sequence and posted as messages of our own; the cleaned sequence goes on to Textual, so
-that all that Textual does with keys stays as it is. Pinned by `tests/ui/test_terminal_hooks.py`.
+It overrides two private hooks of `XTermParser`: `_sequence_to_key_events` and `parse_mouse_code`.
+What concerns event types is taken off a sequence and posted as messages of our own; the cleaned
+sequence goes on to Textual, so that all that Textual does with keys stays as it is. Sequences that
+Textual would stumble over are dropped. Pinned by `tests/ui/test_terminal_hooks.py`.
 """
 
 from __future__ import annotations
@@ -64,6 +65,13 @@ class KeyParser(XTermParser):
             yield from self._take_noticed()
             yield message
         yield from self._take_noticed()
+
+    def parse_mouse_code(self, code: str) -> Message | None:
+        """The mouse's message; none where Textual's sums fail, as with a screen of no cells."""
+        try:
+            return super().parse_mouse_code(code)
+        except (ArithmeticError, ValueError):
+            return None
 
     def _take_noticed(self) -> list[Message]:
         noticed, self._noticed = self._noticed, []

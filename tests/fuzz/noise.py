@@ -1,0 +1,168 @@
+"""Generators of programs and texts that are almost right: grammar with slips, and mutation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from random import Random
+
+from trs80arm.basic import words
+
+
+def _words(text: str) -> list[str]:
+    return text.split()
+
+
+PROGRAMS = [
+    path.read_text(encoding="latin-1")
+    for path in sorted((Path(__file__).parents[2] / "programs").glob("*.bas"))
+]
+WORDS = [word.decode() for word in words.SPELLINGS] + ["@STEP", "@CLOSE", "@SET", "@RESET", "@READ"]
+NUMBERS = _words(
+    "0 1 2 -1 255 256 32767 32768 -32768 65535 65536 1E38 1.7E38 -1.7E38 1E-38 2.9E-39 1D38 .5 1.5 "
+    "1# 1! 1% 1.234567890123456D10 99999999999 1E 1E+ 1E99 -0 14336 15360 16383 16384 16396 16416 "
+    "16512 16526 16549 16561 16598 16633 16639 17129 20480 -2 -32767 7 10 20 100"
+)
+VARIABLES = _words(
+    "A B I J X A% I% B% A# D# A! A$ B$ S$ Z9 AB A(1) A(I) B%(2,3) A$(3) D#(I) A(A(1)) X(0,0)"
+)
+TEXTS = ['""', '"A"', '"ABC"', '"-5"', '" 12 "', '"##.##"', '"$$**,.-[[[["', '"%  %!"']
+TEXTS += ['"' + "X" * 200 + '"']
+FUNCTIONS = _words(
+    "SGN INT ABS FRE INP POS SQR RND LOG EXP COS SIN TAN ATN PEEK CINT CSNG CDBL FIX USR "
+    "LEN ASC VAL CHR$ STR$ STRING$ LEFT$ RIGHT$ MID$ POINT VARPTR"
+)
+OPERATORS = _words("+ - * / [ AND OR = < > <= >= <> =<")
+TYPABLE = "".join(map(chr, range(32, 91))) + "[`abz\x08\x09\n\x18\x19\x1a\x1b\x1f\x01\r\r\r"
+
+
+def number(rng: Random) -> str:
+    """A constant."""
+    if rng.random() < 0.8:
+        return rng.choice(NUMBERS)
+    return str(rng.choice([rng.randrange(-70000, 70000), rng.uniform(-1e5, 1e5)]))
+
+
+def expression(rng: Random, depth: int = 0) -> str:
+    """An expression; of the right kinds most of the time."""
+    pick = rng.random()
+    if depth > 4 or pick < 0.2:
+        return number(rng)
+    if pick < 0.45:
+        return rng.choice(VARIABLES)
+    if pick < 0.55:
+        return rng.choice(TEXTS)
+    inner = depth + 1
+    if pick < 0.8:
+        return expression(rng, inner) + rng.choice(OPERATORS) + expression(rng, inner)
+    if pick < 0.95:
+        count = 1 if rng.random() < 0.6 else rng.randrange(4)
+        arguments = ",".join(expression(rng, inner) for _ in range(count))
+        return f"{rng.choice(FUNCTIONS)}({arguments})"
+    if pick < 0.98:
+        return rng.choice(["-", "NOT ", "("]) + expression(rng, inner) + rng.choice(["", ")"])
+    return rng.choice(["MEM", "ERR", "ERL", "INKEY$", "TIME$"])
+
+
+def statement(rng: Random, lines: int = 8) -> str:
+    """A statement."""
+    line = str(rng.randrange(lines + 2) * 10)
+    variable = rng.choice(VARIABLES)
+    value = expression(rng)
+    listed = ",".join(expression(rng, 3) for _ in range(rng.randrange(4)))
+    return rng.choice(
+        [
+            f"{variable}={value}",
+            f"{variable}={value}",
+            f"PRINT {value};{listed}",
+            f"PRINT@{number(rng)},{value}",
+            f"PRINT USING {rng.choice(TEXTS)};{value}",
+            f"LPRINT {value}",
+            f"GOTO {line}",
+            f"GOSUB {line}",
+            "RETURN",
+            f"IF {value} THEN {line} ELSE PRINT {variable}",
+            f"FOR I={expression(rng, 4)} TO {expression(rng, 4)} STEP {number(rng)}",
+            "FOR I=1 TO 3",
+            "NEXT",
+            f"ON {expression(rng, 3)} GOTO {line},{line}",
+            f"ON ERROR GOTO {line}",
+            rng.choice(["RESUME", "RESUME NEXT", f"RESUME {line}", f"ERROR {number(rng)}"]),
+            f"DIM {rng.choice(VARIABLES)}({listed})",
+            f"READ {variable},{rng.choice(VARIABLES)}",
+            f"DATA {number(rng)},{rng.choice(TEXTS)},X Y,",
+            f"INPUT {variable}",
+            f"CLEAR {rng.choice(['', '50', '0', '1000', number(rng)])}",
+            f"DEF{rng.choice(['INT', 'STR', 'SNG', 'DBL'])} {rng.choice(['A', 'A-Z', 'I-J,X'])}",
+            f"POKE {address(rng)},{rng.randrange(256)}",
+            f"OUT {rng.choice([152, 153, 157, 158, 255, rng.randrange(256)])},{rng.randrange(256)}",
+            f"SET({expression(rng, 4)},{number(rng)})",
+            rng.choice(["CLS", "RANDOM", "RESTORE", "STOP", "END", "TRON", "TROFF", "CONT", "NEW"]),
+            rng.choice(["LIST", "LLIST", "EDIT 10", "AUTO", "CLOAD", 'CSAVE"A"', "PRINT#-1,A,A$"]),
+            f"@STEP {','.join(str(rng.randrange(-60, 60)) for _ in range(rng.randrange(1, 8)))}",
+            rng.choice(["@CLOSE", "@SET", "@RESET", f"@READ {variable}", f"@CLOSE {value}"]),
+            "".join(rng.choice(WORDS) for _ in range(rng.randrange(1, 6))),
+        ]
+    )
+
+
+def address(rng: Random) -> str:
+    """An address worth a POKE: system area, program, video, anywhere."""
+    spans = ((0x4000, 0x4330), (0x42E9, 0x4600), (0x3C00, 0x4000), (-32768, 32768))
+    return str(rng.randrange(*rng.choice(spans)))
+
+
+def listing(rng: Random) -> list[str]:
+    """The lines of a program."""
+    if rng.random() < 0.15:
+        lines = rng.choice(PROGRAMS).splitlines()
+        for _ in range(rng.randrange(8)):
+            place = rng.randrange(len(lines))
+            lines[place] = mutated_text(rng, lines[place])
+        return lines
+    count = rng.randrange(1, 10)
+    return [
+        f"{(place + 1) * 10} " + ":".join(statement(rng) for _ in range(rng.randrange(1, 4)))
+        for place in range(count)
+    ]
+
+
+def typed(rng: Random) -> str:
+    """Keys pressed at random, commands among them."""
+    return "".join(
+        rng.choice(
+            [
+                rng.choice(TYPABLE),
+                statement(rng) + "\r",
+                f"{rng.randrange(99)} {statement(rng)}\r",
+                rng.choice(["RUN\r", "LIST\r", "EDIT .\r", "EDIT 10\r", "AUTO\r", "NEW\r", "\x01"]),
+            ]
+        )
+        for _ in range(rng.randrange(1, 20))
+    )
+
+
+def mutated_text(rng: Random, text: str) -> str:
+    """A text with some slips in it."""
+    return mutated(rng, text.encode("latin-1", "replace")).decode("latin-1")
+
+
+def mutated(rng: Random, data: bytes) -> bytes:
+    """Bytes with some changed, lost, doubled or put in."""
+    changed = bytearray(data)
+    for _ in range(rng.randrange(1, 6)):
+        place = rng.randrange(len(changed) + 1)
+        count = rng.choice([1, 1, 2, 8, 100])
+        match rng.randrange(5):
+            case 0:
+                changed[place : place + 1] = bytes((rng.randrange(256),))
+            case 1:
+                del changed[place : place + count]
+            case 2:
+                changed[place:place] = changed[place : place + count]
+            case 3:
+                changed[place:place] = rng.randbytes(count)
+            case _:
+                changed[place:place] = rng.choice(
+                    [b"\0", b"\xff", b'"', b"[" * 50, b"9" * 400, b"\x1b]0;X\x07", b"1e400", b"nan"]
+                )
+    return bytes(changed)
