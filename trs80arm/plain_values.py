@@ -18,6 +18,8 @@ from enum import Enum, IntEnum
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
+from trs80arm.shown import shown
+
 T = TypeVar("T")
 
 
@@ -58,7 +60,7 @@ class Table:
 
     def fail(self, key: str, expected: str) -> SettingsError:
         """The error that a key is not what was expected."""
-        return SettingsError(f"{self.source}: {self._name(key)}: expected {expected}")
+        return SettingsError(shown(f"{self.source}: {self._name(key)}: expected {expected}"))
 
     def _name(self, key: str) -> str:
         return f"{self.path}.{key}" if self.path else key
@@ -70,7 +72,7 @@ class Table:
         try:
             return fit(hint, self.data.pop(key, None))
         except SettingsError as error:
-            raise SettingsError(f"{self.source}: {self._name(key)}: {error}") from None
+            raise SettingsError(shown(f"{self.source}: {self._name(key)}: {error}")) from None
 
     def number(self, key: str, low: float, high: float, default: Any = _REQUIRED) -> float:
         """A finite number."""

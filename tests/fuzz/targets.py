@@ -408,7 +408,8 @@ def mutated_keys(rng: Random, part: str) -> str:
 def _play_keys(case: Case) -> None:
     for releases in (False, True):
         parser = KeyParser(releases=releases)
-        for part in case:
+        # Nothing is what Textual is told when the terminal is gone.
+        for part in filter(None, case):
             for message in parser.feed(part):
                 character = getattr(message, "character", None)
                 hold(character is None or character == character.encode().decode(), "half a sign")
