@@ -15,7 +15,7 @@ from types import CellType, FunctionType
 from typing import Any, Final, NamedTuple
 
 from trs80arm.basic import addresses, characters, costs
-from trs80arm.basic.compiler.emitter import Emitter, Mark
+from trs80arm.basic.compiler.emitter import Emitter, Mark, TooDeep
 from trs80arm.basic.compiler.reader import Reader
 from trs80arm.basic.compiler.scope import Assumptions, Scope
 from trs80arm.basic.compiler.statements import StatementCompiler
@@ -266,13 +266,16 @@ class CompiledCode:
         tight = self._state.room.tight
         return Scope(self.variables, self._array_cells, types, tight)
 
-    def _compile_statement(self, address: int, types: bytes) -> Compiled:
-        out = Emitter()
+    def _compile_statement(self, address: int, types: bytes, *, flat: bool = False) -> Compiled:
+        out = Emitter(flat=flat)
         scope = self._scope(types)
         goes_on = self._write(address, out, scope, self._loops()).goes_on
         if goes_on is not None:
             out.go(goes_on)
-        return self._built(out, scope)
+        try:
+            return self._built(out, scope)
+        except TooDeep:
+            return self._compile_statement(address, types, flat=True)
 
     def _compile_block(self, address: int, types: bytes) -> Compiled:
         """The statements from an address on, as far as they can be run in one go."""
@@ -299,7 +302,11 @@ class CompiledCode:
                 break
         if here is not None:
             out.go(here)
-        return self._built(out, scope)
+        try:
+            return self._built(out, scope)
+        except TooDeep:
+            # Statement by statement, each as flat as it must be.
+            return self._compile_statement(address, types)
 
     def _built(self, out: Emitter, scope: Scope) -> Compiled:
         function, first_line = out.build(self.environment)
@@ -351,8 +358,13 @@ class CompiledCode:
 
         It is made if it is not there, subscripts are evaluated.
         """
+        try:
+            return self._find_target(address, Emitter())
+        except TooDeep:
+            return self._find_target(address, Emitter(flat=True))
+
+    def _find_target(self, address: int, out: Emitter) -> tuple[Any, int]:
         state = self._state
-        out = Emitter()
         reader = Reader(state.program.text_from(address), address, out)
         compiler = StatementCompiler(
             reader, out, self._scope(self.types()), state.program, DIRECT, [], state.armbasic

@@ -43,17 +43,27 @@ class UnlistedName(Exception):  # noqa: N818 - never raised unless the compiler 
     """Generated text uses a name that is in no list."""
 
 
+class TooDeep(Exception):  # noqa: N818 - the text can be written another way
+    """An expression is nested more deeply than Python can read."""
+
+
 class Emitter:
     """Collects the body of one function.
 
+    Args:
+        flat: whether every operation is to be a line of its own. Such a function is slower, but no
+            expression is too long for it: Python's parser ends at 200 parentheses.
+
     Attributes:
+        flat: the same.
         cost: T-states that came together since the clock was last charged.
         most_cost: the most that came together on one way through the function.
         statement: the address of the statement whose text is being written.
         marks: what is known of each line.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, *, flat: bool = False) -> None:
+        self.flat = flat
         self.cost = 0
         self.statement = 0
         self.most_cost = 0
@@ -174,11 +184,16 @@ class Emitter:
 
         Args:
             environment: the names that it may use, and what they stand for.
+
+        Raises:
+            TooDeep: the text must be written flat.
         """
         try:
             module = compile(self.source(), "<statement>", "exec")
         except (SyntaxError, RecursionError, MemoryError):
-            # Nested more deeply than Python can read: out of memory here as well.
+            if not self.flat:
+                raise TooDeep from None
+            # A hundred IFs in one another: out of memory here.
             del self._lines[:], self.marks[:]
             self.indent = 1
             self.fail(Code.OM)

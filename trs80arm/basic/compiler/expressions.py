@@ -12,7 +12,7 @@ from typing import Final
 from trs80arm.basic import characters, costs, number_costs, room, tokens, words
 from trs80arm.basic.characters import CLOSE, COMMA, OPEN, QUOTE
 from trs80arm.basic.compiler.draft import Draft, Mistake
-from trs80arm.basic.compiler.values import Conversions, Expression, constant, wider
+from trs80arm.basic.compiler.values import Conversions, Expression, constant, settled, wider
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, SIZES, STRING
 from trs80arm.basic.numbers import literal
@@ -45,8 +45,9 @@ _SIGNS: Final = {
     characters.NUMBER_SIGN: DOUBLE,
 }
 """The signs behind a name that say its type."""
-_MAX_DEPTH: Final = 100
-"""Nesting beyond which an expression is ?OM, as it is on the ROM when its stack is full."""
+_MAX_DEPTH: Final = 180
+"""Nesting beyond which an expression is ?OM: the compiler goes into itself with it. A line that is
+typed hardly gets there; on the ROM the stack is full at some point, too."""
 
 
 class ExpressionCompiler:
@@ -77,6 +78,7 @@ class ExpressionCompiler:
         self._reader.skip()
         outermost = not self._draft.depth
         value = self._evaluate(0)
+        value = settled(self._out, value)
         if outermost:
             self._draft.need_room(room.EXPRESSION)
         return value
@@ -97,17 +99,17 @@ class ExpressionCompiler:
 
     def integer(self) -> Expression:
         """A number rounded down to an integer (2B02H); OV, TM."""
-        return self.convert.to_integer(self.number())
+        return settled(self._out, self.convert.to_integer(self.number()))
 
     def byte(self) -> Expression:
         """A number rounded down to 0..255 (2B1CH); FC, OV, TM."""
-        value = self.convert.to_byte(self.number())
+        value = settled(self._out, self.convert.to_byte(self.number()))
         self._reader.skip()
         return value
 
     def whole(self) -> Expression:
         """A number rounded down to 0..32767 (1E45H); FC, OV, TM."""
-        return to_subscript(self.number())
+        return settled(self._out, to_subscript(self.number()))
 
     # -- operators ----------------------------------------------------------------------------
 
@@ -153,6 +155,7 @@ class ExpressionCompiler:
             return self._evaluate(precedence)
 
     def _relation(self, left: Expression, mask: int) -> Expression:
+        left = settled(self._out, left)
         right = self._right(left, RELATION)
         strings = (left.kind == STRING) + (right.kind == STRING)
         if strings == 1:
@@ -182,6 +185,7 @@ class ExpressionCompiler:
         return f"{left.text} {relation} {right.text}"
 
     def _concatenation(self, left: Expression) -> Expression:
+        left = settled(self._out, left)
         self._reader.advance()
         with self._draft.pending(left):
             right = self._operand()
@@ -194,6 +198,7 @@ class ExpressionCompiler:
     def _operation(self, left: Expression, operator: int) -> Expression:
         if left.kind == STRING:
             raise self._draft.mistake(Code.TM, left)
+        left = settled(self._out, left)
         self._reader.advance()
         self._out.cost += costs.OPERATOR
         if operator in (tokens.AND, tokens.OR):
@@ -209,7 +214,7 @@ class ExpressionCompiler:
 
     def _logical(self, left: Expression, operator: int) -> Expression:
         self._out.cost += costs.LOGICAL
-        converted = self.convert.to_integer(left)
+        converted = settled(self._out, self.convert.to_integer(left))
         right = self._right(converted, _PRECEDENCE[operator])
         if right.kind == STRING:
             raise self._draft.mistake(Code.TM, converted, right)
@@ -289,7 +294,7 @@ class ExpressionCompiler:
     def _nested(self, precedence: int) -> Expression:
         """The operand of a sign or a NOT."""
         with self._draft.deeper(room.PARENTHESIS):
-            return self._evaluate(precedence)
+            return settled(self._out, self._evaluate(precedence))
 
     def _complement(self, value: Expression) -> Expression:
         if value.kind == STRING:

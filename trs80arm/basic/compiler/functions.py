@@ -12,7 +12,7 @@ from trs80arm.basic import costs, room, words
 from trs80arm.basic.characters import COMMA, OPEN
 from trs80arm.basic.compiler.draft import Draft, Mistake
 from trs80arm.basic.compiler.expressions import ExpressionCompiler, listed
-from trs80arm.basic.compiler.values import Expression
+from trs80arm.basic.compiler.values import Expression, settled
 from trs80arm.basic.errors import Code
 from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, STRING, Kind
 from trs80arm.basic.words import Word
@@ -116,6 +116,7 @@ class FunctionCompiler:
         """`(x,y)` of SET, RESET and POINT; FC outside 128 by 48."""
         self._draft.expect(OPEN)
         x = Expression(f"below({self._expressions.byte().text}, {_COLUMNS})", INTEGER)
+        x = settled(self._out, x)
         with self._draft.pending(x):
             self._draft.expect(COMMA)
             y = Expression(f"below({self._expressions.byte().text}, {_ROWS})", INTEGER)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from trs80arm.basic import costs
 from trs80arm.basic.compiler import rounding
@@ -45,6 +45,13 @@ class Expression:
     def shown(self) -> str:
         """The text for PRINT and STR$, which take less time for integers."""
         return f"narrow({self.text})" if self.whole else self.text
+
+
+def settled(out: Emitter, value: Expression) -> Expression:
+    """In a flat function the value in a local name: computed now, and never nested in another."""
+    if not out.flat or value.simple:
+        return value
+    return replace(value, text=out.keep(value.text), condition=None, simple=True)
 
 
 def constant(value: int | float) -> Expression:
