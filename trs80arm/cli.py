@@ -306,6 +306,12 @@ def main() -> None:
     except OSError as error:
         _give_up_output()
         fail(f"{error.filename or 'standard output'}: {error.strerror or error}")
+    except Exception as error:
+        from trs80arm.desk.last_resort import FAULT, last_words
+        from trs80arm.desk.places import state_folder
+
+        click.echo(f"trs80arm: {last_words(error, state_folder())}", err=True)
+        sys.exit(FAULT)
 
 
 def _open_streams() -> None:

@@ -12,7 +12,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TextIO
 
+from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
+from trs80arm.desk.places import state_folder
 from trs80arm.desk.session import Session
 from trs80arm.files import FileFormatError
 from trs80arm.operator import ScriptError, parse_holds
@@ -211,4 +213,10 @@ def run_plain(options: TerminalOptions) -> int:
     plain = PlainMode(session, sys.stdout, echo=not sys.stdin.isatty(), speed=options.speed.factor)
     if options.run:
         session.rig.type("RUN\r")
-    return plain.talk(_typed_lines(sys.stdin))
+    try:
+        return plain.talk(_typed_lines(sys.stdin))
+    except OSError:
+        raise  # Of the streams.
+    except Exception as error:
+        print(f"trs80arm: {last_words(error, state_folder(), session)}", file=sys.stderr)
+        return FAULT

@@ -257,7 +257,10 @@ def test_a_fault_leaves_the_terminal_as_it_was_and_keeps_the_program(tmp_path: P
         assert one.leave() == 3
         assert one.is_as_it_was()
         assert b"RuntimeError" in one.output
-        assert b"forced" in one.output
+        assert b"a fault of the program itself" in one.output
+        assert b"Traceback" not in one.output
+        assert (tmp_path / "state" / "fault-1.snapshot").is_file()
+        assert "forced" in (tmp_path / "state" / "fault-1.txt").read_text()
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])

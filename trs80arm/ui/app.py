@@ -12,6 +12,7 @@ import asyncio
 import contextlib
 import os
 import signal
+import sys
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -111,6 +112,7 @@ class Trs80Arm(App[int]):
         self.session = session
         self.wall = wall
         self._no_codes = NoControlCodes()
+        self.fault: BaseException | None = None
         super().__init__()
         self._ticking = ticking
         self._notice = ""
@@ -256,6 +258,14 @@ class Trs80Arm(App[int]):
     def get_line_filters(self) -> Sequence[LineFilter]:
         """Textual's own, and that nothing of what is drawn is a control code."""
         return [*super().get_line_filters(), self._no_codes]
+
+    def _fatal_error(self) -> None:
+        """Textual's hook for what nobody caught: no traceback on the screen, but an end in order.
+
+        What is raised stays in `fault`, for `ui.start` to tell.
+        """
+        self.fault = sys.exc_info()[1]
+        self._close_messages_no_wait()
 
     def tick(self) -> None:
         """Give the machine its time, and draw when it is time to."""

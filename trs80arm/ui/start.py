@@ -9,6 +9,7 @@ import sys
 import threading
 import time
 
+from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.places import state_folder
 from trs80arm.options import TerminalOptions
@@ -16,7 +17,6 @@ from trs80arm.reasons import one_line
 from trs80arm.ui.app import Trs80Arm
 from trs80arm.ui.themes import THEMES
 
-CRASHED = 3
 SERVER = "TRS80ARM_SERVER"
 """The environment variable with the number of the process that serves this one to a browser."""
 LOOK_SECONDS = 2.0
@@ -51,9 +51,12 @@ def run_terminal(options: TerminalOptions) -> int:
     _end_with_server()
     result = app.run()
     if result is None:
-        # Textual has restored the terminal and shown what went wrong.
+        # Textual has restored the terminal.
         app.recovery.keep()
-        result = CRASHED
+        result = FAULT
+        if app.fault is not None:
+            words = last_words(app.fault, state_folder(), session)
+            print(f"trs80arm: {words}", file=sys.stderr)
     # The terminal may have been closed.
     with contextlib.suppress(OSError):
         _tell_of_copies(app)
@@ -74,7 +77,7 @@ def _watch_server(server: int) -> None:
     os.kill(os.getpid(), signal.SIGTERM)
     # Should the program not hear: it keeps its copies within that time.
     time.sleep(2 * LOOK_SECONDS)
-    os._exit(CRASHED)
+    os._exit(FAULT)
 
 
 def _tell_of_copies(app: Trs80Arm) -> None:
