@@ -71,6 +71,7 @@ VALUES: dict[str, type] = _by_name(
         fixtures.Tactile,
         fixtures.LightBeam,
         Double,
+        GosubFrame,
         errors.BasicError,
     )
 )
@@ -81,6 +82,8 @@ def parts_of(cls: type) -> tuple[str, ...]:
     """The attributes of a value that its class is called with, in order."""
     if cls is Double:
         return "exponent", "mantissa"
+    if cls is GosubFrame:
+        return "back", "line"
     if cls is errors.BasicError:
         return ("code",)
     return tuple(field.name for field in fields(cls))
@@ -94,7 +97,6 @@ OBJECTS: dict[str, type] = _by_name(
         driver._Close,
         driver._Set,
         ForFrame,
-        GosubFrame,
         Scalar,
         Array,
         Targets,
