@@ -12,6 +12,7 @@ from trs80arm.arm.bench import BenchError
 from trs80arm.arm.figures import FigureError, figure
 from trs80arm.benches import BenchFile
 from trs80arm.desk import recording
+from trs80arm.desk.places import RecentFiles
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.machine import printer
 
@@ -117,3 +118,17 @@ def test_a_line_that_never_ends_is_of_bounded_length() -> None:
     for _ in range(3 * printer.PAPER):
         paper.put(65)
     assert len(paper.sent) < 2 * printer.PAPER
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"{", b"5", b'["\\u0000", 7, null, "/nowhere"]', b"\xff", b"[" * 100_000]
+)
+def test_a_list_of_recent_files_that_is_none_is_empty_and_begun_anew(
+    tmp_path: Path, content: bytes
+) -> None:
+    path = tmp_path / "recent.json"
+    path.write_bytes(content)
+    recent = RecentFiles(path)
+    assert recent.all() == []
+    recent.add(path)
+    assert RecentFiles(path).all() == [path.resolve()]

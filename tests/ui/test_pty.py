@@ -263,7 +263,7 @@ def test_a_fault_leaves_the_terminal_as_it_was_and_keeps_the_program(tmp_path: P
         assert "forced" in (tmp_path / "state" / "fault-1.txt").read_text()
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
 def test_told_to_end_it_keeps_the_program_and_leaves_the_terminal_as_it_was(
     tmp_path: Path, number: signal.Signals
 ) -> None:

@@ -39,7 +39,7 @@ class RecentFiles:
         """Those that still exist."""
         try:
             names = json.loads(self._path.read_text(encoding="utf-8"))
-        except (OSError, ValueError):
+        except (OSError, ValueError, RecursionError):
             return []
         if not isinstance(names, list):
             return []

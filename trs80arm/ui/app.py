@@ -69,7 +69,9 @@ SIGNALLED = 128
 GRACE = 2.0
 """Seconds in which a program that was told to end gives the terminal back."""
 ENDING = [
-    signal.Signals[name] for name in ("SIGTERM", "SIGHUP") if name in signal.Signals.__members__
+    signal.Signals[name]
+    for name in ("SIGTERM", "SIGHUP", "SIGINT")
+    if name in signal.Signals.__members__
 ]
 """Told to end, or the terminal was closed: the program goes, but what is unsaved is kept."""
 
