@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from rich.segment import Segment
+from rich.style import Style
 from textual.app import App
+from textual.geometry import Region
 
 
 def _rows(app: App[Any]) -> list[list[Segment]]:
@@ -32,6 +34,15 @@ def screen_colours(app: App[Any]) -> str:
                 runs.append([name, len(segment.text)])
         lines.append(" ".join(f"{name}*{count}" for name, count in runs))
     return "\n".join(lines) + "\n"
+
+
+def styles_at(app: App[Any], region: Region) -> list[Style]:
+    """The styles of the cells of a region."""
+    found = []
+    for row in _rows(app)[region.y : region.bottom]:
+        cells = [segment.style or Style() for segment in row for _ in segment.text]
+        found += cells[region.x : region.right]
+    return found
 
 
 def _style_name(segment: Segment) -> str:

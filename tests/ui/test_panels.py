@@ -5,6 +5,7 @@ from textual.events import MouseScrollDown, MouseScrollUp
 
 from tests.drawing import samples
 from tests.goldens import check_golden
+from trs80arm.arm.events import ArmEvent, EventKind, Reason
 from trs80arm.basic.activity import Waiting
 from trs80arm.drawing.rows import Ink, clock_text, text_of
 from trs80arm.machine.driver import Mode
@@ -138,3 +139,10 @@ def test_every_wait_has_its_words() -> None:
     for waiting in Waiting:
         assert doing_text(samples.readings(waiting=waiting))
     assert doing_text(samples.readings(mode=Mode.CLOSE)) == "running @CLOSE"
+
+
+def test_fingers_on_a_part_are_no_alarm_and_a_blocked_motor_is() -> None:
+    fingers = ArmEvent(0, 0, EventKind.CONTACT, None, 0, None, "fingers on part 1")
+    blocked = ArmEvent(1, 0, EventKind.CONTACT, 1, 0, Reason.CONTACT, "shoulder blocked by table")
+    rows = EventsLog().draw(samples.readings(events=(fingers, blocked)), 60, 4)
+    assert [row[1][1] for row in rows] == [Ink.PLAIN, Ink.ALARM]

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import pytest
 from rich.style import Style
+from textual.widgets import Button
 
 from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
+from tests.ui.screen_text import styles_at
 from trs80arm.drawing.rows import Ink
+from trs80arm.ui.screens.teach import TeachScreen
 from trs80arm.ui.themes import THEMES
 
 LEGIBLE = 4.5
@@ -45,6 +48,54 @@ async def test_every_theme_of_textual_can_be_chosen_too(sit_down: Opener) -> Non
 async def test_the_program_starts_in_any_theme(sit_down: Opener, name: str) -> None:
     async with sit_down(theme=name) as sitting:
         assert "READY" in sitting.tube
+
+
+VISIBLE = 3.0
+"""The contrast that the web's rules ask of lines that say where something is."""
+
+
+@pytest.mark.parametrize("name", [theme.name for theme in THEMES])
+@piloted
+async def test_frames_and_titles_can_be_seen_in_the_own_themes(sit_down: Opener, name: str) -> None:
+    async with sit_down(120, 40, theme=name) as sitting:
+        await sitting.press("ctrl+t", "f12")
+        await sitting.settle()
+        dialog = sitting.app.screen
+        assert isinstance(dialog, TeachScreen)
+        box = dialog.query_one("#listing-box")
+        frames = [*sitting.app.desk.panels.values(), box]
+        for widget in frames:
+            if not widget.display:
+                continue
+            _, colour = widget.styles.border_top
+            ground = Style(bgcolor=widget.background_colors[1].rich_color)
+            line = widget.background_colors[1] + colour
+            assert contrast(Style(color=line.rich_color) + ground) >= VISIBLE
+            title = widget.styles.border_title_color
+            assert contrast(Style(color=title.rich_color) + ground) >= LEGIBLE
+
+
+@piloted
+async def test_the_focused_button_is_one_block_of_colour(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await sitting.type_line("10 REM")
+        await sitting.press("f10")
+        await sitting.settle()
+        button = sitting.app.focused
+        assert isinstance(button, Button)
+        assert str(button.label) == "Save"
+        region = button.region
+        cells = styles_at(sitting.app, region)
+        assert {style.bgcolor for style in cells} == {button.rich_style.bgcolor}
+        assert not any(style.reverse for style in cells)
+
+
+@piloted
+async def test_the_arm_is_no_dark_blue_on_black(sit_down: Opener) -> None:
+    async with sit_down(120, 40, theme="ansi-dark") as sitting:
+        style = sitting.app.desk.side.get_component_rich_style("panel--arm")
+        assert style.color is not None
+        assert style.color.number == 12
 
 
 @pytest.mark.parametrize("name", [theme.name for theme in THEMES])

@@ -21,7 +21,8 @@ _GLYPHS = {
     EventKind.PLACED: "_",
     EventKind.DROPPED: "v",
 }
-_TROUBLE = {EventKind.SLIP, EventKind.CONTACT, EventKind.DROPPED, EventKind.TOPPLED}
+_TROUBLE = {EventKind.SLIP, EventKind.DROPPED, EventKind.TOPPLED}
+"""What goes wrong by itself; a contact does when it is a motor that is blocked."""
 
 
 @dataclass(frozen=True)
@@ -102,7 +103,8 @@ def _rows(entry: Entry, width: int) -> list[Row]:
     """An entry as one line, or more where the panel is narrow."""
     event = entry.event
     time = clock_text(event.time / T_STATES_PER_SECOND)
-    ink = Ink.ALARM if event.kind in _TROUBLE else Ink.PLAIN
+    blocked = event.kind is EventKind.CONTACT and event.motor is not None
+    ink = Ink.ALARM if blocked or event.kind in _TROUBLE else Ink.PLAIN
     count = f" x{entry.count}" if entry.count > 1 else ""
     if count and entry.steps:
         count = f", {abs(entry.steps)} in all{count}"

@@ -44,6 +44,7 @@ class Panel(Widget, can_focus=False):
         & > .panel--alarm { color: $text-error; text-style: bold; }
         & > .panel--lamp-on { color: $text-warning; text-style: bold; }
         & > .panel--lamp-off { color: $text-muted; }
+        &:ansi > .panel--arm { color: ansi_bright_blue; }
     }
     """
     HELP = ""

@@ -37,7 +37,10 @@ class Dialog(ModalScreen[Answer | None], Generic[Answer]):
     Dialog Input:focus { border: none; }
     Dialog .buttons { height: auto; align-horizontal: right; margin-top: 1; }
     Dialog Button { margin-left: 2; padding: 0 1; background: $panel; }
-    Dialog Button:focus { background: $primary; color: $background; text-style: bold; }
+    Dialog Button:focus {
+        background: $primary; color: $background; text-style: bold !important;
+        background-tint: transparent;
+    }
     """
 
     def action_cancel(self) -> None:

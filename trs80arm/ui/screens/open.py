@@ -38,8 +38,10 @@ class OpenScreen(Dialog[Path]):
     OpenScreen > .dialog { width: 110; height: 90%; }
     OpenScreen Horizontal { height: 1fr; margin-top: 1; }
     OpenScreen OptionList { width: 36; height: 100%; max-height: 100%; }
-    OpenScreen #preview { width: 1fr; height: 100%; padding-left: 1; border-left: solid $panel;
-        overflow: hidden; color: $text-muted; }
+    OpenScreen #preview {
+        width: 1fr; height: 100%; padding-left: 1; overflow: hidden;
+        border-left: solid $secondary 75%; color: $text-muted;
+    }
     """
 
     def __init__(self, question: ProgramQuestion) -> None:

@@ -64,7 +64,9 @@ class TeachScreen(Dialog[TeachResult]):
     TeachScreen OptionList {
         height: auto; max-height: 40%; text-wrap: nowrap; text-overflow: clip;
     }
-    TeachScreen #listing-box { height: 1fr; border-top: solid $panel; }
+    TeachScreen #listing-box {
+        height: 1fr; border-top: solid $secondary 75%; border-title-color: $secondary;
+    }
     TeachScreen #listing { color: $text-muted; height: auto; }
     """
     HELP = """
