@@ -104,7 +104,7 @@ class Sitting:
 
     def leave(self) -> None:
         """End the program."""
-        self.send("\x03")
+        self.send("\x11")
         time.sleep(0.3)
         self.send("\x03")
         self.process.wait(timeout=20)

@@ -7,16 +7,18 @@ from typing import Any
 
 import pytest
 
-from tests.desk.sitting import Sitting
+from tests.desk.sitting import NOTHING, Sitting
 from trs80arm.desk.asking import ListQuestion
+from trs80arm.desk.leaving import NOTHING_UNSAVED, PROGRAM_UNSAVED
 from trs80arm.desk.pacing import Pacer
 from trs80arm.desk.remembered import Remembered
 from trs80arm.desk.stage import Stage
-from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, Speed
+from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, Speed, TerminalOptions
 from trs80arm.rig import Key, Waiting
 from trs80arm.ui.commands.arm import ArmCommands
 from trs80arm.ui.commands.keys import KeyCommands
 from trs80arm.ui.commands.machine import MachineCommands
+from trs80arm.ui.commands.program import ProgramCommands
 from trs80arm.ui.commands.table import COMMANDS
 from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ViewCommands
@@ -25,6 +27,7 @@ from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.hand_move import HandMoveScreen
 from trs80arm.ui.screens.key_test import KeyTest
+from trs80arm.ui.screens.settings import SettingsScreen
 from trs80arm.ui.screens.teach import TeachResult, TeachScreen
 
 
@@ -40,6 +43,8 @@ class Shown:
         self.result: Any = None
         self.clipboard = ""
         self.tube_text = "READY"
+        self.theme = "green"
+        self.dialog_is_open = False
 
     def use_glyphs(self, chosen: GlyphSet) -> None:
         self.glyph_set = chosen
@@ -71,6 +76,12 @@ class Shown:
         if self.result is not None and then is not None:
             then(self.result)
 
+    def action_change_theme(self) -> None:
+        self.done.append(("theme",))
+
+    def action_suspend_process(self) -> None:
+        self.done.append(("suspend",))
+
     def copy_to_clipboard(self, text: str) -> None:
         self.clipboard = text
 
@@ -100,6 +111,19 @@ class Desk(Sitting):
         self.view = ViewCommands(self.shown, remembered, person, person.say)
         self.keys = KeyCommands(self.keyboard, KeyMode.AUTO, person.say, self.shown)
         self.tube = TubeCommands(self.shown, self.files, person.say)
+        self.program = ProgramCommands(
+            self.session,
+            self.pacer,
+            self.keyboard,
+            self.shown,
+            TerminalOptions(),
+            self.leaving,
+            self.machine,
+            self.stage,
+            self.shown,
+            self.shown,
+            lambda: "# Help",
+        )
 
     @property
     def settings(self) -> str:
@@ -299,6 +323,64 @@ def test_the_tube_is_copied_and_saved(desk: Desk) -> None:
     desk.tube.save_picture()
     assert (desk.folder / "a.txt").read_text() == "READY\n"
     assert (desk.folder / "a.svg").read_text() == "<svg/>"
+
+
+@pytest.mark.parametrize(
+    ("typed", "waiting"),
+    [
+        ("GOTO 10", Waiting.NOTHING),
+        ("RUN", Waiting.INPUT),
+        ("@SET", Waiting.SET),
+        ("@STEP 500,2000", Waiting.NOTHING),
+        ("AUTO", Waiting.AUTO),
+    ],
+)
+def test_the_interrupt_key_is_break_while_something_runs_or_moves(
+    desk: Desk, typed: str, waiting: Waiting
+) -> None:
+    desk.session.rig.load_text("5 INPUT A\n10 GOTO 10\n")
+    desk.session.rig.type(typed + "\r")
+    desk.session.run_for(2.5)
+    assert desk.session.waiting is waiting
+    desk.program.interrupt()
+    for _ in range(6):
+        desk.session.run_for(0.1)
+        desk.keyboard.feed()
+    if typed.startswith("@STEP"):
+        desk.session.rig.run_until_waiting(60)
+    assert desk.session.waiting is Waiting.COMMAND
+    assert desk.ended == []
+    assert desk.person.asked == []
+
+
+def test_the_interrupt_key_at_ready_asks_and_the_second_time_leaves(desk: Desk) -> None:
+    desk.answer(NOTHING)
+    desk.program.interrupt()
+    assert desk.person.asked == [NOTHING_UNSAVED]
+    desk.program.interrupt()
+    assert desk.ended == ["left"]
+
+
+def test_the_interrupt_key_asks_for_what_is_unsaved_first(desk: Desk) -> None:
+    desk.type("10 REM MINE")
+    desk.answer("stay")
+    desk.program.interrupt()
+    assert desk.person.asked == [PROGRAM_UNSAVED]
+
+
+def test_the_interrupt_key_ends_the_demonstration(desk: Desk) -> None:
+    desk.machine.demo()
+    desk.stage.go_on()
+    desk.session.run_for(1)
+    desk.program.interrupt()
+    assert desk.person.told[-1] == "The machine is yours."
+    assert desk.person.asked == []
+
+
+def test_the_settings_are_shown_as_they_are_now(desk: Desk) -> None:
+    desk.machine.set_speed(Speed.FLAT_OUT)
+    desk.program.settings()
+    assert isinstance(desk.shown.opened[0], SettingsScreen)
 
 
 def test_no_two_commands_have_a_name_or_a_key_in_common() -> None:

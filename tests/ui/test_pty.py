@@ -242,9 +242,11 @@ def test_a_terminal_without_releases_jogs_by_taps(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("reports", [True, False])
-def test_ctrl_c_leaves_the_terminal_as_it_was(tmp_path: Path, reports: bool) -> None:
+def test_ctrl_c_twice_leaves_the_terminal_as_it_was(tmp_path: Path, reports: bool) -> None:
     with terminal(tmp_path, reports=reports) as one:
         one.read(0.3)
+        one.send("\x1b[99;5u\x1b[99;5:3u" if reports else "\x03")
+        one.wait_for("Leave trs80arm?")
         one.send("\x1b[99;5u\x1b[99;5:3u" if reports else "\x03")
         assert one.leave() == 0
         assert one.is_as_it_was()

@@ -20,6 +20,11 @@ LESSON_UNWRITTEN = Question(
     f"Positions were taught, and no program of them is written. {AGAIN}",
     (Choice("teach", "Look at them"), *BACK),
 )
+NOTHING_UNSAVED = Question(
+    "Leave", "Leave trs80arm? Ctrl+C again leaves.", (Choice("go", "Leave"), Choice("stay", "Back"))
+)
+"""What is asked when the key that leaves may have been meant for the machine."""
+QUESTIONS = (PROGRAM_UNSAVED, LESSON_UNWRITTEN, NOTHING_UNSAVED)
 
 
 class Leaving:
@@ -53,9 +58,21 @@ class Leaving:
         self._teach = teach
         self._end = end
 
+    @property
+    def asked(self) -> bool:
+        """Whether a question before leaving stands unanswered."""
+        return any(map(self._ask.is_asking, QUESTIONS))
+
+    def ask_first(self) -> None:
+        """Leave, but not without a question, whatever is saved."""
+        if self.asked or self._session.unsaved or self._lesson.unwritten:
+            self.leave()
+        else:
+            self._ask.ask(NOTHING_UNSAVED, self._answered)
+
     def leave(self) -> None:
         """Leave; ask if something is unsaved, but when asked while asking, leave at once."""
-        if any(map(self._ask.is_asking, (PROGRAM_UNSAVED, LESSON_UNWRITTEN))):
+        if self.asked:
             self._recovery.tell_again()
             if self._recovery.keep():
                 self._session.close()

@@ -149,9 +149,10 @@ class Trs80Arm(App[int]):
         leaving = Leaving(
             session, lesson, self.recovery, files, dialogs, arm.teach, lambda: self.exit(0)
         )
+        machine = MachineCommands(session, self.pacer, keyboard, files, self.stage, dialogs, say)
         return Commands(
             files=files,
-            machine=MachineCommands(session, self.pacer, keyboard, files, self.stage, dialogs, say),
+            machine=machine,
             arm=arm,
             view=ViewCommands(desk, self.remembered, dialogs, say),
             tube=TubeCommands(self, files, say),
@@ -163,6 +164,8 @@ class Trs80Arm(App[int]):
                 desk,
                 self.options,
                 leaving,
+                machine,
+                self.stage,
                 self,
                 dialogs,
                 lambda: page(keyboard.in_use, listed()),
@@ -317,12 +320,17 @@ class Trs80Arm(App[int]):
         if error:
             self.notify(text, severity="error", markup=False)
 
+    @property
+    def dialog_is_open(self) -> bool:
+        """Whether something else than the desk is on the screen."""
+        return self.screen is not self.desk
+
     # -- keys -------------------------------------------------------------------------------------
 
     @property
     def at_the_keyboard(self) -> bool:
         """Whether plain keys go to the TRS-80."""
-        return self.screen is self.desk
+        return not self.dialog_is_open
 
     def on_key_went_down(self, message: KeyWentDown) -> None:
         """A key of a terminal that tells presses from releases."""

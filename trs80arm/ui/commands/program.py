@@ -9,9 +9,12 @@ from typing import Any, Protocol
 from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.pacing import Pacer
 from trs80arm.desk.session import Session
+from trs80arm.desk.stage import Stage
 from trs80arm.options import TerminalOptions
 from trs80arm.plain_values import as_table
+from trs80arm.rig import Waiting
 from trs80arm.ui.asking import Screens
+from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.view import View
 from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.screens.help import HelpScreen
@@ -22,6 +25,10 @@ class Shell(Protocol):
     """What Textual does for every program."""
 
     theme: str
+
+    @property
+    def dialog_is_open(self) -> bool:
+        """Whether something else than the desk is on the screen."""
 
     def action_change_theme(self) -> None:
         """Let a theme be chosen."""
@@ -40,6 +47,8 @@ class ProgramCommands:
         view: what is seen.
         options: how the program was started.
         leaving: asks before it ends.
+        machine: presses BREAK.
+        stage: what plays by itself.
         shell: what Textual does for every program.
         screens: shows the pages.
         help_text: the page of help for the keys as they work now.
@@ -53,6 +62,8 @@ class ProgramCommands:
         view: View,
         options: TerminalOptions,
         leaving: Leaving,
+        machine: MachineCommands,
+        stage: Stage,
         shell: Shell,
         screens: Screens,
         help_text: Callable[[], str],
@@ -63,6 +74,8 @@ class ProgramCommands:
         self._view = view
         self._options = options
         self._leaving = leaving
+        self._machine = machine
+        self._stage = stage
         self._shell = shell
         self._screens = screens
         self._help_text = help_text
@@ -82,6 +95,21 @@ class ProgramCommands:
     def leave(self) -> None:
         """Leave."""
         self._leaving.leave()
+
+    def interrupt(self) -> None:
+        """BREAK while the machine works for a program; else leave, but not without a question."""
+        if self._shell.dialog_is_open:
+            self._leaving.ask_first()
+        elif self._stage.operator_came():
+            return
+        elif self._works():
+            self._machine.press_break()
+        else:
+            self._leaving.ask_first()
+
+    def _works(self) -> bool:
+        idle = (Waiting.COMMAND, Waiting.EDIT, Waiting.MEMORY_SIZE, Waiting.SYSTEM)
+        return self._session.waiting not in idle or self._session.typing
 
     def settings(self) -> None:
         """What is set."""
