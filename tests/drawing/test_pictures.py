@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from tests.drawing import samples
 from tests.goldens import check_golden
 from trs80arm.arm.shapes import upright
+from trs80arm.drawing.canvas_ascii import AsciiCanvas
 from trs80arm.drawing.picture import FROM_ABOVE, FROM_THE_SIDE, Picture, Subject, angles_text
 from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
 from trs80arm.drawing.rows import Ink, text_of
@@ -165,3 +166,31 @@ def test_views_can_be_drawn_at_any_size(subject: Subject) -> None:
             rows = Picture(subject).draw(samples.slipped(), width, height)
             assert len(rows) == height
             assert all(len(text_of(row)) == width for row in rows)
+
+
+@pytest.mark.parametrize(("width", "height"), [(48, 6), (40, 6), (50, 9), (46, 8), (60, 12)])
+def test_a_part_is_on_the_table_while_it_lies_and_above_it_when_lifted(
+    width: int, height: int
+) -> None:
+    def rows_of_the_part(bottom: float) -> set[int]:
+        part = Thing(Kind.PART, "it", upright(8.0, 0.0, bottom, (1.0, 1.0, 1.0), 0.0))
+        readings = samples.readings(samples.STRETCHED_OUT, things=(part,))
+        picture = Picture(FROM_THE_SIDE)
+        picture.labels = False
+        rows = picture.draw(readings, width, height)
+        return {y for y, row in enumerate(rows) if any(ink is Ink.PART for _, ink in row)}
+
+    table = height - 1
+    assert max(rows_of_the_part(0.0)) == table
+    assert max(rows_of_the_part(1.0)) < table
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.floats(0, 30), st.floats(0, 12), st.floats(0, 0.49), st.floats(0, 0.24))
+def test_a_small_box_is_where_a_joint_at_its_middle_is(
+    x: float, y: float, high: float, wide: float
+) -> None:
+    boxed, marked = AsciiCanvas(32, 14), AsciiCanvas(32, 14)
+    boxed.box((x - wide, y - high), (x + wide, y + high), Ink.PART, "#")
+    marked.joint((x, y), Ink.PART, "#", round_it=False)
+    assert boxed.rows() == marked.rows()

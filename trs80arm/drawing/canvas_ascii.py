@@ -48,6 +48,15 @@ class Canvas(Protocol):
         """The drawing, one row for each line of cells."""
 
 
+def _covered(one: float, other: float, least: float) -> tuple[int, int]:
+    """The first and last cell of which at least so much lies between two places."""
+    start, stop = sorted((one, other))
+    first, last = floor(start + least), floor(stop - least)
+    if last < first:
+        first = last = floor((start + stop) / 2)
+    return first, last
+
+
 class AsciiCanvas:
     """A sheet of `width` x `height` cells, blank at first."""
 
@@ -121,12 +130,11 @@ class AsciiCanvas:
     def box(self, corner: Point, opposite: Point, ink: Ink, fill: str) -> None:
         """Draw a box of `[` and `]`, `fill` between; a single cell is the fill alone.
 
-        A box is at least one cell. One filled with `_` is hollow where it has room to be.
+        A box has the cells whose middles it covers, and if there is none, the one in which its own
+        middle is, as a joint there would have. One filled with `_` is hollow where it has room.
         """
-        left, right = sorted((corner[0], opposite[0]))
-        top, bottom = sorted((corner[1], opposite[1]))
-        first, last = floor(left + 0.25), max(floor(left + 0.25), floor(right - 0.25))
-        high, low = floor(top + 0.5), max(floor(top + 0.5), floor(bottom - 0.5))
+        first, last = _covered(corner[0], opposite[0], 0.25)
+        high, low = _covered(corner[1], opposite[1], 0.5)
         hollow = fill == "_" and low - high >= 2
         for row in range(max(0, high), min(low, self.height - 1) + 1):
             if hollow:

@@ -82,11 +82,14 @@ class Scene:
         shapes: in inches, y upwards.
         bounds: what belongs into the picture.
         focus: what a closer look is centred on: the middle of the hand.
+        resting: the height at which the hand holds what lies on the table, None where no table is
+            seen from the side; whatever is higher is drawn above the table's row.
     """
 
     shapes: tuple[Shape, ...]
     bounds: Bounds
     focus: Point
+    resting: float | None = None
 
 
 @dataclass(frozen=True)

@@ -39,6 +39,8 @@ from trs80arm.drawing.scene import (
 UPPER_ARM_DEPTH = 1.5
 FOREARM_DEPTH = 1.1
 """Height of the links' side plates, inches. Not on record; drawn so where there is room."""
+RESTING = 0.5
+"""Height of the middle of a part an inch high that stands on the table, inches."""
 NEAR = 0.6
 """How far beside the arm's plane a thing may stand and still be drawn as in it, inches."""
 
@@ -80,7 +82,7 @@ def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
         for thing in inside
         if thing.held
     ]
-    return Scene(tuple(shapes), bounds, middle(points[2], points[3]))
+    return Scene(tuple(shapes), bounds, middle(points[2], points[3]), RESTING)
 
 
 def _pedestal(base: float, fittings: ArmSettings) -> list[Shape]:

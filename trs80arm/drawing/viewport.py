@@ -7,7 +7,7 @@ still while the arm moves. A closer look follows the hand in whole cells.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import ceil, hypot
+from math import ceil, floor, hypot
 
 from trs80arm.drawing.canvas_ascii import Canvas, Point
 from trs80arm.drawing.scene import Block, Bounds, Joint, Scene, Stroke, Trace
@@ -23,6 +23,10 @@ RAILS_FROM = 0.95
 """Rows of the canvas that a link must be deep to be drawn as two rails."""
 ROUND_FROM = 1.4
 """Rows an inch from which joints are drawn as discs."""
+_THIN = 0.1
+"""Height of what is let into the table, inches."""
+_EDGE = 0.02
+"""How far within a cell something is that is just in it, cells."""
 RAIL_INSET = 0.4
 """How far rails end before the joints, as a share of their distance, so that they do not cross."""
 
@@ -79,6 +83,8 @@ class Viewport:
             window = known[4]
         else:
             window = _fitted(bounds, width, height, ZOOMS[self.zoom])
+            if scene.resting is not None:
+                window = _grounded(window, scene.resting)
             if self.zoom > FIT:
                 window = _centred(window, scene.focus, width, height)
         if self.zoom > FIT:
@@ -106,6 +112,21 @@ def _fitted(bounds: Bounds, width: int, height: int, zoom: float) -> Window:
     # Whatever room is left over goes above and on both sides: the table stays at the bottom.
     spare = width / ASPECT / scale - (right - left)
     return Window(left - spare / 2, bottom + height / scale, scale)
+
+
+def _grounded(window: Window, resting: float) -> Window:
+    """The window moved by less than a row, so that what rests on the table is just in its row.
+
+    What is lifted then leaves that row at once, and hand and part do so together.
+    """
+    table, part = window.cell((0.0, 0.0))[1], window.cell((0.0, resting))[1]
+    if 2 * (table - part) >= 1:
+        # Such a part is a row high or more, and lifted by a row it is seen to be. Thin things that
+        # lie on the table are in the table's row.
+        down = max(0.0, _THIN * window.scale + _EDGE - (table - floor(table)))
+    else:
+        down = floor(table) + _EDGE - part
+    return replace(window, top=window.top + down / window.scale)
 
 
 def _centred(window: Window, focus: Point, width: int, height: int) -> Window:
