@@ -146,3 +146,23 @@ def test_fingers_on_a_part_are_no_alarm_and_a_blocked_motor_is() -> None:
     blocked = ArmEvent(1, 0, EventKind.CONTACT, 1, 0, Reason.CONTACT, "shoulder blocked by table")
     rows = EventsLog().draw(samples.readings(events=(fingers, blocked)), 60, 4)
     assert [row[1][1] for row in rows] == [Ink.PLAIN, Ink.ALARM]
+
+
+@pytest.mark.parametrize("width", [64, 80, 120])
+def test_the_machines_state_is_seen_beside_a_notice(width: int) -> None:
+    line = StatusLine()
+    line.show(samples.readings(waiting=Waiting.SET), Pace(), "repeat", "Position 1 is taught: F12.")
+    [row] = line.draw(samples.readings(waiting=Waiting.SET), width, 1)
+    text = text_of(row)
+    assert "@SET" in text
+    assert "0 ends" in text
+    assert "Position 1 is taught: F12." in text
+    assert len(text) <= width
+
+
+def test_a_long_notice_leaves_the_state_its_shortest_words() -> None:
+    line = StatusLine()
+    notice = "The tube's text is copied (some terminals do not allow it)."
+    line.show(samples.readings(waiting=Waiting.SET), Pace(), "repeat", notice)
+    [row] = line.draw(samples.readings(waiting=Waiting.SET), 80, 1)
+    assert text_of(row) == f"@SET: 0 ends  {notice}"

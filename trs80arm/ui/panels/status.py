@@ -21,6 +21,8 @@ _WAITING = {
     Waiting.SET: "@SET: keys move the arm, 0 ends it",
     Waiting.SYSTEM: "SYSTEM",
 }
+_SHORTLY = {Waiting.SET: "@SET: 0 ends", Waiting.PAUSE: "held", Waiting.AUTO: "AUTO"}
+"""The same in a few letters, for a line with a long notice on it."""
 _MOTION = {Mode.STEP: "@STEP", Mode.CLOSE: "@CLOSE", Mode.SET: "@SET"}
 
 
@@ -57,7 +59,8 @@ class StatusLine(Panel):
 The machine's own time since it was switched on; the speed that was asked for and how much of it is
 achieved; how keys are read (`events`: real press and release; `repeat`: your terminal does not
 report releases, so a tap jogs and a held key runs; `latch`: a key goes down at the first press and
-up at the second); and what the machine is doing or waiting for.
+up at the second); what the machine is doing or waiting for; and for some seconds what the program
+has to say.
 """
 
     def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
@@ -75,7 +78,7 @@ up at the second); and what the machine is doing or waiting for.
             readings: of the rig.
             pace: how fast it runs.
             keys: how keys are read.
-            notice: a message that takes the place of the machine's state for now.
+            notice: a message to be read beside the machine's state for now.
         """
         self._pace = pace or self._pace
         self._keys, self._notice = keys, notice
@@ -90,14 +93,17 @@ up at the second); and what the machine is doing or waiting for.
             "motors ON" if readings.motors_on else "motors off",
             Ink.STRONG if readings.motors_on else Ink.PLAIN,
         )
-        doing: Span = (self._notice or doing_text(readings), Ink.STRONG)
+        doing: Span = (doing_text(readings), Ink.PLAIN if self._notice else Ink.STRONG)
+        shortly: Span = (_SHORTLY.get(readings.waiting, doing[0]), doing[1])
+        notice: Span = (self._notice, Ink.STRONG)
         slipped: Span = ("! steps lost" if readings.believed else "", Ink.ALARM)
         for chosen in (
-            [clock, pace, keys, motors, slipped, doing],
-            [clock, pace, keys, slipped, doing],
-            [clock, pace, slipped, doing],
-            [clock, slipped, doing],
-            [doing],
+            [clock, pace, keys, motors, slipped, doing, notice],
+            [clock, pace, keys, slipped, doing, notice],
+            [clock, pace, slipped, doing, notice],
+            [clock, slipped, doing, notice],
+            [doing, notice],
+            [shortly, notice],
         ):
             parts = [span for span in chosen if span[0]]
             if sum(len(text) for text, _ in parts) + 2 * (len(parts) - 1) <= width:
