@@ -57,7 +57,14 @@ class Person:
     def ask(self, question: Question, then: Callable[[str], object]) -> None:
         self._answer(question, then)
 
-    def choose(self, question: ListQuestion, then: Callable[[str], object]) -> None:
+    def choose(
+        self,
+        question: ListQuestion,
+        then: Callable[[str], object],
+        seen: Callable[[str], object] | None = None,
+    ) -> None:
+        for choice in question.choices if seen is not None else ():
+            seen(choice.value)
         self._answer(question, then)
 
     def ask_file(self, question: FileQuestion, then: Callable[[Path], object]) -> None:

@@ -76,8 +76,13 @@ class Shown:
         if self.result is not None and then is not None:
             then(self.result)
 
-    def action_change_theme(self) -> None:
-        self.done.append(("theme",))
+    theme_names = ("green", "amber")
+
+    def show_theme(self, name: str) -> None:
+        self.done.append(("shown", name))
+
+    def use_theme(self, name: str) -> None:
+        self.theme = name
 
     def action_suspend_process(self) -> None:
         self.done.append(("suspend",))
@@ -121,6 +126,7 @@ class Desk(Sitting):
             self.machine,
             self.stage,
             self.shown,
+            person,
             self.shown,
             lambda: "# Help",
         )
@@ -375,6 +381,13 @@ def test_the_interrupt_key_ends_the_demonstration(desk: Desk) -> None:
     desk.program.interrupt()
     assert desk.person.told[-1] == "The machine is yours."
     assert desk.person.asked == []
+
+
+def test_themes_are_seen_on_the_way_to_the_chosen_one(desk: Desk) -> None:
+    desk.answer("amber")
+    desk.program.theme()
+    assert desk.shown.done == [("shown", "green"), ("shown", "amber")]
+    assert desk.shown.theme == "amber"
 
 
 def test_the_settings_are_shown_as_they_are_now(desk: Desk) -> None:

@@ -1,9 +1,15 @@
+"""The palette finds commands by the words that people have for them."""
+
 from __future__ import annotations
 
+from pathlib import Path
+
+import pytest
 from textual.command import CommandPalette
 
-from tests.ui.conftest import Opener
+from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
+from trs80arm.ui.commands.table import Palette
 
 
 @piloted
@@ -15,3 +21,56 @@ async def test_the_palette_is_not_opened_twice_below_a_dialog(sit_down: Opener) 
         await sitting.settle()
         opened = [s for s in sitting.app.screen_stack if isinstance(s, CommandPalette)]
         assert len(opened) == 1
+
+
+async def found(sitting: Sitting, query: str) -> list[str]:
+    palette = Palette(sitting.app.screen)
+    hits = [hit async for hit in palette.search(query)]
+    hits.sort(key=lambda hit: -hit.score)
+    return [str(hit.text or hit.match_display) for hit in hits]
+
+
+@pytest.mark.parametrize(
+    ("query", "title"),
+    [
+        ("quit", "Leave  (F10)"),
+        ("exit", "Leave  (F10)"),
+        ("load", "Program: open  (F2)"),
+        ("screenshot", "Screen: save as picture"),
+        ("green", "Theme: green"),
+        ("amber", "Theme: amber"),
+        ("zoom", "View: arm large, and back  (F11)"),
+        ("tour", "Session: demonstration"),
+        ("restart", "Machine: off and on"),
+    ],
+)
+@piloted
+async def test_commands_are_found_by_other_words(sit_down: Opener, query: str, title: str) -> None:
+    async with sit_down() as sitting:
+        assert title in (await found(sitting, query))[:4]
+
+
+@piloted
+async def test_a_title_that_fits_goes_before_another_word(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        assert (await found(sitting, "Speed: flat"))[0] == "Speed: flat out"
+
+
+@piloted
+async def test_a_theme_is_seen_while_it_is_marked_and_remembered_when_chosen(
+    sit_down: Opener, tmp_path: Path
+) -> None:
+    path = tmp_path / "settings.toml"
+    async with sit_down(settings_file=path) as sitting:
+        await sitting.app.run_action("do('theme')")
+        await sitting.press("down")
+        assert sitting.app.theme == "white"
+        await sitting.press("escape")
+        await sitting.settle()
+        assert sitting.app.theme == "green"
+        assert not path.exists()
+        await sitting.app.run_action("do('theme')")
+        await sitting.press("down", "down", "enter")
+        await sitting.settle()
+        assert sitting.app.theme == "amber"
+        assert 'theme = "amber"' in path.read_text()

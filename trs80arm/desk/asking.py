@@ -88,8 +88,17 @@ class Asking(Protocol):
     def ask(self, question: Question, then: Callable[[str], object]) -> None:
         """Ask; `then` gets the value of the answer."""
 
-    def choose(self, question: ListQuestion, then: Callable[[str], object]) -> None:
-        """Let one be chosen; `then` gets its value."""
+    def choose(
+        self,
+        question: ListQuestion,
+        then: Callable[[str], object],
+        seen: Callable[[str], object] | None = None,
+    ) -> None:
+        """Let one be chosen; `then` gets its value.
+
+        `seen` gets the value of each that is looked at on the way, and at the end the present one
+        again if none was chosen.
+        """
 
     def ask_file(self, question: FileQuestion, then: Callable[[Path], object]) -> None:
         """Ask for a file's name."""

@@ -121,6 +121,7 @@ class Trs80Arm(App[int]):
         self._notice_until = 0.0
         self._next_frame = 0.0
         self._remembered_theme = options.theme
+        self._trying_themes = False
         self.pacer = Pacer(session, wall, options.speed.factor)
         held = HeldKeys(options.tap_ms / 1000, options.repeat_ms / 1000)
         self.keyboard = Keyboard(session, held, options.keys, wall)
@@ -168,6 +169,7 @@ class Trs80Arm(App[int]):
                 self.stage,
                 self,
                 dialogs,
+                dialogs,
                 lambda: page(keyboard.in_use, listed()),
             ),
         )
@@ -196,9 +198,30 @@ class Trs80Arm(App[int]):
         """The driver that reports key releases, where the stock one would be Linux's."""
         return choose_driver(super().get_driver_class(), self.options.keys)
 
+    @property
+    def theme_names(self) -> Sequence[str]:
+        """The themes that there are, the own ones first."""
+        own = [theme.name for theme in THEMES]
+        return [*own, *sorted(set(self.available_themes) - set(own))]
+
+    def show_theme(self, name: str) -> None:
+        """Show a theme for now."""
+        self._trying_themes = True
+        self.theme = name
+        self._trying_themes = False
+
+    def use_theme(self, name: str) -> None:
+        """Show a theme from now on, and remember it."""
+        self.theme = name
+        self._remember_theme(name)
+
     def watch_theme(self, name: str) -> None:
-        """A theme was chosen, here or in the palette: remember it."""
-        if self.is_running and name != self._remembered_theme:
+        """A theme was chosen, perhaps in Textual's own list: remember it."""
+        if self.is_running and not self._trying_themes:
+            self._remember_theme(name)
+
+    def _remember_theme(self, name: str) -> None:
+        if name != self._remembered_theme:
             self._remembered_theme = name
             self.remembered.choose("theme", name)
 

@@ -48,9 +48,14 @@ class Dialogs:
         """Ask by buttons."""
         self.open(Ask(question), then)
 
-    def choose(self, question: ListQuestion, then: Callable[[str], object]) -> None:
+    def choose(
+        self,
+        question: ListQuestion,
+        then: Callable[[str], object],
+        seen: Callable[[str], object] | None = None,
+    ) -> None:
         """Let one of a list be chosen."""
-        self.open(Choose(question), then)
+        self.open(Choose(question, seen), then)
 
     def ask_file(self, question: FileQuestion, then: Callable[[Path], object]) -> None:
         """Ask for a file's name."""

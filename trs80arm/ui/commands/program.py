@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
+from trs80arm.desk.asking import Asking, Choice, ListQuestion
 from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.pacing import Pacer
 from trs80arm.desk.session import Session
@@ -30,8 +31,15 @@ class Shell(Protocol):
     def dialog_is_open(self) -> bool:
         """Whether something else than the desk is on the screen."""
 
-    def action_change_theme(self) -> None:
-        """Let a theme be chosen."""
+    @property
+    def theme_names(self) -> Sequence[str]:
+        """The themes that there are, the own ones first."""
+
+    def show_theme(self, name: str) -> None:
+        """Show a theme for now."""
+
+    def use_theme(self, name: str) -> None:
+        """Show a theme from now on, and remember it."""
 
     def action_suspend_process(self) -> None:
         """Go to the shell for a while."""
@@ -50,6 +58,7 @@ class ProgramCommands:
         machine: presses BREAK.
         stage: what plays by itself.
         shell: what Textual does for every program.
+        ask: a way to ask.
         screens: shows the pages.
         help_text: the page of help for the keys as they work now.
     """
@@ -65,6 +74,7 @@ class ProgramCommands:
         machine: MachineCommands,
         stage: Stage,
         shell: Shell,
+        ask: Asking,
         screens: Screens,
         help_text: Callable[[], str],
     ) -> None:
@@ -77,6 +87,7 @@ class ProgramCommands:
         self._machine = machine
         self._stage = stage
         self._shell = shell
+        self._ask = ask
         self._screens = screens
         self._help_text = help_text
 
@@ -85,8 +96,10 @@ class ProgramCommands:
         self._screens.open(HelpScreen(self._help_text()))
 
     def theme(self) -> None:
-        """Choose a theme."""
-        self._shell.action_change_theme()
+        """Choose a theme; each is seen while it is marked."""
+        choices = tuple(Choice(name, name) for name in self._shell.theme_names)
+        question = ListQuestion("Theme", choices, self._shell.theme)
+        self._ask.choose(question, self._shell.use_theme, self._shell.show_theme)
 
     def suspend(self) -> None:
         """To the shell."""

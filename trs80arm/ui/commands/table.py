@@ -53,6 +53,7 @@ class Command:
         keys: the keys, comma separated.
         footer: its word in the bottom line, empty when it is not there.
         priority: whether its keys work in dialogs, too.
+        also: other words by which the palette finds it.
     """
 
     name: str
@@ -62,6 +63,7 @@ class Command:
     keys: str = ""
     footer: str = ""
     priority: bool = False
+    also: str = ""
 
 
 def panel_commands(panels: Iterable[PanelRow]) -> Iterator[Command]:
@@ -94,6 +96,7 @@ COMMANDS: tuple[Command, ...] = (
         "This page: keys, BREAK, programs to try.",
         "f1",
         "Help",
+        also="manual keys ?",
     ),
     Command(
         "open",
@@ -102,6 +105,7 @@ COMMANDS: tuple[Command, ...] = (
         "Load a program file.",
         "f2,ctrl+o",
         "Open",
+        also="load file",
     ),
     Command(
         "save",
@@ -110,8 +114,17 @@ COMMANDS: tuple[Command, ...] = (
         "Save the program in memory.",
         "f3,ctrl+s",
         "Save",
+        also="write store file",
     ),
-    Command("run", lambda to: to.machine.run(), "Program: run", "Type RUN.", "f5", "Run"),
+    Command(
+        "run",
+        lambda to: to.machine.run(),
+        "Program: run",
+        "Type RUN.",
+        "f5",
+        "Run",
+        also="start go",
+    ),
     Command(
         "break",
         lambda to: to.machine.press_break(),
@@ -119,6 +132,7 @@ COMMANDS: tuple[Command, ...] = (
         "BREAK, as Escape.",
         "f9",
         "Break",
+        also="stop escape interrupt",
     ),
     Command(
         "paste",
@@ -126,6 +140,7 @@ COMMANDS: tuple[Command, ...] = (
         "Program: paste a listing",
         "Paste a listing: typed in, or loaded at once.",
         "ctrl+v",
+        also="listing type in clipboard insert",
     ),
     Command(
         "pause",
@@ -134,6 +149,7 @@ COMMANDS: tuple[Command, ...] = (
         "Stop the machine's clock, or let it go on.",
         "f6",
         "Pause",
+        also="freeze hold stop",
     ),
     Command(
         "step_statement",
@@ -142,6 +158,7 @@ COMMANDS: tuple[Command, ...] = (
         "Pause, and do one statement.",
         "f7",
         "Step",
+        also="single step debug trace",
     ),
     Command(
         "step_motor",
@@ -149,6 +166,7 @@ COMMANDS: tuple[Command, ...] = (
         "Machine: one motor step",
         "Pause, and go on to the next change of a latch.",
         "shift+f7,ctrl+f7,f19",
+        also="single step half-step latch",
     ),
     Command(
         "speed",
@@ -157,6 +175,7 @@ COMMANDS: tuple[Command, ...] = (
         "Choose how fast time goes.",
         "f8",
         "Speed",
+        also="fast slow",
     ),
     Command(
         "speed_1",
@@ -179,12 +198,14 @@ COMMANDS: tuple[Command, ...] = (
         lambda to: to.machine.set_speed(Speed.FLAT_OUT),
         "Speed: flat out",
         "As fast as this computer can.",
+        also="fast turbo",
     ),
     Command(
         "reset",
         lambda to: to.machine.reset(),
         "Machine: off and on",
         "Switch the TRS-80 off and on again.",
+        also="restart reboot power switch",
     ),
     Command(
         "panel",
@@ -193,6 +214,7 @@ COMMANDS: tuple[Command, ...] = (
         "Switch the panel under the tube.",
         "f4",
         "Panel",
+        also="tab",
     ),
     Command(
         "zoom",
@@ -201,6 +223,7 @@ COMMANDS: tuple[Command, ...] = (
         "The arm large, and back.",
         "f11",
         "Zoom",
+        also="zoom maximize full",
     ),
     *panel_commands(PANELS),
     Command(
@@ -209,30 +232,35 @@ COMMANDS: tuple[Command, ...] = (
         "Arm view: ASCII or braille",
         "Draw the arm the other way.",
         "ctrl+a",
+        also="dots drawing",
     ),
     Command(
         "envelope",
         lambda to: to.view.arm_option("envelope"),
         "Arm view: envelope",
         "Where the hand can reach.",
+        also="reach range",
     ),
     Command(
         "trail",
         lambda to: to.view.arm_option("trail"),
         "Arm view: trail",
         "Where the fingertip has been.",
+        also="path trace",
     ),
     Command(
         "labels",
         lambda to: to.view.arm_option("labels"),
         "Arm view: labels",
         "Names in the arm's views.",
+        also="names captions",
     ),
     Command(
         "clear_trail",
         lambda to: to.view.clear_trail(),
         "Arm view: clear the trail",
         "Forget where the fingertip has been.",
+        also="path erase",
     ),
     Command(
         "arm_closer",
@@ -240,6 +268,7 @@ COMMANDS: tuple[Command, ...] = (
         "Arm view: closer",
         "Show the arm larger.",
         "ctrl+up",
+        also="zoom in larger",
     ),
     Command(
         "arm_farther",
@@ -247,12 +276,14 @@ COMMANDS: tuple[Command, ...] = (
         "Arm view: farther",
         "Show the arm smaller.",
         "ctrl+down",
+        also="zoom out smaller",
     ),
     Command(
         "arm_fit",
         lambda to: to.view.zoom_arm("fit"),
         "Arm view: fit",
         "Show all of the arm and the bench.",
+        also="zoom all whole",
     ),
     Command(
         "teach",
@@ -261,6 +292,7 @@ COMMANDS: tuple[Command, ...] = (
         "The positions taught, and programs of them.",
         "f12",
         "Teach",
+        also="positions lesson program",
     ),
     Command(
         "teach_here",
@@ -268,6 +300,7 @@ COMMANDS: tuple[Command, ...] = (
         "Arm: teach this position",
         "Teach the position where the arm is.",
         "ctrl+t",
+        also="record position point",
     ),
     Command(
         "hand_move",
@@ -275,6 +308,7 @@ COMMANDS: tuple[Command, ...] = (
         "Arm: move by hand",
         "Move the arm by hand, while the motors are off.",
         "ctrl+g",
+        also="drag joints manual",
     ),
     Command(
         "bench",
@@ -282,12 +316,14 @@ COMMANDS: tuple[Command, ...] = (
         "Bench: choose",
         "Set up another bench.",
         "ctrl+b",
+        also="table parts setup",
     ),
     Command(
         "refill",
         lambda to: to.arm.refill(),
         "Bench: put the parts back",
         "Every part to where it was at the start.",
+        also="reset parts restore home",
     ),
     Command(
         "latch",
@@ -295,63 +331,85 @@ COMMANDS: tuple[Command, ...] = (
         "Keys: latch on or off",
         "Latch mode: in @SET a press turns a key on or off.",
         "ctrl+d",
+        also="sticky hold",
     ),
     Command(
-        "key_test", lambda to: to.keys.test(), "Keys: test", "What the terminal tells about keys."
+        "key_test",
+        lambda to: to.keys.test(),
+        "Keys: test",
+        "What the terminal tells about keys.",
+        also="keyboard terminal",
     ),
     Command(
-        "copy_screen", lambda to: to.tube.copy(), "Screen: copy", "Copy the tube's text.", "ctrl+y"
+        "copy_screen",
+        lambda to: to.tube.copy(),
+        "Screen: copy",
+        "Copy the tube's text.",
+        "ctrl+y",
+        also="clipboard tube text",
     ),
     Command(
         "save_text",
         lambda to: to.tube.save_text(),
         "Screen: save as text",
         "The tube as a text file.",
+        also="export tube",
     ),
     Command(
         "save_picture",
         lambda to: to.tube.save_picture(),
         "Screen: save as picture",
         "The whole window as SVG.",
+        also="screenshot svg export image",
     ),
     Command(
         "theme",
         lambda to: to.program.theme(),
         "Screen: theme",
         "Green, white, amber, high contrast, paper.",
+        also="colour color dark light green white amber contrast paper",
     ),
     Command(
         "glyphs",
         lambda to: to.view.choose_glyphs(),
         "Screen: graphics glyphs",
         "Sextants, braille, quadrants or ASCII.",
+        also="characters font graphics blocks",
     ),
     Command(
         "cursor",
         lambda to: to.view.switch_cursor(),
         "Screen: cursor blinks or not",
         "The ROM's own is steady.",
+        also="blink steady",
     ),
     Command(
         "save_recording",
         lambda to: to.files.save_recording(),
         "Session: save a recording",
         "All that was done since power-on.",
+        also="record session journal",
     ),
     Command(
         "replay",
         lambda to: to.files.play(),
         "Session: play a recording",
         "Play a recorded session.",
+        also="recording playback",
     ),
     Command(
         "demo",
         lambda to: to.machine.demo(),
         "Session: demonstration",
         "The article's pick and place, with captions.",
+        also="tour show example",
     ),
     Command(
-        "settings", lambda to: to.program.settings(), "Settings: show", "What is set, and where."
+        "settings",
+        lambda to: to.program.settings(),
+        "Settings: show",
+        "What is set, and where.",
+        also="options preferences config",
     ),
     Command(
         "suspend",
@@ -359,6 +417,7 @@ COMMANDS: tuple[Command, ...] = (
         "Suspend",
         "Suspend: to the shell; fg comes back.",
         "ctrl+z",
+        also="shell background job",
     ),
     Command(
         "interrupt",
@@ -367,6 +426,7 @@ COMMANDS: tuple[Command, ...] = (
         "BREAK while something runs or moves; at READY, leave.",
         "ctrl+c",
         priority=True,
+        also="stop quit exit",
     ),
     Command(
         "leave",
@@ -376,6 +436,7 @@ COMMANDS: tuple[Command, ...] = (
         "f10,ctrl+q",
         "Quit",
         True,
+        also="quit exit close end",
     ),
 )
 
@@ -408,25 +469,48 @@ def listed() -> Iterator[tuple[str, str]]:
 
 
 class Palette(Provider):
-    """The commands in the palette, each with its key."""
+    """The commands in the palette, each with its key, and every theme by its name."""
 
-    def _entries(self) -> Iterator[tuple[str, Command, Callable[[], object]]]:
+    def _entries(self) -> Iterator[_Entry]:
         for command in COMMANDS:
             key = command.keys.partition(",")[0]
             title = f"{command.title}  ({spoken(key)})" if key else command.title
-            yield title, command, partial(self.app.run_action, f"do('{command.name}')")
+            do = partial(self.app.run_action, f"do('{command.name}')")
+            yield _Entry(title, command.help, command.also, do)
+
+    def _themes(self) -> Iterator[_Entry]:
+        for name in self.app.available_themes:
+            do = partial(setattr, self.app, "theme", name)
+            yield _Entry(f"Theme: {name}", "Show everything in these colours.", "colour color", do)
 
     async def discover(self) -> Hits:
-        """All of them, before anything is typed."""
-        for title, command, do in self._entries():
-            yield DiscoveryHit(title, do, help=command.help)
+        """All commands, before anything is typed."""
+        for entry in self._entries():
+            yield DiscoveryHit(entry.title, entry.do, help=entry.help)
 
     async def search(self, query: str) -> Hits:
-        """Those that fit what was typed."""
+        """Those that fit what was typed; a title that does goes before another word for it."""
         matcher = self.matcher(query)
-        for title, command, do in self._entries():
-            if (score := matcher.match(title)) > 0:
-                yield Hit(score, matcher.highlight(title), do, help=command.help)
+        for entry in (*self._entries(), *self._themes()):
+            by_title = matcher.match(entry.title)
+            by_word = any(word.startswith(query.casefold().strip()) for word in entry.also.split())
+            if by_title > 0 or by_word:
+                score = max(by_title, _BY_WORD if by_word else 0.0)
+                yield Hit(score, matcher.highlight(entry.title), entry.do, help=entry.help)
+
+
+_BY_WORD = 0.5
+"""The score of a command that is found by another word for it; a title's is up to 1 and more."""
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """A line of the palette: what it says, what finds it as well, and what it does."""
+
+    title: str
+    help: str
+    also: str
+    do: Callable[[], object]
 
 
 def spoken(key: str) -> str:

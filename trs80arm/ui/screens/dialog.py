@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import ClassVar, Generic, TypeVar
 
@@ -49,11 +50,17 @@ class Dialog(ModalScreen[Answer | None], Generic[Answer]):
 
 
 class Choose(Dialog[str]):
-    """Asks for one of a list."""
+    """Asks for one of a list.
 
-    def __init__(self, question: ListQuestion) -> None:
+    Args:
+        question: the list.
+        seen: is given the value that is marked, and the present one when none is chosen.
+    """
+
+    def __init__(self, question: ListQuestion, seen: Callable[[str], object] | None = None) -> None:
         super().__init__()
         self.question = question
+        self._seen = seen
 
     def compose(self) -> ComposeResult:
         """The list."""
@@ -79,6 +86,17 @@ class Choose(Dialog[str]):
         options = self.query_one(OptionList)
         options.highlighted = values.index(self.question.now) if self.question.now in values else 0
         options.focus()
+
+    def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
+        """Let what is marked be seen."""
+        if self._seen is not None:
+            self._seen(self.question.choices[event.option_index].value)
+
+    def action_cancel(self) -> None:
+        """Leave it as it is."""
+        if self._seen is not None:
+            self._seen(self.question.now)
+        super().action_cancel()
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         """Answer."""
