@@ -10,6 +10,7 @@ import pytest
 from tests.desk.sitting import Sitting
 from trs80arm.desk.asking import FileQuestion, Listing, ProgramQuestion
 from trs80arm.desk.files import PLAYING
+from trs80arm.desk.recovery import copy_label
 from trs80arm.desk.session import Session
 from trs80arm.files import load_program
 
@@ -339,3 +340,57 @@ def test_a_state_folder_that_cannot_be_written_is_no_trouble_for_opening(tmp_pat
     desk.files.load_file(path)
     assert desk.lines == [10]
     assert desk.person.errors == []
+
+
+def leave_copies(desk: Sitting, count: int) -> list[Path]:
+    """Copies that sittings that ended badly have left, newest first."""
+    desk.state.mkdir(exist_ok=True)
+    paths = [desk.state / f"recovered-202601{day:02}-093000-7.bas" for day in range(1, count + 1)]
+    for path in paths:
+        path.write_text("10 REM LOST\n")
+    return paths[::-1]
+
+
+def test_recovered_copies_have_dates_and_do_not_push_programs_off_the_list(
+    sitting: Sitting,
+) -> None:
+    paths = leave_copies(sitting, 9)
+    sitting.answer(None)
+    sitting.files.open()
+    shelf = sitting.person.asked[0].shelves[0]
+    assert shelf.title == "Recovered, the newest of 9"
+    assert shelf.entries("") == [
+        (path, f"2026-01-0{day} 09:30  recovered program")
+        for path, day in zip(paths[:3], (9, 8, 7), strict=True)
+    ]
+    assert len(shelf.entries("2026-01")) == 9
+    shelf.discard(paths[0])
+    assert sitting.recovery.left_over() == paths[1:]
+
+
+def test_a_copy_of_positions_says_so() -> None:
+    path = Path("recovered-20260102-093000-7-taught.bas")
+    assert copy_label(path) == "2026-01-02 09:30  recovered positions"
+    assert copy_label(Path("recovered-odd.bas")) == "recovered-odd.bas"
+
+
+@pytest.mark.parametrize(("answer", "left"), [("go", 0), ("stay", 4), (None, 4)])
+def test_all_recovered_copies_are_removed_when_their_owner_says_so(
+    sitting: Sitting, answer: str | None, left: int
+) -> None:
+    leave_copies(sitting, 4)
+    sitting.answer(answer)
+    sitting.files.discard_recovered()
+    assert "4 recovered programs, the oldest of 2026-01-01 09:30" in sitting.person.asked[0].text
+    assert len(sitting.recovery.left_over()) == left
+
+
+def test_without_recovered_copies_nothing_is_asked(sitting: Sitting) -> None:
+    sitting.files.discard_recovered()
+    assert sitting.person.told == ["There are no recovered programs."]
+
+
+def test_only_recovered_copies_can_be_discarded(sitting: Sitting) -> None:
+    path = sitting.write("mine.bas", "10 END\n")
+    sitting.recovery.discard(path)
+    assert path.exists()

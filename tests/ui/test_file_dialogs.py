@@ -95,3 +95,25 @@ async def test_the_preview_follows_what_is_marked(sit_down: Opener, tmp_path: Pa
             await sitting.pilot.pause()
             shown = str(sitting.app.screen.query_one("#preview", Static).render())
             assert f"NUMBER {number}" in shown
+
+
+@piloted
+async def test_a_recovered_program_is_removed_when_asked_to_twice(
+    sit_down: Opener, tmp_path: Path
+) -> None:
+    state = tmp_path / "state"
+    state.mkdir()
+    for day in (1, 2):
+        (state / f"recovered-2026010{day}-093000-7.bas").write_text("10 REM LOST\n")
+    async with sit_down() as sitting:
+        await sitting.press("f2")
+        await sitting.settle()
+        assert "2026-01-02 09:30" in screen_text(sitting.app)
+        await sitting.press("ctrl+x")
+        assert len(list(state.glob("recovered-*"))) == 2
+        await sitting.press("ctrl+x")
+        await sitting.settle()
+        assert [path.name for path in state.glob("recovered-*")] == [
+            "recovered-20260101-093000-7.bas"
+        ]
+        assert "2026-01-02 09:30" not in screen_text(sitting.app)

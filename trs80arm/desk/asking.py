@@ -60,10 +60,31 @@ class FileQuestion:
 
 @dataclass(frozen=True)
 class Shelf:
-    """A titled list of files."""
+    """A titled list of files.
+
+    Attributes:
+        title: over it.
+        files: what stands there.
+        labels: what is shown for each file; their names if empty.
+        shown: how many are shown before something is typed; None for all.
+        discard: removes a file of the shelf for ever; None where that is not offered.
+    """
 
     title: str
     files: Sequence[Path]
+    labels: Sequence[str] = ()
+    shown: int | None = None
+    discard: Callable[[Path], object] | None = None
+
+    def entries(self, part: str) -> list[tuple[Path, str]]:
+        """The files that have `part` in their label, each with its label."""
+        labels = self.labels or [path.name for path in self.files]
+        pairs = [
+            (path, label)
+            for path, label in zip(self.files, labels, strict=True)
+            if part.casefold() in label.casefold()
+        ]
+        return pairs if part else pairs[: self.shown]
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ from trs80arm.desk.asking import (
     Shelf,
 )
 from trs80arm.desk.places import RecentFiles, program_files
-from trs80arm.desk.recovery import Recovery
+from trs80arm.desk.recovery import Recovery, copy_label
 from trs80arm.desk.session import Session
 from trs80arm.files import FileFormatError, Kind
 from trs80arm.reasons import reason
@@ -33,6 +33,8 @@ from trs80arm.saving import write_whole
 
 _IN_LISTING = re.compile(r"\s*(\d|$)")
 """A line of a listing, or between two of them."""
+RECOVERED_SHOWN = 3
+"""Recovered copies that are shown before the other programs."""
 PLAYING = "Playing; any key ends it and gives you the machine."
 
 
@@ -62,7 +64,7 @@ class SessionFiles:
         """Let a program be chosen, and load it."""
         along = programs_folder()
         shelves = (
-            Shelf("Recovered", self._recovery.left_over()),
+            self._recovered(),
             Shelf("Recent", self._recent.all()),
             Shelf("Coming along", program_files(along) if along else ()),
         )
@@ -71,6 +73,33 @@ class SessionFiles:
             self.if_program_may_go("Open", lambda: self.load_file(path))
 
         self._ask.ask_program(ProgramQuestion(shelves, Path.cwd()), chosen)
+
+    def _recovered(self) -> Shelf:
+        """What sittings that ended badly have left: the newest few, unless they are asked for."""
+        left = self._recovery.left_over()
+        title = "Recovered"
+        if len(left) > RECOVERED_SHOWN:
+            title = f"Recovered, the newest of {len(left)}"
+        labels = [copy_label(path) for path in left]
+        return Shelf(title, left, labels, RECOVERED_SHOWN, self._recovery.discard)
+
+    def discard_recovered(self) -> None:
+        """Remove all that was left by sittings that ended badly, if its owner says so."""
+        left = self._recovery.left_over()
+        if not left:
+            self._say("There are no recovered programs.")
+            return
+
+        def answered(answer: str) -> None:
+            if answer == "go":
+                for path in left:
+                    self._recovery.discard(path)
+                self._say("The recovered programs are gone.")
+
+        oldest = copy_label(left[-1]).partition("  ")[0]
+        text = f"{len(left)} recovered programs, the oldest of {oldest}, are removed for ever."
+        answers = (Choice("stay", "Back"), Choice("go", "Remove them"))
+        self._ask.ask(Question("Recovered programs", text, answers), answered)
 
     def load_file(self, path: Path) -> None:
         """Load a program, and the bench that stands beside it; or say why not."""

@@ -7,6 +7,7 @@ owner has saved the thing or given it up; what a sitting that ended badly has le
 from __future__ import annotations
 
 import contextlib
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -17,6 +18,8 @@ from trs80arm.desk.teach import Lesson
 from trs80arm.files import FileFormatError, Kind, save_program
 from trs80arm.reasons import reason
 from trs80arm.saving import write_whole
+
+_NAME = re.compile(r"recovered-(\d{4})(\d\d)(\d\d)-(\d\d)(\d\d)\d\d(.*)")
 
 
 class Recovery:
@@ -102,10 +105,25 @@ class Recovery:
         ]
         return sorted(copies, key=lambda path: path.name, reverse=True)
 
+    def discard(self, path: Path) -> None:
+        """Remove a copy that was left, for its owner does not want it."""
+        if path in self.left_over():
+            _remove(path)
+
     def take_over(self, path: Path) -> None:
         """The program of an older copy is in memory now: remove it once an own copy is kept."""
         if self.keep() and self.program_copy.is_file():
             _remove(path)
+
+
+def copy_label(path: Path) -> str:
+    """What a copy is, by its name: when it was kept, and whether it is of a lesson."""
+    match = _NAME.match(path.stem)
+    if match is None:
+        return path.name
+    year, month, day, hour, minute, rest = match.groups()
+    what = "recovered positions" if rest.endswith("-taught") else "recovered program"
+    return f"{year}-{month}-{day} {hour}:{minute}  {what}"
 
 
 def _remove(path: Path) -> None:

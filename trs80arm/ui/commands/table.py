@@ -398,6 +398,13 @@ COMMANDS: tuple[Command, ...] = (
         also="recording playback",
     ),
     Command(
+        "discard_recovered",
+        lambda to: to.files.discard_recovered(),
+        "Session: remove recovered programs",
+        "Remove what sessions that ended badly have left.",
+        also="discard delete clean",
+    ),
+    Command(
         "demo",
         lambda to: to.machine.demo(),
         "Session: demonstration",

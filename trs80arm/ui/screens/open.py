@@ -33,6 +33,7 @@ class OpenScreen(Dialog[Path]):
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("down", "to_list", show=False),
         Binding("tab", "app.focus_next", show=False),
+        Binding("ctrl+x", "discard", priority=True, show=False),
     ]
     DEFAULT_CSS = """
     OpenScreen > .dialog { width: 110; height: 90%; }
@@ -48,6 +49,8 @@ class OpenScreen(Dialog[Path]):
         super().__init__()
         self.question = question
         self._paths: list[Path] = []
+        self._warned: Path | None = None
+        self._gone: set[Path] = set()
 
     def compose(self) -> ComposeResult:
         """Name, list and preview."""
@@ -76,13 +79,13 @@ class OpenScreen(Dialog[Path]):
             part = "" if wanted.endswith("/") else typed.name
         shelves = [*self.question.shelves, Shelf(str(folder), program_files(folder))]
         for shelf in shelves:
-            files = [path for path in shelf.files if part.lower() in path.name.lower()]
-            if files:
+            entries = [entry for entry in shelf.entries(part) if entry[0] not in self._gone]
+            if entries:
                 options.add_option(Option(shelf.title, disabled=True))
                 self._paths.append(Path())
-            for path in files:
+            for path, label in entries:
                 options.add_option(
-                    Option(Text(shown(f"  {path.name}"), no_wrap=True, overflow="ellipsis"))
+                    Option(Text(shown(f"  {label}"), no_wrap=True, overflow="ellipsis"))
                 )
                 self._paths.append(path)
         first = next((n for n, path in enumerate(self._paths) if path != Path()), None)
@@ -98,7 +101,10 @@ class OpenScreen(Dialog[Path]):
     def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
         """Show the beginning of the file."""
         if event.option_index < len(self._paths):
-            self._preview(self._paths[event.option_index])
+            path = self._paths[event.option_index]
+            self._preview(path)
+            if self._may_go(path) and path != self._warned:
+                self.query_one(".wrong", Static).update("Ctrl+X removes it.")
 
     def _preview(self, path: Path | None) -> None:
         self.run_worker(self._show_preview(path), group="preview", exclusive=True)
@@ -114,6 +120,27 @@ class OpenScreen(Dialog[Path]):
         if self.query_one(Input).has_focus:
             options.focus()
         options.action_cursor_down()
+
+    def _may_go(self, path: Path) -> bool:
+        """Whether it is offered to be removed."""
+        return any(shelf.discard and path in shelf.files for shelf in self.question.shelves)
+
+    def action_discard(self) -> None:
+        """Remove the recovered copy that is marked, when asked to twice."""
+        number = self.query_one(OptionList).highlighted
+        path = self._paths[number] if number is not None else Path()
+        if not self._may_go(path):
+            return
+        if self._warned != path:
+            self._warned = path
+            self.query_one(".wrong", Static).update("Ctrl+X again removes it for ever.")
+            return
+        for shelf in self.question.shelves:
+            if shelf.discard is not None and path in shelf.files:
+                shelf.discard(path)
+        self._gone.add(path)
+        self.query_one(".wrong", Static).update("")
+        self._fill(self.query_one(Input).value.strip())
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Open what was typed if it is a file, else what is marked in the list."""
