@@ -1,0 +1,198 @@
+"""Rest and time: what stands costs nothing, falls take their time, slicing changes nothing."""
+
+from __future__ import annotations
+
+import math
+import pickle
+
+import pytest
+
+from tests.arm.contact.hand import PER_INCH, SlidingHand
+from trs80arm.arm.contact.bodies import Body, Fixed, Shape
+from trs80arm.arm.contact.rotations import oriented
+from trs80arm.arm.contact.scene import GRAVITY, T_STATES_PER_SECOND, TICK, TICK_STATES, Scene
+from trs80arm.arm.contact.solids import box
+
+DAY = 24 * 3600 * T_STATES_PER_SECOND
+
+
+def block(name: str, z: float, size: tuple[float, float, float] = (1.0, 1.0, 1.0)) -> Body:
+    return Body(name, Shape.of([box(size)], 2.0), 0.5, (8.0, 0.0, z))
+
+
+def state(scene: Scene) -> object:
+    bodies = [
+        (b.name, b.place, b.turn, b.velocity, b.spin, b.asleep) for b in scene.bodies.values()
+    ]
+    return bodies, scene.joints, scene.torques, scene.time
+
+
+def test_a_stack_of_ten_stands_for_a_day_without_moving_and_without_work() -> None:
+    scene = Scene()
+    for k in range(10):
+        scene.add(block(str(k), 0.5 + k))
+    scene.advance(T_STATES_PER_SECOND)
+    before, solved = state(scene)[0], scene.solved  # type: ignore[index]
+    assert scene.quiet
+    scene.advance(DAY)
+    assert state(scene)[0] == before  # type: ignore[index]
+    assert scene.solved == solved
+    assert scene.time == DAY // TICK_STATES * TICK_STATES
+
+
+def test_a_fall_of_three_inches_takes_an_eighth_of_a_second() -> None:
+    scene = Scene()
+    cube = scene.add(block("cube", 3.5))
+    ticks = 0
+    while cube.place[2] > 0.51:
+        scene.tick()
+        ticks += 1
+    assert ticks * TICK == pytest.approx(math.sqrt(2 * 3 / GRAVITY), abs=1.1 * TICK)
+
+
+def test_what_sleeps_wakes_when_something_falls_on_it() -> None:
+    scene = Scene()
+    cube = scene.add(block("cube", 0.5))
+    scene.advance(T_STATES_PER_SECOND)
+    assert cube.asleep
+    scene.add(Body("ball", Shape.of([box((0.5, 0.5, 0.5))], 9.0), 0.5, (8.45, 0.0, 2.0)))
+    woken = False
+    for _ in range(60):
+        scene.tick()
+        woken = woken or not cube.asleep
+    assert woken
+
+
+def test_what_stood_on_something_falls_when_that_is_taken_away() -> None:
+    scene = Scene()
+    for k in range(3):
+        scene.add(block(str(k), 0.5 + k))
+    scene.advance(T_STATES_PER_SECOND)
+    scene.remove("0")
+    scene.advance(2 * T_STATES_PER_SECOND)
+    assert [b.place[2] for b in scene.bodies.values()] == pytest.approx([0.5, 1.5], abs=0.01)
+
+
+def test_a_turning_plate_takes_along_what_stands_on_it() -> None:
+    scene = Scene()
+    plate = Fixed("plate", (box((4.0, 4.0, 0.1)).moved((8.0, 0.0, 0.05)),), 0.5, (8.0, 0.0))
+    scene.fixed["plate"] = plate
+    cube = scene.add(Body("cube", Shape.of([box((1.0, 1.0, 1.0))], 2.0), 0.5, (9.0, 0.0, 0.6)))
+    scene.advance(T_STATES_PER_SECOND)
+    scene.turn("plate", math.pi / 4)
+    scene.advance(2 * T_STATES_PER_SECOND)
+    scene.turn("plate", 0.0)
+    scene.advance(4 * T_STATES_PER_SECOND)
+    x, y, _ = cube.place
+    assert math.degrees(math.atan2(y, x - 8)) == pytest.approx(45, abs=1.5)
+    assert math.hypot(x - 8, y) == pytest.approx(1, abs=0.01)
+    assert scene.quiet
+
+
+def squeezing() -> Scene:
+    """A hand that closes on a part, a stack that is about to fall, a part in the air."""
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm((8.0, 0.0, 0.5, 0.0, 0.0, 1.0))
+    scene.add(Body("held", Shape.of([box((0.5, 0.5, 1.0))], 2.0), 0.5, (8.0, 0.1, 0.5)))
+    for k in range(3):
+        scene.add(
+            Body(
+                f"stack {k}",
+                Shape.of([box((1.0, 1.0, 1.0))], 2.0),
+                0.5,
+                (4 + 0.4 * k, 3.0, 0.5 + k),
+            )
+        )
+    turn = oriented(10, 30, 20)
+    scene.add(Body("air", Shape.of([box((1.0, 0.5, 0.5))], 2.0), 0.5, (4.0, -3.0, 4.0), turn))
+    return scene
+
+
+def opening(time: int) -> float:
+    """Where the hand is commanded to at a T-state: it closes in half-steps."""
+    return max(0.45, 1.0 - time // 4800 / 618)
+
+
+def drive(scene: Scene, until: int, pieces: int) -> Scene:
+    """Command the hand at each of its half-steps, and let time pass in pieces besides."""
+    start = scene.time
+    marks = {4800 * k for k in range(until // 4800 + 1)}
+    marks |= {start + (until - start) * k // pieces for k in range(1, pieces + 1)}
+    for time in sorted(mark for mark in marks if mark > start):
+        scene.advance(time)
+        scene.command((8.0, 0.0, 0.5, 0.0, 0.0, opening(time)))
+    return scene
+
+
+def test_whole_and_sliced_are_the_same_to_the_last_bit() -> None:
+    until = T_STATES_PER_SECOND
+    whole = state(drive(squeezing(), until, 1))
+    for pieces in (7, 100, 1234):
+        assert state(drive(squeezing(), until, pieces)) == whole
+
+
+def test_a_scene_goes_on_after_pickling_in_mid_fall_as_if_nothing_had_happened() -> None:
+    scene = drive(squeezing(), 40 * TICK_STATES, 1)
+    assert not scene.quiet
+    copy = pickle.loads(pickle.dumps(scene))
+    assert state(copy) == state(scene)
+    for each in (scene, copy):
+        drive(each, T_STATES_PER_SECOND, 1)
+    assert state(copy) == state(scene)
+
+
+def test_force_grows_by_a_pound_in_52_half_steps() -> None:
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm((8.0, 0.0, 0.5, 0.0, 0.0, 0.6))
+    scene.add(Body("part", Shape.of([box((0.5, 0.5, 1.0))], 2.0), 0.5, (8.0, 0.0, 0.5)))
+    forces = []
+    for squeeze in (26, 52, 156):
+        scene.command((8.0, 0.0, 0.5, 0.0, 0.0, 0.5 - squeeze / 618))
+        scene.advance(scene.time + T_STATES_PER_SECOND // 2)
+        forces.append(scene.torques[5])
+    assert forces == pytest.approx([8, 16, 48], rel=0.02)
+    assert pytest.approx(16 / 52 * 618) == PER_INCH
+
+
+def test_pressing_on_the_table_raises_force_gradually() -> None:
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm((8.0, 0.0, 0.5, 0.0, 0.0, 0.6))
+    found = []
+    for depth in (0.0, 0.01, 0.02, 0.03):
+        scene.command((8.0, 0.0, -depth, 0.0, 0.0, 0.6))
+        scene.advance(scene.time + T_STATES_PER_SECOND // 10)
+        found.append(scene.torques[2])
+    assert found == pytest.approx([0, 20, 40, 60], rel=0.01, abs=0.2)
+
+
+def test_pushing_costs_friction() -> None:
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm((6.5, 0.0, 0.3, 0.0, 0.0, 0.1))
+    scene.add(Body("anvil", Shape.of([box((2.0, 2.0, 1.0))], 80.0), 0.5, (8.0, 0.0, 0.5)))
+    for k in range(1, 201):
+        scene.command((6.5 + k * 0.005, 0.0, 0.3, 0.0, 0.0, 0.1))
+        scene.advance(scene.time + TICK_STATES)
+    assert scene.torques[0] == pytest.approx(-40, rel=0.15)
+
+
+def test_what_is_carried_goes_with_the_hand_without_work() -> None:
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm((8.0, 0.0, 0.5, 0.0, 0.0, 0.6))
+    part = scene.add(Body("part", Shape.of([box((0.5, 0.5, 1.0))], 2.0), 0.5, (8.0, 0.0, 0.5)))
+
+    at = [8.0, 0.0, 0.5, 0.0, 0.0, 0.6]
+
+    def go(x: float, z: float, turn: float, opening: float, ticks: int) -> None:
+        before, after = list(at), [x, 0.0, z, turn, 0.0, opening]
+        at[:] = after
+        for k in range(1, ticks + 1):
+            scene.command([a + (b - a) * k / ticks for a, b in zip(before, after, strict=True)])
+            scene.advance(scene.time + TICK_STATES)
+
+    go(8, 0.5, 0, 0.4515, 100)
+    go(8, 2, 0, 0.4515, 200)
+    assert scene.carried == [part]
+    solved = scene.solved
+    go(5, 3, 1.0, 0.4515, 300)
+    assert scene.solved == solved
+    assert part.place == pytest.approx((5, 0, 3), abs=0.01)

@@ -1,0 +1,1 @@
+"""Rigid parts in contact: shapes, friction, gravity, rest."""

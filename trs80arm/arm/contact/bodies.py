@@ -1,0 +1,197 @@
+"""What can touch: loose bodies, things that stand fast, and the links of an arm.
+
+Values and positions only; `scene` moves them. Inches, ounces, seconds, radians.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.rotations import (
+    IDENTITY,
+    STRAIGHT,
+    Matrix,
+    Quaternion,
+    apply,
+    matrix,
+    times,
+    transposed,
+)
+from trs80arm.arm.contact.solids import Solid, moments
+from trs80arm.arm.shapes import Vector
+
+NOWHERE: Vector = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """The form and mass of a loose body, around its centre of mass.
+
+    Attributes:
+        solids: convex, rigidly joined, in the body's frame.
+        mass: ounces.
+        inertia: about the centre of mass, in the body's frame.
+        radius: of the sphere around it, inches.
+        offset: from the centre of mass to the origin in which it was described, inches.
+    """
+
+    solids: tuple[Solid, ...]
+    mass: float
+    inertia: Matrix
+    radius: float
+    offset: Vector
+
+    @classmethod
+    def of(cls, solids: Sequence[Solid], mass: float) -> Shape:
+        """A body of even density.
+
+        Args:
+            solids: that make it up and do not overlap, in any one frame.
+            mass: ounces.
+        """
+        whole = moments(solids)
+        density = mass / whole.volume
+        a, b, c, d, e, f, g, h, i = (value * density for value in whole.inertia)
+        x, y, z = whole.middle
+        around = tuple(solid.moved((-x, -y, -z)) for solid in solids)
+        reach = max(u * u + v * v + w * w for solid in around for u, v, w in solid.vertices)
+        return cls(around, mass, (a, b, c, d, e, f, g, h, i), math.sqrt(reach), (-x, -y, -z))
+
+
+@dataclass(slots=True)
+class Body:
+    """Something loose.
+
+    Attributes:
+        name: unique in its scene.
+        shape: its form.
+        friction: coefficient of its surface.
+        place: of its centre of mass.
+        turn: of its frame against the world's.
+        velocity: of the centre of mass, inches a second.
+        spin: radians a second about the world's axes.
+        still: ticks for which it has hardly moved.
+        asleep: whether it is at rest and needs no looking at.
+        carried: its place and turn in the hand's frame while it rests in the hand, or None.
+        touching: names of the bodies that it touched when it fell asleep.
+    """
+
+    name: str
+    shape: Shape
+    friction: float
+    place: Vector
+    turn: Quaternion = STRAIGHT
+    velocity: Vector = NOWHERE
+    spin: Vector = NOWHERE
+    still: int = 0
+    asleep: bool = False
+    carried: tuple[Vector, Matrix] | None = None
+    touching: tuple[str, ...] = ()
+    _solids: list[Placed] | None = field(default=None, repr=False, compare=False)
+
+    @property
+    def placed(self) -> list[Placed]:
+        """Its solids where they stand."""
+        if self._solids is None:
+            m = matrix(self.turn)
+            self._solids = [Placed(solid, self.place, m) for solid in self.shape.solids]
+        return self._solids
+
+    @property
+    def origin(self) -> Vector:
+        """Where the origin of its description is."""
+        x, y, z = apply(matrix(self.turn), self.shape.offset)
+        return self.place[0] + x, self.place[1] + y, self.place[2] + z
+
+    def put(self, place: Vector, turn: Quaternion) -> None:
+        """Be somewhere else."""
+        self.place, self.turn, self._solids = place, turn, None
+
+    def inertia(self) -> Matrix:
+        """About the centre of mass, in the world's frame."""
+        m = matrix(self.turn)
+        return times(times(m, self.shape.inertia), transposed(m))
+
+
+@dataclass(slots=True)
+class Fixed:
+    """Something that stands fast, or turns about the vertical as it is told (a turntable).
+
+    Attributes:
+        name: unique in its scene.
+        solids: in the world's frame.
+        friction: coefficient of its surface.
+        axis: x and y of the axis about which its surface turns.
+        spin: radians a second about that axis, counter-clockwise from above.
+    """
+
+    name: str
+    solids: tuple[Solid, ...]
+    friction: float
+    axis: tuple[float, float] = (0.0, 0.0)
+    spin: float = 0.0
+    _solids: list[Placed] | None = field(default=None, repr=False, compare=False)
+
+    @property
+    def placed(self) -> list[Placed]:
+        """Its solids where they stand."""
+        if self._solids is None:
+            self._solids = [Placed(solid, NOWHERE, IDENTITY) for solid in self.solids]
+        return self._solids
+
+
+Screw = tuple[Vector, Vector]
+"""Turning (radians) and velocity at the world's origin (inches), for a unit of one coordinate."""
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """One link of an arm where it stands.
+
+    Attributes:
+        place: of its frame's origin.
+        turn: of its frame.
+        screws: how it moves with each of the six coordinates.
+    """
+
+    place: Vector
+    turn: Matrix
+    screws: tuple[Screw, ...]
+
+
+class Linkage(Protocol):
+    """An arm as contact sees it: links that six coordinates move, each on a spring.
+
+    The coordinates are the motors': a motor commands one and the cable gives a little.
+    """
+
+    @property
+    def names(self) -> Sequence[str]:
+        """Of the links."""
+
+    @property
+    def solids(self) -> Sequence[Solid]:
+        """Of the links, each in its own frame."""
+
+    @property
+    def frictions(self) -> Sequence[float]:
+        """Coefficients of the links' surfaces."""
+
+    @property
+    def stiffness(self) -> Sequence[float]:
+        """Of the six coordinates: ounces (or ounce inches) per inch (or radian)."""
+
+    @property
+    def hand(self) -> int:
+        """Index of the link in whose frame things are carried."""
+
+    def links(self, joints: Sequence[float]) -> list[Link]:
+        """Where the links are.
+
+        Args:
+            joints: the six coordinates, radians; the last, the opening, inches.
+        """

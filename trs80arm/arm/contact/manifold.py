@@ -1,0 +1,320 @@
+"""Where two convex solids touch: separating axes, and the corners of the area that they share.
+
+For a pair of solids there is one direction in which they are farthest apart, or least deep in
+each other: the normal of a face of one of them, or the common normal of an edge of each. The
+points at which they touch are the corners of the face that lies against another, clipped by
+it, or the nearest points of the two edges.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from trs80arm.arm.contact.rotations import Matrix, apply
+from trs80arm.arm.contact.solids import Solid
+from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
+
+MOST_POINTS = 8
+"""Points kept of an area of contact: those farthest out in eight directions."""
+_PREFERENCE = 1e-3
+"""By how much an edge or the second solid's face must be the better axis, inches."""
+_LEVEL = 0.005
+"""Points whose gaps differ by less are as deep as each other, inches."""
+_PARALLEL = 1e-6
+_MANY = 48
+"""Products of edges from which on arrays are quicker than a loop."""
+
+
+class Placed:
+    """A solid where it stands in the world.
+
+    Attributes:
+        vertices, normals, edges: as in `Solid`, in the world's frame.
+        faces: as in `Solid`.
+        low: least x, y, z.
+        high: greatest x, y, z.
+    """
+
+    __slots__ = ("edges", "faces", "high", "low", "normals", "vertices")
+
+    def __init__(self, solid: Solid, place: Vector, turn: Matrix) -> None:
+        a, b, c, d, e, f, g, h, i = turn
+        px, py, pz = place
+        self.vertices = [
+            (
+                a * x + b * y + c * z + px,
+                d * x + e * y + f * z + py,
+                g * x + h * y + i * z + pz,
+            )
+            for x, y, z in solid.vertices
+        ]
+        self.normals = [apply(turn, n) for n in solid.normals]
+        self.edges = [apply(turn, n) for n in solid.edges]
+        self.faces = solid.faces
+        xs, ys, zs = zip(*self.vertices, strict=True)
+        self.low: Vector = (min(xs), min(ys), min(zs))
+        self.high: Vector = (max(xs), max(ys), max(zs))
+
+    def near(self, other: Placed, margin: float) -> bool:
+        """Whether the upright boxes around two solids are within a margin of each other."""
+        a, b, c, d = self.low, self.high, other.low, other.high
+        return (
+            a[2] - margin <= d[2]
+            and c[2] - margin <= b[2]
+            and a[0] - margin <= d[0]
+            and c[0] - margin <= b[0]
+            and a[1] - margin <= d[1]
+            and c[1] - margin <= b[1]
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Manifold:
+    """How two solids touch.
+
+    Attributes:
+        normal: unit vector from the first into the second.
+        points: where, with the gap there in inches, negative where they overlap.
+    """
+
+    normal: Vector
+    points: list[tuple[Vector, float]]
+
+
+def on_table(solid: Placed, margin: float) -> Manifold | None:
+    """How a solid touches the table, all that is below height 0."""
+    if solid.low[2] > margin:
+        return None
+    points = [((x, y, z / 2), z) for x, y, z in solid.vertices if z <= margin]
+    return Manifold((0.0, 0.0, 1.0), _fewer(points, (0.0, 0.0, 1.0)))
+
+
+def between(a: Placed, b: Placed, margin: float) -> Manifold | None:
+    """How two solids touch, or None if they are farther apart than a margin (inches)."""
+    of_a, face_a = _best_face(a, b, margin)
+    if of_a > margin:
+        return None
+    of_b, face_b = _best_face(b, a, margin)
+    if of_b > margin:
+        return None
+    faces = max(of_a, of_b)
+    found = _best_edges(a, b, margin, faces + _PREFERENCE)
+    if found is not None:
+        apart, normal, one, other = found
+        if apart > margin:
+            return None
+        point = _crossing(a, b, normal, one, other)
+        return Manifold(normal, [(point, apart)])
+    if of_b > of_a + _PREFERENCE:
+        normal, points = _against(b, face_b, a, margin)
+        normal = (-normal[0], -normal[1], -normal[2])
+    else:
+        normal, points = _against(a, face_a, b, margin)
+    return Manifold(normal, _fewer(points, normal)) if points else None
+
+
+def _best_face(a: Placed, b: Placed, margin: float) -> tuple[float, int]:
+    """Which face of one solid another is farthest beyond, and how far."""
+    best, index = -math.inf, 0
+    vertices, corners = b.vertices, a.vertices
+    for i, (nx, ny, nz) in enumerate(a.normals):
+        x, y, z = corners[a.faces[i][0]]
+        apart = min([nx * u + ny * v + nz * w for u, v, w in vertices]) - (nx * x + ny * y + nz * z)
+        if apart > best:
+            best, index = apart, i
+            if apart > margin:
+                break
+    return best, index
+
+
+Edges = tuple[float, Vector, Vector, Vector]
+
+
+def _best_edges(a: Placed, b: Placed, margin: float, least: float) -> Edges | None:
+    """The edges whose common normal keeps two solids farther apart than `least`, if any do.
+
+    Returns:
+        Distance, normal from the first to the second, and the directions of both edges.
+    """
+    if len(a.edges) * len(b.edges) > _MANY:
+        return _best_of_many_edges(a, b, least)
+    found: Edges | None = None
+    middle = minus(_center(b), _center(a))
+    for one in a.edges:
+        for other in b.edges:
+            nx, ny, nz = cross(one, other)
+            square = nx * nx + ny * ny + nz * nz
+            if square < _PARALLEL:
+                continue
+            scale = 1 / math.sqrt(square)
+            if nx * middle[0] + ny * middle[1] + nz * middle[2] < 0:
+                scale = -scale
+            nx, ny, nz = nx * scale, ny * scale, nz * scale
+            apart = min([nx * x + ny * y + nz * z for x, y, z in b.vertices]) - max(
+                [nx * x + ny * y + nz * z for x, y, z in a.vertices]
+            )
+            if apart > least:
+                least, found = apart, (apart, (nx, ny, nz), one, other)
+                if apart > margin:
+                    return found
+    return found
+
+
+def _best_of_many_edges(a: Placed, b: Placed, least: float) -> Edges | None:
+    """`_best_edges` with arrays, element by element."""
+    ax, ay, az = np.array(a.edges).T[:, :, None]
+    bx, by, bz = np.array(b.edges).T[:, None, :]
+    nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+    square = nx * nx + ny * ny + nz * nz
+    good = square >= _PARALLEL
+    if not good.any():
+        return None
+    which = np.argwhere(good)
+    scale = 1 / np.sqrt(square[good])
+    mx, my, mz = minus(_center(b), _center(a))
+    nx, ny, nz = nx[good], ny[good], nz[good]
+    scale = np.where(nx * mx + ny * my + nz * mz < 0, -scale, scale)
+    nx, ny, nz = nx * scale, ny * scale, nz * scale
+    x, y, z = np.array(b.vertices).T[:, None, :]
+    low = (nx[:, None] * x + ny[:, None] * y + nz[:, None] * z).min(axis=1)
+    x, y, z = np.array(a.vertices).T[:, None, :]
+    high = (nx[:, None] * x + ny[:, None] * y + nz[:, None] * z).max(axis=1)
+    apart = low - high
+    best = int(np.argmax(apart))
+    if apart[best] <= least:
+        return None
+    normal = (float(nx[best]), float(ny[best]), float(nz[best]))
+    return float(apart[best]), normal, a.edges[which[best][0]], b.edges[which[best][1]]
+
+
+def _center(solid: Placed) -> Vector:
+    """Middle of the box around a solid."""
+    a, b = solid.low, solid.high
+    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2
+
+
+def _crossing(a: Placed, b: Placed, normal: Vector, one: Vector, other: Vector) -> Vector:
+    """Midway between two edges that face each other."""
+    p, along = _edge(a, normal, one)
+    q, across = _edge(b, (-normal[0], -normal[1], -normal[2]), other)
+    between_them = minus(p, q)
+    aa, bb, ab = dot(along, along), dot(across, across), dot(along, across)
+    ad, bd = dot(along, between_them), dot(across, between_them)
+    whole = aa * bb - ab * ab
+    s = (ab * bd - bb * ad) / whole if whole > _PARALLEL * aa * bb else 0.5
+    s = min(1.0, max(0.0, s))
+    t = min(1.0, max(0.0, (ab * s + bd) / bb))
+    here, there = plus(p, along, s), plus(q, across, t)
+    return (here[0] + there[0]) / 2, (here[1] + there[1]) / 2, (here[2] + there[2]) / 2
+
+
+def _edge(solid: Placed, way: Vector, direction: Vector) -> tuple[Vector, Vector]:
+    """The edge farthest out along `way` of those that run along `direction`: start and course."""
+    best, found = -math.inf, (solid.vertices[0], direction)
+    for face in solid.faces:
+        for i, k in pairwise((*face, face[0])):
+            start, course = solid.vertices[i], minus(solid.vertices[k], solid.vertices[i])
+            along = dot(course, direction)
+            if along <= 0 or along * along < (1 - _PARALLEL) * dot(course, course):
+                continue
+            out = dot(start, way)
+            if out > best:
+                best, found = out, (start, course)
+    return found
+
+
+def _against(
+    a: Placed, face: int, b: Placed, margin: float
+) -> tuple[Vector, list[tuple[Vector, float]]]:
+    """What of a solid lies against the face of another.
+
+    Returns:
+        The face's normal, and points midway between the two with their gaps.
+    """
+    normal = a.normals[face]
+    facing = min(range(len(b.normals)), key=lambda i: dot(b.normals[i], normal))
+    area = [b.vertices[i] for i in b.faces[facing]]
+    edge = a.faces[face]
+    for i, k in pairwise((*edge, edge[0])):
+        start = a.vertices[i]
+        outwards = cross(minus(a.vertices[k], start), normal)
+        area = _clipped(area, start, outwards)
+        if not area:
+            return normal, []
+    level = dot(a.vertices[edge[0]], normal)
+    points = []
+    for point in area:
+        gap = dot(point, normal) - level
+        if gap <= margin:
+            points.append((plus(point, normal, -gap / 2), gap))
+    return normal, points
+
+
+def _clipped(area: list[Vector], start: Vector, outwards: Vector) -> list[Vector]:
+    """What of a polygon is not beyond a plane."""
+    kept: list[Vector] = []
+    out = [dot(minus(point, start), outwards) for point in area]
+    before = len(area) - 1
+    for i, point in enumerate(area):
+        if (out[i] > 0) != (out[before] > 0):
+            t = out[before] / (out[before] - out[i])
+            kept.append(plus(area[before], minus(point, area[before]), t))
+        if out[i] <= 0:
+            kept.append(point)
+        before = i
+    return kept
+
+
+def _fewer(points: list[tuple[Vector, float]], normal: Vector) -> list[tuple[Vector, float]]:
+    """Points of contact without those that lie between others, and are no deeper."""
+    if len(points) <= MOST_POINTS:
+        return points
+    level = min(gap for _, gap in points) + _LEVEL
+    lowest = [k for k, (_, gap) in enumerate(points) if gap <= level]
+    kept = _outermost(points, lowest, normal)
+    kept += [k for k in _outermost(points, range(len(points)), normal) if k not in kept]
+    return [points[k] for k in kept]
+
+
+def _outermost(
+    points: list[tuple[Vector, float]], among: Sequence[int], normal: Vector
+) -> list[int]:
+    """Those of some points that lie farthest out in eight directions."""
+    u, v = tangents(normal)
+    kept: list[int] = []
+    for c, s in _COMPASS:
+        way = plus((u[0] * c, u[1] * c, u[2] * c), v, s)
+        best = max(among, key=lambda k: dot(points[k][0], way))
+        if best not in kept:
+            kept.append(best)
+    return kept
+
+
+_HALF = math.sqrt(0.5)
+_COMPASS = (
+    (1.0, 0.0),
+    (_HALF, _HALF),
+    (0.0, 1.0),
+    (-_HALF, _HALF),
+    (-1.0, 0.0),
+    (-_HALF, -_HALF),
+    (0.0, -1.0),
+    (_HALF, -_HALF),
+)
+
+
+def tangents(normal: Vector) -> tuple[Vector, Vector]:
+    """Two unit vectors square to a normal and to each other."""
+    x, y, z = normal
+    if abs(z) > 0.7:
+        scale = 1 / math.sqrt(y * y + z * z)
+        u = (0.0, z * scale, -y * scale)
+    else:
+        scale = 1 / math.sqrt(x * x + y * y)
+        u = (-y * scale, x * scale, 0.0)
+    return u, cross(normal, u)

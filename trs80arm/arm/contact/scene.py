@@ -1,0 +1,705 @@
+"""The one mechanism by which parts move: pushed, carried, tipped, stacked, dropped.
+
+A scene holds loose bodies, things that stand fast, the table at height 0, and at most one arm. Time
+goes in ticks on a grid of the clock; in each, everything that is awake moves as contact with
+Coulomb friction and gravity has it (`solver`). What comes to rest falls asleep, with all that
+it leans on, and costs nothing until something touches it. What rests in the hand alone goes
+with the hand. Nothing here knows what a stack or a plank is.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed, Link, Linkage
+from trs80arm.arm.contact.manifold import Manifold, Placed, between, on_table
+from trs80arm.arm.contact.rotations import (
+    Matrix,
+    apply,
+    apply_back,
+    matrix,
+    quaternion,
+    times,
+    transposed,
+    turned,
+)
+from trs80arm.arm.contact.solver import Contact, Key, Mobile, Problem, Side, Six
+from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
+
+T_STATES_PER_SECOND = 1_774_080
+TICK_STATES = 8192
+"""T-states from tick to tick."""
+TICK = TICK_STATES / T_STATES_PER_SECOND
+"""The same in seconds: 4.6 milliseconds."""
+GRAVITY = 386.09
+"""Inches per second squared."""
+SKIN = 0.01
+"""Depth to which things may be found in each other, inches."""
+MARGIN = 0.02
+"""Gap within which two things are looked at as about to touch, inches."""
+TOUCH = 0.003
+"""Gap at which they do, inches."""
+STILL = 0.03
+"""Speed of a body's outermost point below which it hardly moves, inches a second."""
+CALM_TICKS = 10
+"""Ticks for which everything that leans on each other must be still to fall asleep."""
+EASE = 0.02
+"""Seconds in which the friction of the cables lets a strain ease off: nothing is shot away."""
+HELD_FAST = 1e3
+"""How many times as inert the fingers are while something rests between them."""
+DRAG = 0.5
+"""Part of its spin that a body loses in a second: what rolls comes to rest."""
+FAR_TURN = 0.08
+"""Angle (radians) that a body may turn in a step; for a greater one the step is halved."""
+FINEST = 8
+"""Steps of a tick at most."""
+TILT = 0.9962
+"""Cosine of the turn of the hand, against the vertical, at which what it carries is looked at
+again: five degrees."""
+LOOSER, TIGHTER = 1e-9, 0.015
+"""Inches of cable by which a hand may let up or tighten before its load is looked at again."""
+TABLE = "the table"
+_DOWN: Vector = (0.0, 0.0, -1.0)
+
+
+class Scene:
+    """Bodies, what stands fast, and an arm.
+
+    Attributes:
+        bodies: loose ones by name, in the order in which they came.
+        fixed: what stands fast, by name.
+        table_friction: coefficient of the table's surface.
+        arm: the arm, or None.
+        joints: the arm's six coordinates as they are: as commanded, less what the cables give.
+        torques: what contact does to each coordinate: ounce inches, and ounces at the opening.
+        time: T-state of the last tick.
+        steps: of the solver so far, for measuring.
+        solved: islands solved so far, for measuring.
+    """
+
+    def __init__(self, table_friction: float = 0.5, arm: Linkage | None = None) -> None:
+        self.bodies: dict[str, Body] = {}
+        self.fixed: dict[str, Fixed] = {}
+        self.table_friction = table_friction
+        self.arm = arm
+        self.joints: list[float] = [0.0] * 6
+        self.torques: list[float] = [0.0] * 6
+        self.time = 0
+        self.steps = 0
+        self.solved = 0
+        self._commands: list[float] = [0.0] * 6
+        self._reached: list[float] = [0.0] * 6
+        self._from: list[float] = [0.0] * 6
+        self._seconds = TICK
+        self._links: list[Link] = []
+        self._link_solids: list[Placed] = []
+        self._pressures: dict[Key, list[tuple[Vector, float]]] = {}
+        self._arm_moved = False
+        self._arm_still = 0
+        self._down_in_hand: Vector = _DOWN
+        self._held_at = 0.0
+
+    # Setting up
+
+    def add(self, body: Body) -> Body:
+        """Put a loose body into the scene, awake."""
+        self.bodies[body.name] = body
+        self.wake(body.name)
+        return body
+
+    def remove(self, name: str) -> None:
+        """Take a loose body away; what leaned on it wakes."""
+        body = self.bodies[name]
+        self.wake(name)
+        del self.bodies[body.name]
+        self._forget(name)
+
+    def put_arm(self, joints: Sequence[float]) -> None:
+        """Have the arm stand somewhere, its cables without tension."""
+        self._commands = list(joints)
+        self._reached = list(joints)
+        self.joints = list(joints)
+        self.torques = [0.0] * 6
+        self._place_links()
+        self._arm_moved = True
+        self._arm_still = 0
+
+    def command(self, joints: Sequence[float]) -> None:
+        """Where the motors want the arm's six coordinates from now on."""
+        if list(joints) != self._commands:
+            self._commands = list(joints)
+            self._arm_moved = True
+
+    def wake(self, name: str) -> None:
+        """Look at a body again, and at all that it leans on or that leans on it."""
+        waiting = [name]
+        while waiting:
+            body = self.bodies.get(waiting.pop())
+            if body is None:
+                continue
+            body.still = 0
+            if body.asleep:
+                body.asleep = False
+                body.carried = None
+                waiting += body.touching
+                body.touching = ()
+
+    def turn(self, name: str, spin: float) -> None:
+        """Have the surface of something fixed turn (radians a second) from now on."""
+        thing = self.fixed[name]
+        if thing.spin != spin:
+            thing.spin = spin
+            for body in list(self.bodies.values()):
+                if name in body.touching:
+                    self.wake(body.name)
+
+    # Time
+
+    @property
+    def quiet(self) -> bool:
+        """Whether nothing moves of itself."""
+        return all(body.asleep for body in self.bodies.values())
+
+    @property
+    def carried(self) -> list[Body]:
+        """What rests in the hand."""
+        return [body for body in self.bodies.values() if body.carried is not None]
+
+    def advance(self, time: int) -> None:
+        """Do all ticks up to a T-state."""
+        while self.time + TICK_STATES <= time:
+            if not self._arm_moved and self.quiet:
+                self.time += (time - self.time) // TICK_STATES * TICK_STATES
+                return
+            self.tick()
+
+    def tick(self) -> None:
+        """Let one tick pass; in several steps while something turns fast."""
+        self.time += TICK_STATES
+        moved = self._arm_moved
+        self._arm_moved = False
+        self._arm_still = 0 if moved else self._arm_still + 1
+        before, after = self._reached, self._commands
+        self._part(before, after, 0, FINEST, moved)
+        self._commands = self._reached = after
+
+    def _part(
+        self, before: list[float], after: list[float], start: int, end: int, moved: bool
+    ) -> None:
+        """Part of a tick in one step, or in two halves if something turns too far in it.
+
+        Args:
+            before: commands at the beginning of the tick.
+            after: commands at its end.
+            start: of the part, in `FINEST` parts of a tick.
+            end: of the part.
+            moved: whether the arm is commanded elsewhere in this tick.
+        """
+        self._seconds = TICK * (end - start) / FINEST
+        self._from = _between(before, after, start / FINEST)
+        self._commands = after if end == FINEST else _between(before, after, end / FINEST)
+        if not self._step(moved, end - start > 1):
+            middle = (start + end) // 2
+            self._part(before, after, start, middle, moved)
+            self._part(before, after, middle, end, moved)
+
+    def _step(self, moved: bool, may_halve: bool) -> bool:
+        """One step; whether it was made, or is too long for how fast something turns."""
+        rates = self._rates()
+        if moved:
+            self._wake_what_the_arm_meets(rates)
+            rates = self._rates()
+        awake = [body for body in self.bodies.values() if not body.asleep]
+        mobiles = {body.name: self._mobile(body) for body in awake}
+        arm = self._arm_mobile(rates)
+        contacts = self._contacts(awake, mobiles, arm, rates, moved or bool(awake))
+        for group in _islands(contacts):
+            self.solved += 1
+            self.steps += Problem(group, self._seconds).solve()
+        if may_halve and any(_turns_far(mobiles[b.name], self._seconds) for b in awake):
+            return False
+        self._keep(contacts)
+        before = self._links
+        if arm is not None:
+            self._move_arm(arm, contacts, moved)
+        for body in awake:
+            self._move(body, mobiles[body.name])
+        self._rest(awake, mobiles, contacts, before)
+        if moved:
+            self._carry()
+        return True
+
+    def _rates(self) -> Six:
+        """Rates at which the arm's coordinates go where they are commanded, if nothing is there.
+
+        They follow a command at once, and ease off a strain with the cables' friction.
+        """
+        h = self._seconds
+        a, b, c, d, e, f = (
+            ((there - here) + EASE * (there - before) / h) / (h + EASE)
+            for there, here, before in zip(self._commands, self.joints, self._from, strict=True)
+        )
+        return a, b, c, d, e, 0.0 if self.carried else f
+
+    def _mobile(self, body: Body) -> Mobile:
+        """A body for the solver, gravity on it."""
+        vx, vy, vz = body.velocity
+        slower = 1 / (1 + DRAG * self._seconds)
+        wx, wy, wz = body.spin
+        speed = [vx, vy, vz - GRAVITY * self._seconds, wx * slower, wy * slower, wz * slower]
+        before = (*body.velocity, *body.spin)
+        return Mobile(speed, body.place, body.shape.mass, body.inertia(), before=before)
+
+    def _arm_mobile(self, rates: Six) -> Mobile | None:
+        """The arm for the solver."""
+        if self.arm is None:
+            return None
+        a, b, c, d, e, f = (
+            k * GRAVITY * self._seconds * (self._seconds + EASE) for k in self.arm.stiffness
+        )
+        # What rests in the hand keeps its fingers where they are.
+        f *= HELD_FAST if self.carried else 1.0
+        return Mobile(list(rates), NOWHERE, inertias=(a, b, c, d, e, f))
+
+    # What touches
+
+    def _wake_what_the_arm_meets(self, rates: Six) -> None:
+        """Bodies at rest that links, or what the hand carries, come upon."""
+        assert self.arm is not None
+        sleeping = [body for body in self.bodies.values() if body.asleep and body.carried is None]
+        loads = self.carried
+        if loads and self._tilted():
+            for body in loads:
+                self.wake(body.name)
+            loads = []
+        reach = [
+            self._link_speed(i, rates) * self._seconds + TOUCH for i in range(len(self._links))
+        ]
+        around = _around(self._link_solids, max(reach))
+        for body in sleeping:
+            if _outside(body, around):
+                continue
+            for solid in body.placed:
+                if any(
+                    _within(link, solid, margin)
+                    for link, margin in zip(self._link_solids, reach, strict=True)
+                ):
+                    self.wake(body.name)
+                    break
+        for load in loads:
+            if not load.asleep:
+                continue
+            margin = max(reach) + TOUCH
+            for other, thing in self._others(load):
+                if other in load.touching:
+                    continue
+                if any(_within(mine, thing, margin) for mine in load.placed):
+                    self.wake(load.name)
+                    self.wake(other)
+        if loads and not -LOOSER <= self._held_at - self._commands[-1] <= TIGHTER:
+            for load in loads:
+                self.wake(load.name)
+
+    def _others(self, load: Body) -> Iterator[tuple[str, Placed | None]]:
+        """All that something carried could come upon; None stands for the table."""
+        yield TABLE, None
+        for thing in self.fixed.values():
+            for solid in thing.placed:
+                yield thing.name, solid
+        for body in self.bodies.values():
+            if body is not load and body.carried is None:
+                for solid in body.placed:
+                    yield body.name, solid
+
+    def _tilted(self) -> bool:
+        """Whether the hand has turned against the vertical since it took up its load."""
+        assert self.arm is not None
+        down = apply_back(self._links[self.arm.hand].turn, _DOWN)
+        return dot(down, self._down_in_hand) < TILT
+
+    def _link_speed(self, index: int, rates: Six) -> float:
+        """A bound on the speed of any point of a link, inches a second."""
+        solid = self._link_solids[index]
+        far = 0.0
+        for (spin, velocity), rate in zip(self._links[index].screws, rates, strict=True):
+            if rate:
+                most = 0.0
+                for corner in solid.vertices:
+                    v = plus(velocity, cross(spin, corner))
+                    most = max(most, dot(v, v))
+                far += math.sqrt(most) * abs(rate)
+        return far
+
+    def _contacts(
+        self,
+        awake: list[Body],
+        mobiles: dict[str, Mobile],
+        arm: Mobile | None,
+        rates: Six,
+        look: bool,
+    ) -> list[Contact]:
+        """All contacts of what is awake."""
+        contacts: list[Contact] = []
+        fast = Side(None)
+        done: set[str] = set()
+        queue = list(awake)
+        reach = [self._seconds * self._link_speed(k, rates) for k in range(len(self._link_solids))]
+        while queue:
+            body = queue.pop(0)
+            if body.name in done:
+                continue
+            done.add(body.name)
+            mine = mobiles[body.name]
+            side = Side(mine)
+            margin = MARGIN + self._seconds * _speed(mine.speed, body.shape.radius)
+            for i, solid in enumerate(body.placed):
+                met = on_table(solid, margin)
+                if met is not None:
+                    self._add(contacts, (TABLE, body.name, i), met, fast, side, self._on(body))
+                for thing in self.fixed.values():
+                    for k, other in enumerate(thing.placed):
+                        met = _met(other, solid, margin)
+                        if met is not None:
+                            key = (thing.name, body.name, 64 * k + i)
+                            rough = math.sqrt(thing.friction * body.friction)
+                            self._add(contacts, key, met, fast, side, rough, thing)
+                if arm is not None and self.arm is not None:
+                    rough_links = self.arm.frictions
+                    for k, link in enumerate(self._link_solids):
+                        met = _met(link, solid, margin + reach[k])
+                        if met is not None:
+                            key = (self.arm.names[k], body.name, i)
+                            rough = math.sqrt(rough_links[k] * body.friction)
+                            other_side = Side(arm, self._links[k].screws)
+                            self._add(contacts, key, met, other_side, side, rough)
+            for other_body in self.bodies.values():
+                if other_body.name in done:
+                    continue
+                theirs = mobiles.get(other_body.name)
+                wider = margin
+                if theirs is not None:
+                    wider += self._seconds * _speed(theirs.speed, other_body.shape.radius)
+                if _close(body, other_body, wider):
+                    self._pair(contacts, body, other_body, mobiles, wider, queue)
+        if arm is not None and look:
+            self._arm_contacts(contacts, arm)
+        return contacts
+
+    def _pair(
+        self,
+        contacts: list[Contact],
+        body: Body,
+        other: Body,
+        mobiles: dict[str, Mobile],
+        margin: float,
+        queue: list[Body],
+    ) -> None:
+        """Contacts of two bodies, the second of which may wake by them."""
+        for i, solid in enumerate(body.placed):
+            for k, theirs in enumerate(other.placed):
+                met = _met(theirs, solid, margin)
+                if met is None:
+                    continue
+                if other.asleep and not body.still and _about_to_touch(met, margin):
+                    self.wake(other.name)
+                    for woken in self.bodies.values():
+                        if not woken.asleep and woken.name not in mobiles:
+                            mobiles[woken.name] = self._mobile(woken)
+                            queue.append(woken)
+                # What lies calmly against a sleeper lets it sleep.
+                sides = Side(mobiles.get(other.name)), Side(mobiles[body.name])
+                rough = math.sqrt(body.friction * other.friction)
+                self._add(contacts, (other.name, body.name, 64 * k + i), met, *sides, rough)
+
+    def _arm_contacts(self, contacts: list[Contact], arm: Mobile) -> None:
+        """Links against what stands fast."""
+        assert self.arm is not None
+        fast = Side(None)
+        for k, link in enumerate(self._link_solids):
+            side = Side(arm, self._links[k].screws)
+            name, rough = self.arm.names[k], self.arm.frictions[k]
+            met = on_table(link, 4 * MARGIN)
+            if met is not None:
+                friction = math.sqrt(rough * self.table_friction)
+                self._add(contacts, (TABLE, name, 0), met, fast, side, friction)
+            for thing in self.fixed.values():
+                for i, solid in enumerate(thing.placed):
+                    met = _met(solid, link, 4 * MARGIN)
+                    if met is not None:
+                        friction = math.sqrt(rough * thing.friction)
+                        self._add(contacts, (thing.name, name, i), met, fast, side, friction, thing)
+
+    def _on(self, body: Body) -> float:
+        """Friction of a body on the table."""
+        return math.sqrt(body.friction * self.table_friction)
+
+    def _add(
+        self,
+        contacts: list[Contact],
+        key: Key,
+        met: Manifold,
+        first: Side,
+        second: Side,
+        friction: float,
+        thing: Fixed | None = None,
+    ) -> None:
+        """Contacts of a manifold, beginning with the forces of the tick before."""
+        known = self._pressures.get(key, [])
+        for point, gap in met.points:
+            surface = NOWHERE
+            if thing is not None and thing.spin:
+                x, y = point[0] - thing.axis[0], point[1] - thing.axis[1]
+                surface = (-thing.spin * y, thing.spin * x, 0.0)
+            contact = Contact(key, point, gap, met.normal, first, second, friction, surface)
+            best, nearest = None, 0.01
+            for there, pressure in known:
+                d = minus(there, point)
+                square = dot(d, d)
+                if square < nearest:
+                    best, nearest = pressure, square
+            if best is not None:
+                contact.pressure = best * self._seconds
+            contacts.append(contact)
+
+    def _keep(self, contacts: list[Contact]) -> None:
+        """Remember the forces for the next tick."""
+        kept: dict[Key, list[tuple[Vector, float]]] = {}
+        for contact in contacts:
+            if contact.pressure > 0:
+                kept.setdefault(contact.key, []).append(
+                    (contact.point, contact.pressure / self._seconds)
+                )
+        for key, pressures in self._pressures.items():
+            # What sleeps still presses.
+            body = self.bodies.get(key[1])
+            if key not in kept and body is not None and body.asleep:
+                kept[key] = pressures
+        self._pressures = kept
+
+    def _forget(self, name: str) -> None:
+        for key in [key for key in self._pressures if name in key[:2]]:
+            del self._pressures[key]
+
+    # Moving
+
+    def _move(self, body: Body, mobile: Mobile) -> None:
+        """Move a body for a tick with the velocities that the solver has found."""
+        vx, vy, vz, wx, wy, wz = mobile.speed
+        body.velocity, body.spin = (vx, vy, vz), (wx, wy, wz)
+        if vx or vy or vz or wx or wy or wz:
+            body.put(
+                plus(body.place, body.velocity, self._seconds),
+                turned(body.turn, body.spin, self._seconds),
+            )
+
+    def _move_arm(self, arm: Mobile, contacts: list[Contact], moved: bool) -> None:
+        """Move the arm for a tick; find what contact does to its motors."""
+        assert self.arm is not None
+        touched = any(
+            contact.pressure > 0 and arm in (contact.first.mobile, contact.second.mobile)
+            for contact in contacts
+        )
+        if not touched and not moved and not any(self.torques):
+            return
+        if touched:
+            for k in range(6):
+                self.joints[k] += arm.speed[k] * self._seconds
+                give = self._commands[k] - self.joints[k]
+                self.torques[k] = -give * self.arm.stiffness[k]
+        elif not self.carried:
+            self.joints = list(self._commands)
+            self.torques = [0.0] * 6
+        else:
+            # The hand keeps the opening at which it holds its load.
+            give = self.joints[5] - self._commands[5]
+            self.joints = [*self._commands[:5], self.joints[5]]
+            self.torques = [0.0] * 5 + [give * self.arm.stiffness[5]]
+        self._place_links()
+
+    def _place_links(self) -> None:
+        if self.arm is not None:
+            self._links = self.arm.links(self.joints)
+            self._link_solids = [
+                Placed(solid, link.place, link.turn)
+                for solid, link in zip(self.arm.solids, self._links, strict=True)
+            ]
+
+    def _carry(self) -> None:
+        """Take along what rests in the hand."""
+        if self.arm is None:
+            return
+        link = self._links[self.arm.hand]
+        for body in self.carried:
+            assert body.carried is not None
+            place, turn = body.carried
+            body.put(plus(link.place, apply(link.turn, place)), quaternion(times(link.turn, turn)))
+
+    # Rest
+
+    def _rest(
+        self,
+        awake: list[Body],
+        mobiles: dict[str, Mobile],
+        contacts: list[Contact],
+        before: list[Link],
+    ) -> None:
+        """Let what hardly moves fall asleep, with all that it leans on."""
+        if not awake:
+            return
+        leaning: dict[str, set[str]] = {}
+        links = set(self.arm.names) if self.arm is not None else set()
+        for contact in contacts:
+            if contact.pressure > 0:
+                one, other = contact.key[:2]
+                leaning.setdefault(one, set()).add(other)
+                leaning.setdefault(other, set()).add(one)
+        seen: set[str] = set()
+        for body in awake:
+            if body.name in seen or body.asleep:
+                continue
+            group, outside = self._group(body, leaning, seen, links)
+            held = bool(outside & links)
+            loose = not outside - links
+            for each in group:
+                each.still = each.still + 1 if self._calm(each, held and loose, before) else 0
+            if any(each.still < CALM_TICKS for each in group) or not outside:
+                continue
+            if held and not loose and self._arm_still < CALM_TICKS:
+                continue
+            for each in group:
+                self._sleep(each, leaning, held and loose)
+
+    def _group(
+        self, body: Body, leaning: dict[str, set[str]], seen: set[str], links: set[str]
+    ) -> tuple[list[Body], set[str]]:
+        """Bodies that lean on each other, and what else they lean on."""
+        group, outside, waiting = [], set(), [body.name]
+        while waiting:
+            name = waiting.pop()
+            if name in seen:
+                continue
+            member = self.bodies.get(name)
+            if member is None or member.asleep:
+                outside.add(name)
+                continue
+            seen.add(name)
+            group.append(member)
+            waiting += sorted(leaning.get(name, ()))
+        return group, outside
+
+    def _calm(self, body: Body, with_hand: bool, before: list[Link]) -> bool:
+        """Whether a body hardly moves, in the hand if it lies there."""
+        velocity, spin = body.velocity, body.spin
+        if with_hand and self.arm is not None:
+            now, then = self._links[self.arm.hand], before[self.arm.hand]
+            here = apply_back(now.turn, minus(body.place, now.place))
+            earlier = minus(minus(body.place, then.place), _scaled(velocity, self._seconds))
+            velocity = _scaled(minus(here, apply_back(then.turn, earlier)), 1 / self._seconds)
+            if now.turn != then.turn:
+                spin = minus(spin, _spin(then.turn, now.turn, self._seconds))
+        return _speed([*velocity, *spin], body.shape.radius) < STILL
+
+    def _sleep(self, body: Body, leaning: dict[str, set[str]], in_hand: bool) -> None:
+        body.asleep = True
+        body.velocity = body.spin = NOWHERE
+        body.touching = tuple(sorted(leaning.get(body.name, ())))
+        if in_hand and self.arm is not None:
+            link = self._links[self.arm.hand]
+            place = apply_back(link.turn, minus(body.place, link.place))
+            body.carried = place, times(transposed(link.turn), matrix(body.turn))
+            self._down_in_hand = apply_back(link.turn, _DOWN)
+            self._held_at = self._commands[-1]
+
+
+def _about_to_touch(met: Manifold, margin: float) -> bool:
+    """Whether a gap is closed, or will be in this step."""
+    return min(gap for _, gap in met.points) <= max(TOUCH, margin - MARGIN)
+
+
+def _between(before: Sequence[float], after: Sequence[float], share: float) -> list[float]:
+    """Numbers part of the way from some to others."""
+    return [a + (b - a) * share for a, b in zip(before, after, strict=True)]
+
+
+def _turns_far(mobile: Mobile, seconds: float) -> bool:
+    """Whether a body turns farther in a step than contact can be taken as straight."""
+    a, b, c = mobile.speed[3:]
+    return (a * a + b * b + c * c) * seconds * seconds > FAR_TURN * FAR_TURN
+
+
+def _scaled(v: Vector, factor: float) -> Vector:
+    return v[0] * factor, v[1] * factor, v[2] * factor
+
+
+def _spin(before: Matrix, now: Matrix, seconds: float) -> Vector:
+    """Radians a second at which a frame has turned in the last step."""
+    m = times(now, transposed(before))
+    half = 1 / (2 * seconds)
+    return (m[7] - m[5]) * half, (m[2] - m[6]) * half, (m[3] - m[1]) * half
+
+
+def _speed(speed: Sequence[float], radius: float) -> float:
+    """A bound on the speed of any point of a body, inches a second."""
+    a, b, c, d, e, f = speed
+    return math.sqrt(a * a + b * b + c * c) + radius * math.sqrt(d * d + e * e + f * f)
+
+
+def _close(body: Body, other: Body, margin: float) -> bool:
+    """Whether the spheres around two bodies are within a margin of each other."""
+    d = minus(body.place, other.place)
+    reach = body.shape.radius + other.shape.radius + margin
+    return dot(d, d) <= reach * reach
+
+
+def _met(first: Placed, second: Placed, margin: float) -> Manifold | None:
+    """How two solids touch, if they are near."""
+    return between(first, second, margin) if first.near(second, margin) else None
+
+
+def _around(solids: Sequence[Placed], margin: float) -> tuple[Vector, Vector]:
+    """The upright box around some solids, wider by a margin: least and greatest x, y, z."""
+    xs, ys, zs = zip(*(solid.low for solid in solids), strict=True)
+    us, vs, ws = zip(*(solid.high for solid in solids), strict=True)
+    low = (min(xs) - margin, min(ys) - margin, min(zs) - margin)
+    return low, (max(us) + margin, max(vs) + margin, max(ws) + margin)
+
+
+def _outside(body: Body, around: tuple[Vector, Vector]) -> bool:
+    """Whether the sphere around a body is outside an upright box."""
+    (a, b, c), (d, e, f) = around
+    x, y, z = body.place
+    r = body.shape.radius
+    return x + r < a or x - r > d or y + r < b or y - r > e or z + r < c or z - r > f
+
+
+def _within(mine: Placed, solid: Placed | None, margin: float) -> bool:
+    """Whether a solid is within a margin of another, or of the table."""
+    if solid is None:
+        return mine.low[2] <= margin
+    return mine.near(solid, margin) and _gap(mine, solid, margin) <= margin
+
+
+def _gap(a: Placed, b: Placed, margin: float) -> float:
+    """Least gap of two solids, inches; more than the margin if they are farther apart."""
+    met = between(a, b, margin)
+    return math.inf if met is None else min(gap for _, gap in met.points)
+
+
+def _islands(contacts: list[Contact]) -> list[list[Contact]]:
+    """Contacts that have a mobile in common, together; in the order in which they came."""
+    leader: dict[int, int] = {}
+
+    def find(name: int) -> int:
+        while leader.setdefault(name, name) != name:
+            leader[name] = leader[leader[name]]
+            name = leader[name]
+        return name
+
+    for contact in contacts:
+        if contact.first.mobile is not None:
+            leader[find(id(contact.first.mobile))] = find(id(contact.second.mobile))
+    groups: dict[int, list[Contact]] = {}
+    for contact in contacts:
+        groups.setdefault(find(id(contact.second.mobile)), []).append(contact)
+    return list(groups.values())

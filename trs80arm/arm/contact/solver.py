@@ -1,0 +1,367 @@
+"""Forces of contact for one tick: no overlap, Coulomb friction, springs of the arm's cables.
+
+The velocities at the end of a tick are those at which every point of contact either opens or
+presses, and friction holds, or pulls against the motion with its coefficient times the pressure:
+the implicit time-stepping problem of Stewart and Trinkle. As in Anitescu (2006) and in Castro and
+others (2023, "lagged") it is made convex: friction is bounded by the pressure that the last
+pass found, so that what slides does not float as it would in the plain relaxation, and a few passes
+agree with themselves. Contact gives a very little (`GIVE`) and holding friction creeps a very
+little (`CREEP`), which makes the function smooth; Newton's method finds its least value in a few
+steps however high the stack and however heavy what lies on it. The arm is one more body: six
+coordinates, each as inert as its spring is stiff.
+
+Only +, -, *, / and square roots of IEEE doubles, sums in a fixed order, no linear-algebra library:
+the same to the last bit on every machine.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from trs80arm.arm.contact.manifold import tangents
+from trs80arm.arm.contact.rotations import Matrix
+from trs80arm.arm.shapes import Vector
+
+GIVE = 1e-4
+"""Softness of a contact as a fraction of the bodies' own readiness to move."""
+CREEP = 1e-3
+"""Speed at which friction that holds lets slide, inches a second, at about its limit."""
+RECOVERY = 0.2
+"""Part of an overlap that is taken back in a tick."""
+FASTEST_RECOVERY = 1.0
+"""Inches a second at which overlap is taken back at most."""
+SOLVED = 1e-5
+"""Change of velocity below which Newton's method has arrived, inches a second."""
+MOST_STEPS = 40
+PASSES = 4
+"""Times that friction's bounds are brought in line with the pressure, at most."""
+AGREED = 0.05
+"""Part of the greatest pressure by which bounds and pressures may differ."""
+
+_SIX = np.arange(6)
+
+Six = tuple[float, float, float, float, float, float]
+Key = tuple[str, str, int]
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+
+@dataclass(slots=True)
+class Mobile:
+    """What the solver knows of something that moves.
+
+    Attributes:
+        speed: six velocities, in the end those found: of a body, velocity and spin; of the arm, the
+            rates of its coordinates.
+        place: of a body's centre of mass; unused for the arm.
+        mass: of a body.
+        inertia: of a body, in the world's frame.
+        inertias: of each of the arm's coordinates; None for a body.
+        before: velocities from which to begin looking; those of `speed` unless given.
+    """
+
+    speed: list[float]
+    place: Vector
+    mass: float = 0.0
+    inertia: Matrix | None = None
+    inertias: Six | None = None
+    before: tuple[float, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """One side of a contact: what is touched there, and how it moves.
+
+    Attributes:
+        mobile: what moves, or None for what stands fast.
+        screws: of the arm's link.
+    """
+
+    mobile: Mobile | None
+    screws: tuple[tuple[Vector, Vector], ...] | None = None
+
+
+@dataclass(slots=True)
+class Contact:
+    """One point of contact.
+
+    Attributes:
+        key: the two things' names, and which of their solids; for finding it again.
+        point: where, in the world.
+        gap: inches, negative for an overlap.
+        normal: from the first side into the second.
+        first: side that the normal leaves.
+        second: side that it enters; it moves.
+        friction: coefficient.
+        surface: velocity of the first side if it stands fast but its surface moves.
+        pressure: impulse along the normal: as it was a tick before, then as found.
+        impulse: on the second side, in the world; found.
+    """
+
+    key: Key
+    point: Vector
+    gap: float
+    normal: Vector
+    first: Side
+    second: Side
+    friction: float
+    surface: Vector = (0.0, 0.0, 0.0)
+    pressure: float = 0.0
+    impulse: Vector = (0.0, 0.0, 0.0)
+
+
+class Problem:
+    """Contacts that belong together, as arrays.
+
+    Args:
+        contacts: at least one.
+        seconds: length of the tick.
+    """
+
+    def __init__(self, contacts: list[Contact], seconds: float) -> None:
+        self.contacts = contacts
+        mobiles: list[Mobile] = []
+        index: dict[int, int] = {}
+        for contact in contacts:
+            for side in (contact.first, contact.second):
+                if side.mobile is not None and id(side.mobile) not in index:
+                    index[id(side.mobile)] = len(mobiles)
+                    mobiles.append(side.mobile)
+        self.mobiles = mobiles
+        self.size = 6 * len(mobiles)
+        self.mass = _masses(mobiles)
+        self.wanted = np.array([mobile.speed for mobile in mobiles]).reshape(-1)
+        self.first = np.array([m.before or m.speed for m in mobiles]).reshape(-1)
+        self._rows(index)
+        gaps = np.array([contact.gap for contact in contacts])
+        self.least = np.where(
+            gaps > 0,
+            -gaps / seconds,
+            np.minimum(-gaps * (RECOVERY / seconds), FASTEST_RECOVERY),
+        )
+        self.friction = np.array([contact.friction for contact in contacts])
+
+    def _rows(self, index: dict[int, int]) -> None:
+        """How each contact's relative velocity follows from the coordinates."""
+        contacts, count = self.contacts, len(self.contacts)
+        ways = np.array([(contact.normal, *tangents(contact.normal)) for contact in contacts])
+        points = np.array([contact.point for contact in contacts])
+        rows = np.zeros((count, 3, 12))
+        columns = np.full((count, 12), self.size, dtype=np.int64)
+        ease = np.zeros(count)
+        for which, sign in ((0, -1.0), (1, 1.0)):
+            bodies: list[int] = []
+            found: list[Mobile] = []
+            for i, contact in enumerate(contacts):
+                side = contact.second if which else contact.first
+                if side.mobile is None:
+                    continue
+                first = 6 * index[id(side.mobile)]
+                columns[i, 6 * which : 6 * which + 6] = _SIX + first
+                if side.screws is None:
+                    bodies.append(i)
+                    found.append(side.mobile)
+                    continue
+                here = _link_row(side.screws, contact.point, ways[i]) * sign
+                rows[i, :, 6 * which : 6 * which + 6] = here
+                assert side.mobile.inertias is not None
+                ease[i] += sum(
+                    j * j / m for j, m in zip(here[0].tolist(), side.mobile.inertias, strict=True)
+                )
+            if bodies:
+                at = np.array(bodies)
+                r = points[at] - np.array([mobile.place for mobile in found])
+                x, y, z = r[:, None, 0], r[:, None, 1], r[:, None, 2]
+                w = ways[at] * sign
+                u, v, t = w[:, :, 0], w[:, :, 1], w[:, :, 2]
+                start = 6 * which
+                rows[at, :, start : start + 3] = w
+                rows[at, :, start + 3] = y * t - z * v
+                rows[at, :, start + 4] = z * u - x * t
+                rows[at, :, start + 5] = x * v - y * u
+                ease[at] += np.array([1 / mobile.mass for mobile in found])
+        self.ways, self.rows, self.columns = ways, rows, columns
+        self.stiffness = 1 / (GIVE * np.maximum(ease, 1e-9))
+        surface = np.array([contact.surface for contact in contacts])
+        self.surface = np.add.reduce(ways * surface[:, None, :], axis=2)
+        self.places = (columns[:, :, None] * (self.size + 1) + columns[:, None, :]).reshape(-1)
+
+    def solve(self) -> int:
+        """Find the velocities and the impulses; steps of Newton's method taken."""
+        bound = np.array([contact.pressure for contact in self.contacts])
+        speed = self.first
+        steps = 0
+        for _ in range(PASSES):
+            speed, taken = self._least(speed, self.friction * bound)
+            steps += taken
+            pressure = self._pressure(self._relative(speed)[:, 0])
+            if float(np.abs(pressure - bound).max()) <= AGREED * float(pressure.max()):
+                break
+            bound = pressure
+        relative = self._relative(speed)
+        pull = self._pull(relative, self.friction * bound)
+        pressure = self._pressure(relative[:, 0])
+        impulses = np.column_stack((pressure, pull))
+        vectors = np.add.reduce(self.ways * impulses[:, :, None], axis=1).tolist()
+        for contact, normal, vector in zip(self.contacts, pressure.tolist(), vectors, strict=True):
+            contact.pressure = normal
+            contact.impulse = (vector[0], vector[1], vector[2])
+        for mobile, found in zip(self.mobiles, speed.reshape(-1, 6).tolist(), strict=True):
+            mobile.speed[:] = found
+        return steps
+
+    def _relative(self, speed: Floats) -> Floats:
+        """Velocities of the second sides against the first, along normals and tangents."""
+        along = np.append(speed, 0.0)[self.columns]
+        relative: Floats = np.add.reduce(self.rows * along[:, None, :], axis=2)
+        relative -= self.surface
+        return relative
+
+    def _pressure(self, opening: Floats) -> Floats:
+        return self.stiffness * np.maximum(self.least - opening, 0.0)
+
+    def _pull(self, relative: Floats, bound: Floats) -> Floats:
+        """Impulses of friction along both tangents."""
+        u, v = relative[:, 1], relative[:, 2]
+        scale = -bound / np.sqrt(u * u + v * v + CREEP * CREEP)
+        return np.column_stack((scale * u, scale * v))
+
+    def _least(self, speed: Floats, bound: Floats) -> tuple[Floats, int]:
+        """Newton's method: velocities at which impulses and momentum balance."""
+        for step in range(MOST_STEPS):
+            relative = self._relative(speed)
+            slope = self._slope(speed, relative, bound)
+            change = eliminate(self._curvature(relative, bound), -slope)
+            if float(np.abs(change).max()) < SOLVED:
+                return speed + change, step + 1
+            by = np.add.reduce(self.rows * np.append(change, 0.0)[self.columns][:, None, :], axis=2)
+            far = self._far(speed, change, relative, by, bound)
+            speed = speed + far * change
+        return speed, MOST_STEPS
+
+    def _slope(self, speed: Floats, relative: Floats, bound: Floats) -> Floats:
+        """How the function to be made least grows with each velocity."""
+        impulses = np.column_stack((self._pressure(relative[:, 0]), self._pull(relative, bound)))
+        pushed = np.add.reduce(self.rows * impulses[:, :, None], axis=1)
+        total: Floats = np.zeros(self.size + 1)
+        total += np.bincount(self.columns.reshape(-1), pushed.reshape(-1), self.size + 1)
+        lost = (speed - self.wanted).reshape(-1, 1, 6)
+        inert: Floats = np.add.reduce(self.mass * lost, axis=2).reshape(-1)
+        inert -= total[: self.size]
+        return inert
+
+    def _curvature(self, relative: Floats, bound: Floats) -> Floats:
+        """How that growth itself grows: a symmetric matrix."""
+        u, v = relative[:, 1], relative[:, 2]
+        square = u * u + v * v + CREEP * CREEP
+        stiff = bound / np.sqrt(square)
+        local = np.zeros((len(bound), 3, 3))
+        local[:, 0, 0] = np.where(relative[:, 0] < self.least, self.stiffness, 0.0)
+        local[:, 1, 1] = stiff * (1 - u * u / square)
+        local[:, 2, 2] = stiff * (1 - v * v / square)
+        local[:, 1, 2] = local[:, 2, 1] = -stiff * u * v / square
+        half = np.add.reduce(local[:, :, :, None] * self.rows[:, None, :, :], axis=2)
+        whole = np.add.reduce(self.rows[:, :, :, None] * half[:, :, None, :], axis=1)
+        size = self.size
+        flat: Floats = np.zeros((size + 1) * (size + 1))
+        flat += np.bincount(self.places, whole.reshape(-1), len(flat))
+        matrix = flat.reshape(size + 1, size + 1)[:size, :size].copy()
+        for i in range(len(self.mobiles)):
+            matrix[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] += self.mass[i]
+        return matrix
+
+    def _far(
+        self, speed: Floats, change: Floats, relative: Floats, by: Floats, bound: Floats
+    ) -> float:
+        """How far along a step the function still falls: a root of its slope there."""
+        inert = np.add.reduce(self.mass * change.reshape(-1, 1, 6), axis=2).reshape(-1)
+        constant = float((inert * (speed - self.wanted)).sum())
+        growing = float((inert * change).sum())
+
+        def slope(far: float) -> float:
+            there = relative + far * by
+            impulse = self._pressure(there[:, 0]) * by[:, 0]
+            pull = self._pull(there, bound) * by[:, 1:]
+            return constant + far * growing - float(impulse.sum()) - float(pull.sum())
+
+        start, end = slope(0.0), slope(1.0)
+        if end <= 0.1 * abs(start):
+            return 1.0
+        low, high, at_low, at_high = 0.0, 1.0, start, end
+        far = 1.0
+        for _ in range(12):
+            far = low - at_low * (high - low) / (at_high - at_low)
+            far = min(max(far, low + 0.05 * (high - low)), high - 0.05 * (high - low))
+            here = slope(far)
+            if abs(here) <= 0.1 * abs(start):
+                break
+            if here < 0:
+                low, at_low = far, here
+            else:
+                high, at_high = far, here
+        return far
+
+
+def _masses(mobiles: list[Mobile]) -> Floats:
+    """Mass and inertia of each mobile as a 6 x 6 matrix."""
+    out = np.zeros((len(mobiles), 6, 6))
+    for i, mobile in enumerate(mobiles):
+        if mobile.inertias is not None:
+            for k, inertia in enumerate(mobile.inertias):
+                out[i, k, k] = inertia
+        else:
+            assert mobile.inertia is not None
+            out[i, 0, 0] = out[i, 1, 1] = out[i, 2, 2] = mobile.mass
+            out[i, 3:, 3:] = np.array(mobile.inertia).reshape(3, 3)
+    return out
+
+
+def _link_row(screws: tuple[tuple[Vector, Vector], ...], point: Vector, ways: Floats) -> Floats:
+    """How fast a point of a link moves along three ways with each of its coordinates."""
+    x, y, z = point
+    speeds = np.array(
+        [
+            (
+                velocity[0] + spin[1] * z - spin[2] * y,
+                velocity[1] + spin[2] * x - spin[0] * z,
+                velocity[2] + spin[0] * y - spin[1] * x,
+            )
+            for spin, velocity in screws
+        ]
+    )
+    row: Floats = np.add.reduce(ways[:, None, :] * speeds[None, :, :], axis=2)
+    return row
+
+
+def eliminate(matrix: Floats, right: Floats) -> Floats:
+    """Solve a symmetric positive definite system by Gauss's elimination.
+
+    Only what lies within the envelope of the matrix is looked at: of a row of bodies each is
+    coupled to the next alone.
+
+    Args:
+        matrix: square; it is used up.
+        right: the right-hand side.
+    """
+    count = len(right)
+    lowest = np.where(matrix != 0.0, np.arange(count)[:, None], 0).max(axis=0)
+    ends = (np.maximum.accumulate(lowest) + 1).tolist()
+    out = right.copy()
+    for k, end in enumerate(ends):
+        if end > k + 1:
+            factor = matrix[k + 1 : end, k] / matrix[k, k]
+            matrix[k + 1 : end, k + 1 : end] -= factor[:, None] * matrix[k, k + 1 : end]
+            out[k + 1 : end] -= factor * out[k]
+    starts = [0] * count
+    for k in range(count - 1, -1, -1):
+        for i in range(k + 1, ends[k]):
+            starts[i] = k
+    for k in range(count - 1, -1, -1):
+        out[k] /= matrix[k, k]
+        first = starts[k]
+        if first < k:
+            out[first:k] -= matrix[first:k, k] * out[k]
+    return out
