@@ -232,6 +232,22 @@ def test_sensors_answer_on_their_bits() -> None:
     assert arm.inputs(0) == 0b0111
 
 
+def test_a_tactile_pad_answers_to_what_stands_on_it_not_to_the_box_around_that() -> None:
+    bench = Bench.from_toml(
+        """
+        [[tactile]]
+        bit = 2
+        at = [4, 5]
+        size = [1, 1]
+        """
+    )
+    arm = MiniMover(bench=bench)
+    bar = bench.add_part("bar", (3.0, 0.2, 0.5), 1.0, 5.2, 3.8, turn=math.pi / 4)
+    assert arm.inputs(0) == 0b1111
+    bar.box = bar.box.moved((-0.9, 0.9, 0.0))
+    assert arm.inputs(0) == 0b1011
+
+
 def test_the_auxiliary_latch_turns_the_turntable_and_what_stands_on_it() -> None:
     bench = Bench.from_toml(
         """

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from trs80arm.arm.shapes import Box, Vector, interval, plus, upright
+from trs80arm.arm.shapes import Box, Vector, interval, overlap, plus, upright
 
 
 @dataclass
@@ -129,6 +129,10 @@ class Proximity:
         )
 
 
+PRESSED: Vector = (0.0, 0.0, -0.001)
+"""How far what stands on a pad presses it in, inches."""
+
+
 @dataclass(frozen=True)
 class Tactile:
     """A pad that answers when something rests or presses on it.
@@ -143,18 +147,8 @@ class Tactile:
 
     def answers(self, boxes: list[Box], segments: list[tuple[Vector, Vector]]) -> bool:
         """Whether a box stands on the pad or the arm touches it."""
-        for box in boxes:
-            d = (box.center[0] - self.pad.center[0], box.center[1] - self.pad.center[1])
-            near = abs(d[0]) < box.radius + self.pad.radius and abs(d[1]) < (
-                box.radius + self.pad.radius
-            )
-            if near and box.bottom <= self.pad.top and box.top >= self.pad.bottom:
-                low = min(p[0] for p in box.corners()), min(p[1] for p in box.corners())
-                high = max(p[0] for p in box.corners()), max(p[1] for p in box.corners())
-                hx, hy, _ = self.pad.half
-                x, y, _ = self.pad.center
-                if low[0] < x + hx and high[0] > x - hx and low[1] < y + hy and high[1] > y - hy:
-                    return True
+        if any(overlap(box.moved(PRESSED), self.pad, 0.0) for box in boxes):
+            return True
         return any(interval(self.pad, a, b) is not None for a, b in segments)
 
 

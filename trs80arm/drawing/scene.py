@@ -23,6 +23,8 @@ PALM_HALF_WIDTH = 0.76
 FINGER_LENGTH = ArmSettings().finger_length
 """Fingertip to finger root along the hand, inches."""
 QUARTER = radians(90)
+SQUARE = 0.03
+"""Inches by which the corners of a thing may be off those of an upright box drawn for it."""
 
 Bounds: TypeAlias = tuple[float, float, float, float]
 """Left, bottom, right and top, inches."""
@@ -63,6 +65,15 @@ class Block:
 
 
 @dataclass(frozen=True)
+class Facet:
+    """A convex outline, counter-clockwise or clockwise; `fill` is its glyph inside."""
+
+    corners: tuple[Point, ...]
+    ink: Ink
+    fill: str
+
+
+@dataclass(frozen=True)
 class Trace:
     """Single points, marked by the first glyph in a cell's upper half and the second below."""
 
@@ -71,7 +82,7 @@ class Trace:
     glyphs: str
 
 
-Shape: TypeAlias = Stroke | Joint | Block | Trace
+Shape: TypeAlias = Stroke | Joint | Block | Facet | Trace
 
 
 @dataclass(frozen=True)
@@ -163,6 +174,41 @@ def half_along(box: Box, angle: float) -> float:
     return sum(
         half * abs(axis[0] * c + axis[1] * s) for half, axis in zip(box.half, box.axes, strict=True)
     )
+
+
+def outline(points: Iterable[Point]) -> tuple[Point, ...]:
+    """The convex outline of some points, counter-clockwise, without points that lie on an edge."""
+    ordered = sorted(set(points))
+    halves = []
+    for way in (ordered, ordered[::-1]):
+        half: list[Point] = []
+        for point in way:
+            while len(half) > 1 and _turn(half[-2], half[-1], point) <= _STRAIGHT:
+                half.pop()
+            half.append(point)
+        halves.append(half[:-1])
+    return (*halves[0], *halves[1])
+
+
+_STRAIGHT = 1e-6
+
+
+def _turn(a: Point, b: Point, c: Point) -> float:
+    """Twice the area of a triangle, positive counter-clockwise."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def solid(points: Iterable[Point], ink: Ink, fill: str) -> Block | Facet:
+    """What some corners cover: an upright box if it is one, else its outline."""
+    corners = outline(points)
+    left, bottom, right, top = around(corners)
+    square = all(
+        min(abs(x - left), abs(x - right)) < SQUARE and min(abs(y - bottom), abs(y - top)) < SQUARE
+        for x, y in corners
+    )
+    if square:
+        return Block((left, bottom), (right, top), ink, fill)
+    return Facet(corners, ink, fill)
 
 
 def around(points: Iterable[Point]) -> Bounds:

@@ -10,6 +10,7 @@ from math import degrees, radians
 
 from trs80arm.arm.model import ArmModel
 from trs80arm.arm.settings import ArmSettings
+from trs80arm.arm.shapes import dot, minus
 from trs80arm.drawing.canvas_ascii import Point
 from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
 from trs80arm.drawing.rows import Ink
@@ -33,6 +34,7 @@ from trs80arm.drawing.scene import (
     half_along,
     middle,
     skeleton,
+    solid,
     turned,
 )
 
@@ -74,7 +76,7 @@ def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     shapes.append(Trace(tuple(point.side for point in extras.trail), Ink.TRAIL, "`,"))
     if readings.believed:
         shapes += _side_ghost(readings.believed)
-    shapes += [_side_block(thing, base) for thing in inside if thing.held]
+    shapes += [_in_the_hand(thing, posture) for thing in inside if thing.held]
     shapes += _side_arm(posture)
     # However small the picture is, a part in the hand can be seen.
     shapes += [
@@ -160,7 +162,23 @@ def _side_corners(thing: Thing, base: float) -> tuple[Point, Point]:
 
 
 def _side_block(thing: Thing, base: float) -> Shape:
-    return Block(*_side_corners(thing, base), INK[thing.kind], FILL[thing.kind])
+    """A thing as it is seen from the side: its outline, tilted as it is."""
+    if thing.kind is not Kind.PART:
+        return Block(*_side_corners(thing, base), INK[thing.kind], FILL[thing.kind])
+    corners = [(turned(corner, base)[0], corner[2]) for corner in thing.box.corners()]
+    return solid(corners, INK[thing.kind], FILL[thing.kind])
+
+
+def _in_the_hand(thing: Thing, posture: Posture) -> Shape:
+    """A held part, turned into the picture as the hand is: between its fingers."""
+    points, pitch = posture.points, posture.angles.pitch
+    tip = skeleton(posture)[3]
+    corners = []
+    for corner in thing.box.corners():
+        from_tip = minus(corner, points.fingertip)
+        ahead = along(tip, pitch, dot(from_tip, points.pointing))
+        corners.append(along(ahead, pitch + QUARTER, dot(from_tip, points.across)))
+    return solid(corners, INK[thing.kind], FILL[thing.kind])
 
 
 def side_envelope(model: ArmModel) -> tuple[Point, ...]:

@@ -33,6 +33,7 @@ from trs80arm.drawing.scene import (
     corners_of,
     half_along,
     middle,
+    solid,
 )
 
 NARROW = 0.4
@@ -41,7 +42,7 @@ FINGER_THICKNESS = 0.8
 """How far a finger reaches outwards from its pad, seen from above, inches. Not on record."""
 TOP_LEFT = -3.5
 """How much of the base behind its axis must be seen from above, inches."""
-SQUARE = 0.05
+TURNED = 0.05
 """Sine times cosine of a turn below which a thing is drawn square to the table."""
 
 
@@ -96,7 +97,9 @@ def _top_block(thing: Thing) -> list[Shape]:
     if thing.kind is Kind.TURNTABLE:
         return _plate(box)
     (ux, uy, _), (vx, vy, _), _ = box.axes
-    if abs(ux * uy) < SQUARE or max(box.half[:2]) < 1 or thing.kind is Kind.PART:
+    if thing.kind is Kind.PART:
+        return [solid([corner[:2] for corner in box.corners()], ink, FILL[thing.kind])]
+    if abs(ux * uy) < TURNED or max(box.half[:2]) < 1:
         return [Block(*_top_corners(thing), ink, FILL[thing.kind])]
     (x, y, _), (a, b, _) = box.center, box.half
     corners = [

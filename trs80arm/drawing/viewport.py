@@ -7,10 +7,11 @@ still while the arm moves. A closer look follows the hand in whole cells.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import ceil, floor, hypot
 
 from trs80arm.drawing.canvas_ascii import Canvas, Point
-from trs80arm.drawing.scene import Block, Bounds, Joint, Scene, Stroke, Trace
+from trs80arm.drawing.scene import Block, Bounds, Facet, Joint, Scene, Stroke, Trace, around
 
 ASPECT = 2.0
 """How many times higher than wide a terminal's cell is."""
@@ -27,6 +28,8 @@ _THIN = 0.1
 """Height of what is let into the table, inches."""
 _EDGE = 0.02
 """How far within a cell something is that is just in it, cells."""
+LEAST_COLUMNS, LEAST_ROWS = 5, 2.5
+"""Cells that a tilted thing must cover to be drawn as its outline."""
 RAIL_INSET = 0.4
 """How far rails end before the joints, as a share of their distance, so that they do not cross."""
 
@@ -165,6 +168,8 @@ def draw(scene: Scene, window: Window, canvas: Canvas) -> None:
                 canvas.joint(window.cell(place), ink, glyph, round_it=round_it)
             case Block(corner, opposite, ink, fill):
                 canvas.box(window.cell(corner), window.cell(opposite), ink, fill)
+            case Facet():
+                _facet(shape, window, canvas)
             case Trace(points, ink, glyphs):
                 canvas.dots(map(window.cell, points), ink, glyphs)
 
@@ -189,6 +194,26 @@ def _stroke(stroke: Stroke, window: Window, canvas: Canvas) -> None:
             window.cell((end[0] + side * across[0], end[1] + side * across[1])),
             stroke.ink,
         )
+
+
+def _facet(facet: Facet, window: Window, canvas: Canvas) -> None:
+    """A filled outline; one of few cells as the upright box around it."""
+    corners = [window.cell(corner) for corner in facet.corners]
+    left, top, right, bottom = around(corners)
+    if right - left < LEAST_COLUMNS or bottom - top < LEAST_ROWS:
+        canvas.box((left, bottom), (right, top), facet.ink, facet.fill)
+        return
+    for row in range(max(0, floor(top)), min(canvas.height, ceil(bottom))):
+        crossed = [
+            x0 + (row + 0.5 - y0) / (y1 - y0) * (x1 - x0)
+            for (x0, y0), (x1, y1) in pairwise([*corners, corners[0]])
+            if min(y0, y1) <= row + 0.5 < max(y0, y1)
+        ]
+        if crossed:
+            first, last = ceil(min(crossed) - 0.5), floor(max(crossed) - 0.5)
+            canvas.write(first, row, facet.fill * (last - first + 1), facet.ink)
+    for start, end in pairwise([*corners, corners[0]]):
+        canvas.line(start, end, facet.ink)
 
 
 def _dots(start: Point, end: Point, stroke: Stroke, canvas: Canvas) -> None:

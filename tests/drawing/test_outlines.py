@@ -1,0 +1,97 @@
+"""Parts are drawn in their true outline and tilt, and between the fingers that hold them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from trs80arm.arm.geometry import JointAngles
+from trs80arm.arm.models.minimover5 import MINIMOVER5
+from trs80arm.arm.shapes import Box, upright
+from trs80arm.drawing.canvas_ascii import AsciiCanvas
+from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
+from trs80arm.drawing.rows import Ink, text_of
+from trs80arm.drawing.scene import Block, Facet, Scene, Stroke, outline
+from trs80arm.drawing.side_scene import side_scene
+from trs80arm.drawing.top_scene import top_scene
+from trs80arm.drawing.viewport import Window, draw
+
+
+def tilted(degrees: float) -> Box:
+    """A 4 by 1 by 0.5 plank at (8, 0), 2 in up, its far end down."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return Box((8.0, 0.0, 2.0), ((c, 0.0, -s), (0.0, 1.0, 0.0), (s, 0.0, c)), (2.0, 0.5, 0.25))
+
+
+def drawn(scene: Scene) -> list[Block | Facet]:
+    """What of a scene is a part."""
+    return [
+        shape
+        for shape in scene.shapes
+        if isinstance(shape, Block | Facet) and shape.ink is Ink.PART
+    ]
+
+
+def test_a_leaning_plank_is_seen_leaning_from_the_side() -> None:
+    (plank,) = drawn(side_scene(Readings(things=(Thing(Kind.PART, "plank", tilted(28)),))))
+    assert isinstance(plank, Facet)
+    assert len(plank.corners) == 4
+    (low_x, low_y), (high_x, high_y) = min(plank.corners), max(plank.corners)
+    assert math.degrees(math.atan2(low_y - high_y, high_x - low_x)) > 15
+
+
+def test_a_turned_part_is_seen_turned_from_above() -> None:
+    box = upright(8.0, 0.0, 0.0, (4.0, 0.5, 0.5), math.radians(30))
+    (bar,) = drawn(top_scene(Readings(things=(Thing(Kind.PART, "bar", box),))))
+    assert isinstance(bar, Facet)
+    assert len(bar.corners) == 4
+
+
+def test_an_upright_part_is_an_upright_box() -> None:
+    box = upright(8.0, 0.0, 0.0, (1.0, 1.0, 2.0), 0.0)
+    readings = Readings(things=(Thing(Kind.PART, "block", box),))
+    assert all(isinstance(part, Block) for part in drawn(side_scene(readings)))
+    assert all(isinstance(part, Block) for part in drawn(top_scene(readings)))
+
+
+def test_the_fingers_are_outside_of_what_they_hold() -> None:
+    # Two inches across y, half an inch along x: held over its two inches.
+    angles = JointAngles(0.0, 0.4, -1.35, -math.pi / 2, 0.0)
+    posture = Posture(MINIMOVER5, angles, 2.0)
+    x, y, z = posture.points.fingertip
+    box = upright(x, y, z - 0.5, (0.5, 2.0, 1.0), 0.0)
+    things = (Thing(Kind.PART, "bar", box, held=True),)
+    scene = side_scene(replace(Readings(things=things), posture=posture))
+    (part,) = drawn(scene)
+    assert isinstance(part, Block)
+    fingers = [
+        shape.end[0]
+        for shape in scene.shapes
+        if isinstance(shape, Stroke) and shape.ink is Ink.HAND and abs(shape.end[1] - z) < 0.01
+    ]
+    left, right = sorted((part.corner[0], part.opposite[0]))
+    assert min(fingers) <= left + 1e-6
+    assert max(fingers) >= right - 1e-6
+
+
+def test_the_outline_of_a_box_from_aside_has_six_corners() -> None:
+    box = Box((0.0, 0.0, 0.0), tilted(28).axes, (1.0, 1.0, 1.0))
+    c, s = math.cos(0.5), math.sin(0.5)
+    assert len(outline((x * c + y * s, z) for x, y, z in box.corners())) == 6
+
+
+def test_a_leaning_part_on_the_sheet() -> None:
+    canvas = AsciiCanvas(32, 9)
+    plank = Facet(((1.0, 1.0), (6.5, 3.4), (6.0, 4.2), (0.6, 1.9)), Ink.PART, "#")
+    draw(Scene((plank,), (0.0, 0.0, 8.0, 5.0), (4.0, 2.0)), Window(0.0, 5.0, 1.8), canvas)
+    assert [text_of(row).rstrip() for row in canvas.rows()] == [
+        "",
+        "                   _.-",
+        "              _..-'###\\_",
+        "          _.-'####_..-'",
+        "     _.-''####_.-'",
+        "  \\-'####_.--'",
+        "  \\##_.-'",
+        "   \\'",
+        "",
+    ]
