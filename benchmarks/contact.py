@@ -33,17 +33,19 @@ def row(count: int) -> Scene:
 
 def push(scene: Scene, ticks: int) -> None:
     """Push them all for a while, at 1.4 inches a second."""
+    start = scene.time
     for k in range(1, ticks + 1):
         scene.command((4.0 + 0.0066 * k, 0.0, 0.3, 0.0, 0.0, 0.1))
-        scene.advance(scene.time + TICK_STATES)
+        scene.advance(start + k * TICK_STATES)
 
 
 def work_aside(scene: Scene, ticks: int) -> None:
     """Open and close the hand above what rests."""
     scene.put_arm((4.0, 0.0, 6.0, 0.0, 0.0, 0.1))
+    start = scene.time
     for k in range(1, ticks + 1):
         scene.command((4.0, 0.0, 6.0, 0.0, 0.0, 0.1 + 0.005 * (k % 100)))
-        scene.advance(scene.time + TICK_STATES)
+        scene.advance(start + k * TICK_STATES)
 
 
 def report(name: str, make: Callable[[], Scene], act: Callable[[Scene, int], None]) -> None:

@@ -177,10 +177,10 @@ def commands(story: Story, step: float) -> list[tuple[float, ...]]:
 def played(story: Story) -> Scene:
     """A scene as it ends."""
     scene = laid(story)
-    for joints in commands(story, TICK):
+    for number, joints in enumerate(commands(story, TICK), 1):
         if joints:
             scene.command(joints)
-        scene.advance(scene.time + TICK_STATES)
+        scene.advance(number * TICK_STATES)
     return scene
 
 

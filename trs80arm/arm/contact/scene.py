@@ -52,6 +52,10 @@ DRAG = 0.5
 """Part of its spin that a body loses in a second: what rolls comes to rest."""
 FAR_TURN = 0.08
 """Angle (radians) that a body may turn in a step; for a greater one the step is halved."""
+STRIDE = 4
+"""Ticks that are done at once while everything that is awake moves slowly and steadily."""
+SLOW, STEADY = 3.0, 0.25
+"""Inches a second of a body's outermost point, and of its change, up to which that is so."""
 FINEST = 8
 """Steps of a tick at most."""
 TILT = 0.9962
@@ -92,6 +96,8 @@ class Scene:
         self._reached: list[float] = [0.0] * 6
         self._from: list[float] = [0.0] * 6
         self._seconds = TICK
+        self._stride = 1
+        self._steady = False
         self._links: list[Link] = []
         self._link_solids: list[Placed] = []
         self._pressures: dict[Key, list[tuple[Vector, float]]] = {}
@@ -168,21 +174,26 @@ class Scene:
 
     def advance(self, time: int) -> None:
         """Do all ticks up to a T-state."""
-        while self.time + TICK_STATES <= time:
+        while self.time + self._stride * TICK_STATES <= time:
             if not self._arm_moved and self.quiet:
                 self.time += (time - self.time) // TICK_STATES * TICK_STATES
                 return
             self.tick()
 
     def tick(self) -> None:
-        """Let one tick pass; in several steps while something turns fast."""
-        self.time += TICK_STATES
+        """Let one tick pass, or some at once while all goes on steadily and slowly.
+
+        While something turns fast it is done in several steps.
+        """
+        self.time += self._stride * TICK_STATES
         moved = self._arm_moved
         self._arm_moved = False
-        self._arm_still = 0 if moved else self._arm_still + 1
+        self._arm_still = 0 if moved else self._arm_still + self._stride
         before, after = self._reached, self._commands
-        self._part(before, after, 0, FINEST, moved)
+        self._steady = True
+        self._part(before, after, 0, self._stride * FINEST, moved)
         self._commands = self._reached = after
+        self._stride = STRIDE if self._steady and not self.quiet else 1
 
     def _part(
         self, before: list[float], after: list[float], start: int, end: int, moved: bool
@@ -196,9 +207,10 @@ class Scene:
             end: of the part.
             moved: whether the arm is commanded elsewhere in this tick.
         """
+        whole = self._stride * FINEST
         self._seconds = TICK * (end - start) / FINEST
-        self._from = _between(before, after, start / FINEST)
-        self._commands = after if end == FINEST else _between(before, after, end / FINEST)
+        self._from = _between(before, after, start / whole)
+        self._commands = after if end == whole else _between(before, after, end / whole)
         if not self._step(moved, end - start > 1):
             middle = (start + end) // 2
             self._part(before, after, start, middle, moved)
@@ -486,6 +498,10 @@ class Scene:
     def _move(self, body: Body, mobile: Mobile) -> None:
         """Move a body for a tick with the velocities that the solver has found."""
         vx, vy, vz, wx, wy, wz = mobile.speed
+        radius = body.shape.radius
+        change = [a - b for a, b in zip(mobile.speed, mobile.before or (), strict=True)]
+        if _speed(mobile.speed, radius) > SLOW or _speed(change, radius) > STEADY:
+            self._steady = False
         body.velocity, body.spin = (vx, vy, vz), (wx, wy, wz)
         if vx or vy or vz or wx or wy or wz:
             body.put(
@@ -562,7 +578,9 @@ class Scene:
             held = bool(outside & links)
             loose = not outside - links
             for each in group:
-                each.still = each.still + 1 if self._calm(each, held and loose, before) else 0
+                each.still = (
+                    each.still + self._stride if self._calm(each, held and loose, before) else 0
+                )
             if any(each.still < CALM_TICKS for each in group) or not outside:
                 continue
             if held and not loose and self._arm_still < CALM_TICKS:
