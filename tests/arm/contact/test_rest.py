@@ -165,6 +165,19 @@ def test_pressing_on_the_table_raises_force_gradually() -> None:
     assert found == pytest.approx([0, 20, 40, 60], rel=0.01, abs=0.2)
 
 
+def test_a_hand_that_presses_stays_where_it_is() -> None:
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm((8.0, 0.0, 0.5, 0.0, 0.0, 0.6))
+    scene.command((8.0, 0.0, -0.02, 0.0, 0.0, 0.6))
+    scene.advance(T_STATES_PER_SECOND // 10)
+    height, force = scene.joints[2], scene.torques[2]
+    for _ in range(20):
+        scene.tick()
+    assert height == pytest.approx(0, abs=2e-3)
+    assert scene.joints[2] == pytest.approx(height, abs=1e-3)
+    assert scene.torques[2] == pytest.approx(force, rel=0.05)
+
+
 def test_pushing_costs_friction() -> None:
     scene = Scene(arm=SlidingHand())
     scene.put_arm((6.5, 0.0, 0.3, 0.0, 0.0, 0.1))

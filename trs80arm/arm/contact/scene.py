@@ -172,9 +172,14 @@ class Scene:
         """What rests in the hand."""
         return [body for body in self.bodies.values() if body.carried is not None]
 
+    @property
+    def due(self) -> int:
+        """T-state of the next tick."""
+        return self.time + self._stride * TICK_STATES
+
     def advance(self, time: int) -> None:
         """Do all ticks up to a T-state."""
-        while self.time + self._stride * TICK_STATES <= time:
+        while self.due <= time:
             if not self._arm_moved and self.quiet:
                 self.time += (time - self.time) // TICK_STATES * TICK_STATES
                 return
@@ -185,7 +190,7 @@ class Scene:
 
         While something turns fast it is done in several steps.
         """
-        self.time += self._stride * TICK_STATES
+        self.time = self.due
         moved = self._arm_moved
         self._arm_moved = False
         self._arm_still = 0 if moved else self._arm_still + self._stride
@@ -225,7 +230,8 @@ class Scene:
         awake = [body for body in self.bodies.values() if not body.asleep]
         mobiles = {body.name: self._mobile(body) for body in awake}
         arm = self._arm_mobile(rates)
-        contacts = self._contacts(awake, mobiles, arm, rates, moved or bool(awake))
+        look = moved or bool(awake) or any(self.torques)
+        contacts = self._contacts(awake, mobiles, arm, rates, look)
         for group in _islands(contacts):
             self.solved += 1
             self.steps += Problem(group, self._seconds).solve()
@@ -395,7 +401,7 @@ class Scene:
                 if _close(body, other_body, wider):
                     self._pair(contacts, body, other_body, mobiles, wider, queue)
         if arm is not None and look:
-            self._arm_contacts(contacts, arm)
+            self._arm_contacts(contacts, arm, reach)
         return contacts
 
     def _pair(
@@ -424,20 +430,21 @@ class Scene:
                 rough = math.sqrt(body.friction * other.friction)
                 self._add(contacts, (other.name, body.name, 64 * k + i), met, *sides, rough)
 
-    def _arm_contacts(self, contacts: list[Contact], arm: Mobile) -> None:
-        """Links against what stands fast."""
+    def _arm_contacts(self, contacts: list[Contact], arm: Mobile, reach: list[float]) -> None:
+        """Links against what stands fast; `reach` is how far each may move in this step."""
         assert self.arm is not None
         fast = Side(None)
         for k, link in enumerate(self._link_solids):
             side = Side(arm, self._links[k].screws)
             name, rough = self.arm.names[k], self.arm.frictions[k]
-            met = on_table(link, 4 * MARGIN)
+            margin = MARGIN + reach[k]
+            met = on_table(link, margin)
             if met is not None:
                 friction = math.sqrt(rough * self.table_friction)
                 self._add(contacts, (TABLE, name, 0), met, fast, side, friction)
             for thing in self.fixed.values():
                 for i, solid in enumerate(thing.placed):
-                    met = _met(solid, link, 4 * MARGIN)
+                    met = _met(solid, link, margin)
                     if met is not None:
                         friction = math.sqrt(rough * thing.friction)
                         self._add(contacts, (thing.name, name, i), met, fast, side, friction, thing)
