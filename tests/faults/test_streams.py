@@ -83,11 +83,16 @@ def test_an_interrupt_ends_a_run_without_a_traceback(tmp_path: Path) -> None:
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         env=os.environ | {"TRS80ARM_CONFIG": "/dev/null", "PYTHONUNBUFFERED": "1"},
+        # Tests may run in the background of a script, which ignores interrupts.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     ) as running:
         assert running.stdout is not None
-        assert running.stdout.readline() == b"UP\n"
-        running.send_signal(signal.SIGINT)
-        _, told = running.communicate(timeout=60)
+        try:
+            assert running.stdout.readline() == b"UP\n"
+            running.send_signal(signal.SIGINT)
+            _, told = running.communicate(timeout=60)
+        finally:
+            running.kill()
     assert told == b""
     assert running.returncode == 130
 
