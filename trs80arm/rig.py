@@ -401,9 +401,12 @@ class Rig:
 
         With their current on the motors hold against it as well as they can; without current the
         joints give way to what is more than the friction of their gears.
+
+        Raises:
+            ValueError: it is more than any hand, or no number.
         """
-        self._record("pull", x, y, z)
         self._works.arm.pull((x, y, z))
+        self._record("pull", x, y, z)
 
     def let_go(self) -> None:
         """Do not pull at the hand any more."""

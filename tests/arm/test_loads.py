@@ -257,6 +257,13 @@ def test_without_current_the_arm_gives_way_to_a_hand_and_stays_where_it_is_let_g
     assert not losses(rig.arm)
 
 
+@pytest.mark.parametrize("force", [math.nan, math.inf, 1e9])
+def test_no_hand_pulls_like_that(force: float) -> None:
+    arm = MiniMover(bench=Bench("empty"))
+    with pytest.raises(ValueError, match="up to 1000 oz"):
+        arm.pull((0.0, force, 0.0))
+
+
 def test_without_current_a_load_beyond_friction_sinks() -> None:
     generator = carrying(60.0, 45, 0, 0)
     assert (

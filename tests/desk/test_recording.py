@@ -29,6 +29,8 @@ def work(session: Session) -> None:
     rig.hold([Key.N0], 0.1)
     rig.run_for(1)
     rig.refill()
+    rig.pull(0.0, 0.0, -70.0)
+    rig.let_go()
     rig.run_for(0.1)
 
 

@@ -38,6 +38,9 @@ TURNED_BY_HAND = (*(angle.name for angle in fields(JointAngles)), "hand")
 SHORT = 48
 """Writes in a burst below which a plain loop is quicker than arrays."""
 
+STRONGEST = 1000.0
+"""Ounces that an operator pulls by at most."""
+
 LULL = T_STATES_PER_SECOND // 2
 """T-states after which what happens again is another event."""
 MANY = 256
@@ -585,7 +588,12 @@ class MiniMover:
 
         Args:
             force: ounces along x, y and z, at the fingertip; None to let go.
+
+        Raises:
+            ValueError: it is more than any hand, or no number.
         """
+        if force and not all(abs(part) <= STRONGEST for part in force):
+            raise ValueError(f"a hand pulls by up to {STRONGEST:g} oz")
         self._pull = force if force and any(force) else None
         if self._pull is not None:
             self._give_way()

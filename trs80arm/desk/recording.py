@@ -316,6 +316,8 @@ ACTIONS: dict[str, tuple[Callable[[Any], Any], ...]] = {
     "refill": (),
     "move_joint": (_joint, partial(fit, _Number)),
     "move_to": (_pose,),
+    "pull": (partial(fit, _Number),) * 3,
+    "let_go": (),
     "step_statement": (),
 }
 """What may stand in a recording: the methods of `Rig` that it records, and what each is given."""
