@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from trs80arm import Rig
-from trs80arm.arm import Bench, MiniMover
+from trs80arm.arm import Bench, MiniMover, benchfile
 from trs80arm.arm.motors import PHASES, T_STATES_PER_SECOND
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 from trs80arm.operator import Operator, parse_holds
@@ -90,7 +90,7 @@ def measure(
     ]
     times = []
     for _ in range(ROUNDS):
-        arm = MiniMover(bench=Bench.from_toml(bench))
+        arm = MiniMover(bench=benchfile.parse(bench))
         if lead:
             arm.apply(*zip(*writes[:lead], strict=True))
         begin = time.process_time()
@@ -114,7 +114,7 @@ def cycle(counts: int) -> Callable[[], tuple[int, float]]:
     """Table 4's cycle, several times."""
 
     def run() -> tuple[int, float]:
-        generator = PulseGenerator(MiniMover(bench=Bench.from_toml(CELL)))
+        generator = PulseGenerator(MiniMover(bench=benchfile.parse(CELL)))
         generator.step((0, 0, 0, 0, 0, 370), D50)
         generator.step((0, -207, 290), D50)
         for _ in range(counts):
@@ -133,7 +133,7 @@ def cycle(counts: int) -> Callable[[], tuple[int, float]]:
 
 def on_the_rig(program: str, seconds: float) -> float:
     """Processor seconds that a program with its bench takes on a whole rig, after its start."""
-    rig = Rig(bench=Bench.load(PROGRAMS / f"{program}.toml"))
+    rig = Rig(bench=benchfile.load(PROGRAMS / f"{program}.toml"))
     rig.load(PROGRAMS / f"{program}.bas")
     rig.type("RUN\r")
     Operator(rig, sets=[parse_holds("6:1.0 0")]).run(20)

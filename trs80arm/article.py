@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from trs80arm.arm.bench import Bench
+from trs80arm.arm import benchfile
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.figures import Figure, FigureError, figure
 from trs80arm.arm.minimover import ArmState
@@ -69,7 +69,7 @@ def _pick_and_place() -> list[tuple[int, ArmState]]:
     folder = programs_folder()
     if folder is None:
         raise FigureError("figure 12 needs programs/table4.bas, which was not installed")
-    rig = Rig(bench=Bench.load(folder / "table4.toml"))
+    rig = Rig(bench=benchfile.load(folder / "table4.toml"))
     rig.load(folder / "table4.bas")
     rig.type("RUN\r")
     Operator(rig, sets=[parse_holds(_OPEN_THE_HAND)]).run(15)

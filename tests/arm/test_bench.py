@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from trs80arm.arm import ArmEvent, Bench, EventKind, MiniMover, Pose, Reason
+from trs80arm.arm import ArmEvent, Bench, EventKind, MiniMover, Pose, Reason, benchfile
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.shapes import overlap
 from trs80arm.arm.stepping import PulseGenerator, delay_period
@@ -103,7 +103,7 @@ def test_a_heavy_part_blocks_the_arm() -> None:
 
 
 def test_a_pushed_part_pushes_the_next_until_something_fixed() -> None:
-    bench = Bench.from_toml(
+    bench = benchfile.parse(
         """
         [[part]]
         at = [8, 1]
@@ -158,7 +158,7 @@ def test_a_stack_blocks_what_is_carried_down_on_it() -> None:
 
 
 def test_a_feeder_gives_the_next_part_when_the_hand_is_clear() -> None:
-    bench = Bench.from_toml(
+    bench = benchfile.parse(
         """
         [[feeder]]
         name = "screw"
@@ -179,7 +179,7 @@ def test_a_feeder_gives_the_next_part_when_the_hand_is_clear() -> None:
 
 
 def test_a_tray_takes_only_what_is_let_go() -> None:
-    bench = Bench.from_toml(
+    bench = benchfile.parse(
         """
         [[tray]]
         at = [8, 0]
@@ -202,7 +202,7 @@ def test_a_tray_takes_only_what_is_let_go() -> None:
 
 
 def test_sensors_answer_on_their_bits() -> None:
-    bench = Bench.from_toml(
+    bench = benchfile.parse(
         """
         [[proximity]]
         bit = 1
@@ -233,7 +233,7 @@ def test_sensors_answer_on_their_bits() -> None:
 
 
 def test_a_tactile_pad_answers_to_what_stands_on_it_not_to_the_box_around_that() -> None:
-    bench = Bench.from_toml(
+    bench = benchfile.parse(
         """
         [[tactile]]
         bit = 2
@@ -249,7 +249,7 @@ def test_a_tactile_pad_answers_to_what_stands_on_it_not_to_the_box_around_that()
 
 
 def test_the_auxiliary_latch_turns_the_turntable_and_what_stands_on_it() -> None:
-    bench = Bench.from_toml(
+    bench = benchfile.parse(
         """
         [turntable]
         at = [6, 4]
@@ -271,7 +271,7 @@ def test_the_auxiliary_latch_turns_the_turntable_and_what_stands_on_it() -> None
 
 
 def test_an_obstacle_blocks_the_turntable() -> None:
-    bench = Bench.from_toml(
+    bench = benchfile.parse(
         """
         [turntable]
         at = [6, 4]
@@ -295,7 +295,7 @@ def test_an_obstacle_blocks_the_turntable() -> None:
 
 
 def test_the_arm_blocks_the_turntable() -> None:
-    bench = Bench.from_toml(
+    bench = benchfile.parse(
         """
         [turntable]
         at = [7, 0]

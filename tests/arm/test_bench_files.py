@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trs80arm.arm import Bench, BenchError, MiniMover
+from trs80arm.arm import BenchError, MiniMover, benchfile
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 DOCS = Path(__file__).parents[2] / "docs" / "arm.md"
@@ -16,13 +16,13 @@ DOCS = Path(__file__).parents[2] / "docs" / "arm.md"
 
 @pytest.mark.parametrize("path", sorted(PROGRAMS.glob("*.toml")), ids=lambda p: p.stem)
 def test_every_bench_beside_a_program_can_be_set_up(path: Path) -> None:
-    assert MiniMover(bench=Bench.load(path)).inputs(0) & 1
+    assert MiniMover(bench=benchfile.load(path)).inputs(0) & 1
 
 
 def test_the_example_of_the_manual_is_a_bench() -> None:
     text = DOCS.read_text(encoding="utf-8")
     example = text.split("```toml\n", 1)[1].split("```", 1)[0]
-    bench = Bench.from_toml(example)
+    bench = benchfile.parse(example)
     assert bench.parts
     assert bench.feeders
     assert bench.trays
@@ -89,24 +89,24 @@ def test_a_bad_bench_gets_one_line_with_file_key_and_what_was_expected(
     text: str, line: str
 ) -> None:
     with pytest.raises(BenchError) as caught:
-        Bench.from_toml(text, "b.toml")
+        benchfile.parse(text, "b.toml")
     assert str(caught.value) == line
 
 
 def test_a_file_that_is_not_there_or_not_text_gets_one_line(tmp_path: Path) -> None:
     with pytest.raises(BenchError, match="cannot be read"):
-        Bench.load(tmp_path / "none.toml")
+        benchfile.load(tmp_path / "none.toml")
     with pytest.raises(BenchError, match="cannot be read"):
-        Bench.load(tmp_path)
+        benchfile.load(tmp_path)
     (tmp_path / "picture.toml").write_bytes(b"\x89PNG\xff\xfe\x00")
     with pytest.raises(BenchError, match="UTF-8"):
-        Bench.load(tmp_path / "picture.toml")
+        benchfile.load(tmp_path / "picture.toml")
 
 
 def complaint(text: str) -> str:
     """What a bench's text is refused with; nothing if an arm can work on it."""
     try:
-        MiniMover(bench=Bench.from_toml(text))
+        MiniMover(bench=benchfile.parse(text))
     except BenchError as error:
         return str(error)
     return ""

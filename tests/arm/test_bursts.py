@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trs80arm.arm import Bench, MiniMover
+from trs80arm.arm import Bench, MiniMover, benchfile
 from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import SWITCH_CLOSED, PulseGenerator, delay_period
@@ -77,7 +77,7 @@ def motions(seed: int) -> Writes:
 
 
 def run(writes: Writes, cuts: list[int]) -> MiniMover:
-    arm = MiniMover(bench=Bench.from_toml(BENCH))
+    arm = MiniMover(bench=benchfile.parse(BENCH))
     begin = 0
     for cut in [*cuts, len(writes)]:
         piece = writes[begin : begin + cut]
@@ -124,7 +124,7 @@ def test_random_patterns_are_the_same_however_cut(steps: Writes, cut: int) -> No
 def test_a_stop_condition_ends_whole_and_cut_bursts_alike() -> None:
     ends = set()
     for piece in (1, 7, 40, 100, 3000):
-        arm = MiniMover(bench=Bench.from_toml(BENCH))
+        arm = MiniMover(bench=benchfile.parse(BENCH))
         generator = PulseGenerator(arm)
         generator.step((0, 0, 0, 0, 0, 900), delay_period(50))
         generator.step((0, -75, 254), delay_period(50))

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from tests.arm.test_bursts import Recorder
-from trs80arm.arm import Bench, MiniMover
+from trs80arm.arm import MiniMover, benchfile
 from trs80arm.arm.figures import NAMES, Chart, FigureError, Table, figure
 from trs80arm.arm.figures.chart import Figure, Series
 from trs80arm.arm.motors import PHASES
@@ -61,7 +61,7 @@ def test_figure_10_shows_21_steps_against_3() -> None:
 
 
 def test_figure_12_marks_a_to_d() -> None:
-    generator = PulseGenerator(MiniMover(bench=Bench.load(PROGRAMS / "table4.toml")))
+    generator = PulseGenerator(MiniMover(bench=benchfile.load(PROGRAMS / "table4.toml")))
     path = []
     for counts in (
         (0, 0, 0, 0, 0, 370),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from trs80arm.arm import Bench, EventKind, MiniMover, Pose, Reason
+from trs80arm.arm import Bench, EventKind, MiniMover, Pose, Reason, benchfile
 from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.stepping import SWITCH_CLOSED, PulseGenerator, delay_period
 
@@ -176,7 +176,7 @@ def test_a_part_off_centre_is_pushed_to_the_middle() -> None:
 
 
 def test_the_switch_closes_on_something_fixed_too() -> None:
-    bench = Bench.from_toml("[[obstacle]]\nat = [8, 0]\nsize = [1, 0.75, 1]")
+    bench = benchfile.parse("[[obstacle]]\nat = [8, 0]\nsize = [1, 0.75, 1]")
     arm = MiniMover(bench=bench)
     arm.move_to(OVER_PART)
     generator = PulseGenerator(arm)

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trs80arm import Rig
-from trs80arm.arm import Bench, EventKind, JointAngles, MiniMover, Pose, Reason
+from trs80arm.arm import Bench, EventKind, JointAngles, MiniMover, Pose, Reason, benchfile
 from trs80arm.arm.experiments import Row, Verdict, table1
 from trs80arm.arm.forces import Burden, Strength, cosine, cosines, torques
 from trs80arm.arm.geometry import forward
@@ -133,7 +133,7 @@ def test_arrays_weigh_as_single_positions_do(rows: list[tuple[float, ...]]) -> N
 
 
 def test_8_ounces_go_through_table_4_at_the_speeds_that_the_article_prints() -> None:
-    bench = Bench.load(PROGRAMS / "table4.toml")
+    bench = benchfile.load(PROGRAMS / "table4.toml")
     bench.feeders[0].weight = 8.0
     rig = Rig(bench=bench)
     rig.load(PROGRAMS / "table4.bas")
@@ -144,7 +144,7 @@ def test_8_ounces_go_through_table_4_at_the_speeds_that_the_article_prints() -> 
 
 
 def test_a_tenth_more_than_8_ounces_does_not() -> None:
-    bench = Bench.load(PROGRAMS / "table4.toml")
+    bench = benchfile.load(PROGRAMS / "table4.toml")
     bench.feeders[0].weight = 9.0
     rig = Rig(bench=bench)
     rig.load(PROGRAMS / "table4.bas")

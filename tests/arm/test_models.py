@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trs80arm import Rig
-from trs80arm.arm import ArmSettings, Bench, BenchError, MiniMover, Motor
+from trs80arm.arm import ArmSettings, Bench, BenchError, MiniMover, Motor, benchfile
 from trs80arm.arm.geometry import CableDrive, inverse
 from trs80arm.arm.model import ArmModel
 from trs80arm.arm.models import MINIMOVER5, MODELS, TEACHMOVER
@@ -92,7 +92,7 @@ def test_step_leaves_the_teachmovers_hand_to_the_program() -> None:
 
 
 def test_a_bench_beyond_the_teachmovers_reach_is_refused_in_one_line() -> None:
-    bench = Bench.from_toml("[arm]\nat = [3.9, 0, 16]\npitch = 0\n", "near")
+    bench = benchfile.parse("[arm]\nat = [3.9, 0, 16]\npitch = 0\n", "near")
     MiniMover(bench=bench)
     with pytest.raises(BenchError, match=r"^near: arm\.at: expected a place that the Teach"):
         MiniMover(TEACH, bench)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from trs80arm import Rig
-from trs80arm.arm import Bench, EventKind, OutOfReach
+from trs80arm.arm import EventKind, OutOfReach, benchfile
 from trs80arm.arm.geometry import inverse
 from trs80arm.arm.models import MINIMOVER5
 from trs80arm.operator import Operator, parse_holds
@@ -75,7 +75,7 @@ def test_inverse_agrees_with_the_articles_subroutine_over_a_grid_of_poses() -> N
 
 def tower(moved: float = 0.0) -> Rig:
     """The rig after tower.bas, with its third block moved along y by some inches."""
-    bench = Bench.load(PROGRAMS / "tower.toml")
+    bench = benchfile.load(PROGRAMS / "tower.toml")
     block = bench.parts.pop("block 3").box
     x, y, _ = block.center
     bench.add_part("block 3", (1.0, 1.0, 1.0), 2.0, x, y + moved)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from trs80arm.arm import Bench, EventKind, MiniMover
+from trs80arm.arm import Bench, EventKind, MiniMover, benchfile
 from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 
@@ -36,7 +36,7 @@ def move(generator: PulseGenerator, line: int, delay: int | None = None) -> None
 
 def table4(opening: int = 370) -> PulseGenerator:
     """The arm at the initialization point, its hand opened in @SET."""
-    generator = PulseGenerator(MiniMover(bench=Bench.load(PROGRAMS / "table4.toml")))
+    generator = PulseGenerator(MiniMover(bench=benchfile.load(PROGRAMS / "table4.toml")))
     generator.step((0, 0, 0, 0, 0, opening), delay_period(50))
     return generator
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from trs80arm.arm.bench import Bench
+from trs80arm.arm import benchfile
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.models import MINIMOVER5
 from trs80arm.basic.activity import Waiting
@@ -27,7 +27,7 @@ SESSION = (
 
 def taught() -> tuple[Rig, Lesson]:
     """An arm led once through the article's task, and what it was taught on the way."""
-    rig, lesson = Rig(bench=Bench.load(BENCH)), Lesson()
+    rig, lesson = Rig(bench=benchfile.load(BENCH)), Lesson()
     for line in SESSION:
         if line is TEACH:
             lesson.add(Readings.of(rig))
@@ -61,7 +61,7 @@ def test_the_steps_carry_on_where_the_teaching_ended() -> None:
 
 
 def test_the_data_lines_begin_where_the_operator_sets_the_arm(lesson: Lesson) -> None:
-    rig = Rig(bench=Bench.load(BENCH))
+    rig = Rig(bench=benchfile.load(BENCH))
     rig.load_text(in_data(lesson.positions, Manner(speed=60), MINIMOVER5))
     rig.type("RUN\r")
     assert rig.run_until(lambda rig: rig.waiting is Waiting.SET)
@@ -73,7 +73,7 @@ def test_the_data_lines_begin_where_the_operator_sets_the_arm(lesson: Lesson) ->
 
 
 def test_a_program_that_goes_once_ends(lesson: Lesson) -> None:
-    rig = Rig(bench=Bench.load(BENCH))
+    rig = Rig(bench=benchfile.load(BENCH))
     rig.load_text(in_steps(lesson.positions, Manner(repeats=False)))
     rig.type("RUN\r")
     rig.run_until_waiting(60)

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from trs80arm.arm.bench import Bench
+from trs80arm.arm import benchfile
 from trs80arm.drawing.readings import Kind, Readings, things_of
 from trs80arm.rig import Rig
 
@@ -33,7 +33,7 @@ radius = 2.5
 
 
 def test_everything_on_the_bench_but_the_arms_own_base_is_seen() -> None:
-    things = list(things_of(Bench.from_toml(BENCH)))
+    things = list(things_of(benchfile.parse(BENCH)))
     assert {thing.kind for thing in things} == {
         Kind.FEEDER,
         Kind.TRAY,

@@ -19,6 +19,7 @@ from typing import Any
 from tests.fuzz import noise
 from tests.fuzz.checks import hold, rig_is_whole
 from trs80arm import Rig, RigSettings, files, settings
+from trs80arm.arm import benchfile
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.desk import recording
 from trs80arm.files import FileFormatError, Kind
@@ -258,7 +259,7 @@ def _play_tape(case: Case) -> None:
 def _play_bench(case: Case) -> None:
     text = bytes.fromhex(case).decode("utf-8", "replace")
     try:
-        bench = Bench.from_toml(text)
+        bench = benchfile.parse(text)
     except BenchError as error:
         _one_line(error)
         return

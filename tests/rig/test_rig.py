@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trs80arm import Rig, RigSettings
-from trs80arm.arm.bench import Bench
+from trs80arm.arm import benchfile
 from trs80arm.arm.minimover import MotorsOn
 from trs80arm.basic.activity import Waiting
 from trs80arm.rig import Input
@@ -189,7 +189,7 @@ def test_a_new_bench_is_set_up_with_the_motors_off() -> None:
     rig = Rig()
     rig.type("@STEP 50,200\r")
     rig.run_until_waiting()
-    bench = Bench.from_toml("[[part]]\nname = 'cube'\nat = [9, 1]\nsize = [1, 1, 1]\nweight = 1\n")
+    bench = benchfile.parse("[[part]]\nname = 'cube'\nat = [9, 1]\nsize = [1, 1, 1]\nweight = 1\n")
     rig.set_bench(bench)
     assert rig.registers == rig.joints == (0, 0, 0, 0, 0, 0)
     assert not rig.state.motors_on

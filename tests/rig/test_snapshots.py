@@ -20,7 +20,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trs80arm import Rig, RigSettings
-from trs80arm.arm.bench import Bench
+from trs80arm.arm import benchfile
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.machine.card import CardSettings
 from trs80arm.machine.driver import DriverSettings
@@ -59,7 +59,7 @@ def test_a_48k_snapshot_makes_a_16k_rig_one_of_48k_also_after_a_reset() -> None:
 
 
 def test_a_snapshot_brings_all_settings_and_the_bench() -> None:
-    source = Rig(SETTINGS, Bench.from_toml(BENCH))
+    source = Rig(SETTINGS, benchfile.parse(BENCH))
     rig = Rig()
     rig.restore(source.snapshot())
     assert rig.settings == SETTINGS

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from trs80arm import Rig
-from trs80arm.arm.bench import Bench
+from trs80arm.arm import benchfile
 from trs80arm.operator import Operator, parse_holds
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
@@ -37,7 +37,7 @@ POINTS = [
 
 
 def table4() -> Rig:
-    rig = Rig(bench=Bench.load(PROGRAMS / "table4.toml"))
+    rig = Rig(bench=benchfile.load(PROGRAMS / "table4.toml"))
     rig.load(PROGRAMS / "table4.bas")
     rig.type("RUN\r")
     return rig
@@ -107,7 +107,7 @@ def test_two_runs_are_the_same_to_the_last_bit() -> None:
 
 
 def test_as_printed_the_shoulder_never_moves() -> None:
-    rig = Rig(bench=Bench.load(PROGRAMS / "table4-as-printed.toml"))
+    rig = Rig(bench=benchfile.load(PROGRAMS / "table4-as-printed.toml"))
     rig.load(PROGRAMS / "table4-as-printed.bas")
     rig.type("RUN\r")
     Operator(rig, sets=[parse_holds("6:1.0 0")]).run(30)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from trs80arm import Rig
-from trs80arm.arm.bench import Bench
+from trs80arm.arm import benchfile
 from trs80arm.operator import Operator, parse_holds
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
@@ -51,7 +51,7 @@ class Stopwatch:
 @pytest.fixture(scope="module")
 def watch() -> Stopwatch:
     """Table 4 run through its seven points."""
-    rig = Rig(bench=Bench.load(PROGRAMS / "table4.toml"))
+    rig = Rig(bench=benchfile.load(PROGRAMS / "table4.toml"))
     rig.load(PROGRAMS / "table4.bas")
     rig.type("RUN\r")
     watch = Stopwatch(rig)

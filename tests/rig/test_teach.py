@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from trs80arm import Rig
+from trs80arm.arm import benchfile
 from trs80arm.arm.bench import Bench
 from trs80arm.basic.activity import Waiting
 
@@ -66,7 +67,7 @@ def one_part() -> Bench:
 
 
 def test_table_3_mended_is_taught_by_keys_and_repeats_the_task_50_times():
-    rig = Rig(bench=Bench.load(PROGRAMS / "table3.toml"))
+    rig = Rig(bench=benchfile.load(PROGRAMS / "table3.toml"))
     teach(rig, "table3.bas", open_steps(0))
     assert rig.state.held is None
     answer(rig, "G")

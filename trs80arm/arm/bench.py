@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from pathlib import Path
 
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Sensor, Tray, Turntable
@@ -79,32 +78,6 @@ class Bench:
         bench = cls("table")
         bench.add_part("block", (0.5, 0.5, 1.0), 0.4, 8.0, 0.0, 0.0)
         return bench
-
-    @classmethod
-    def load(cls, path: str | Path) -> Bench:
-        """Read a bench from a TOML file.
-
-        Raises:
-            BenchError: if the file cannot be read or is not a bench.
-        """
-        from trs80arm.arm.benchfile import load
-
-        return load(path)
-
-    @classmethod
-    def from_toml(cls, text: str, name: str = "bench") -> Bench:
-        """Read a bench from TOML text.
-
-        Args:
-            text: the file's content.
-            name: what errors call it.
-
-        Raises:
-            BenchError: if the text is not a bench.
-        """
-        from trs80arm.arm.benchfile import parse
-
-        return parse(text, name)
 
     def add_part(
         self,

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 from trs80arm import __version__
+from trs80arm.arm import benchfile
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.desk.greeting import greet
 from trs80arm.files import MAX_LINE_NUMBER
@@ -65,7 +66,7 @@ class Recording:
 
 
 def _bench(text: str | None) -> Bench | None:
-    return None if text is None else Bench.from_toml(text, "the recording's bench")
+    return None if text is None else benchfile.parse(text, "the recording's bench")
 
 
 class Journal:
