@@ -9,6 +9,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
+
+# A busy computer is slow, not wrong. Where `CI` is set hypothesis has such a profile of its own.
+settings.register_profile("patient", deadline=None)
+if "CI" not in os.environ:
+    settings.load_profile("patient")
 
 NOBODY = 65534
 """A user who owns nothing."""

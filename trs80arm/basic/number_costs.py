@@ -191,6 +191,11 @@ def _tenth(register: Register, steps: Steps) -> int:
     return steps.tenth + steps.tenth_bit * quotient.bit_count() + less
 
 
+def _digit_sum(figures: bytes) -> int:
+    """The digits of a number added up: each is counted down to zero on the Z-80."""
+    return sum(figures) - ZERO * len(figures)
+
+
 def text(value: Number, shown: str) -> int:
     """T-states to make a number's text, as PRINT and STR$ do.
 
@@ -200,7 +205,7 @@ def text(value: Number, shown: str) -> int:
     """
     negative = NEGATIVE if shown[0] == "-" else 0
     if isinstance(value, int) and value != -32768:
-        count = sum(code - ZERO for code in shown.encode("ascii")[1:])
+        count = _digit_sum(shown.encode("ascii")[1:])
         total = INTEGER_TEXT + INTEGER_DIGIT * (len(shown) - 1) + INTEGER_COUNT * count
         return total + negative + (0 if value else INTEGER_ZERO)
     total = TEXT_CHARACTER * len(shown) + negative
@@ -246,7 +251,7 @@ def single_scaling(value: float) -> int:
     assert isinstance(x, float)
     figures = decimal.digits(decimal.cut(x), decimal.SINGLE_DIGITS)
     total = SINGLE_UP * places if places > 0 else -SINGLE_DOWN * places
-    total += SINGLE_COUNT * sum(code - ZERO for code in figures.encode("ascii"))
+    total += SINGLE_COUNT * _digit_sum(figures.encode("ascii"))
     return total + SINGLE_SHIFT * (24 - single.to_register(x)[0] + 128)
 
 
@@ -267,8 +272,8 @@ def double_scaling(value: Double) -> int:
         total += DOUBLE_UP + (DOUBLE_UP_CARRY if _carries(x.mantissa, 56) else 0)
         x = double.times_ten(x)
     figures = decimal.digits(decimal.cut(x), decimal.DOUBLE_DIGITS).encode("ascii")
-    total += DOUBLE_COUNT_HIGH * sum(code - ZERO for code in figures[:10])
-    return total + DOUBLE_COUNT_LOW * sum(code - ZERO for code in figures[10:])
+    total += DOUBLE_COUNT_HIGH * _digit_sum(figures[:10])
+    return total + DOUBLE_COUNT_LOW * _digit_sum(figures[10:])
 
 
 def product_by(value: float) -> int:

@@ -41,7 +41,8 @@ class Program:
     def start(self) -> int:
         """Where the first line's link is (the pointer at 40A4H, if it points into RAM)."""
         ram = self._memory.ram
-        start = word(ram, addresses.PROGRAM_START)
+        # Asked for by every assignment of a string, so without a call.
+        start = ram[addresses.PROGRAM_START] | ram[addresses.PROGRAM_START + 1] << 8
         return start if _RAM_START < start < self._memory.top - 2 else addresses.PROGRAM
 
     @property

@@ -31,6 +31,8 @@ class StringSpace:
 
     def __init__(self, memory: Memory, clock: Clock, variables: Variables) -> None:
         self._memory = memory
+        self._ram = memory.ram
+        self._end = memory.top
         self._clock = clock
         self._variables = variables
         self.top = memory.top - 1
@@ -49,12 +51,13 @@ class StringSpace:
         """The characters of a string, wherever its descriptor points."""
         length, address = string
         end = address + length
-        if address > self.bottom:
-            return self._memory.read(address, length)
         # From the program on bytes are plain RAM unless they lie among the variables.
         if address >= addresses.PROGRAM and (
-            address >= self._variables.end or end <= self._variables.start
+            address > self.bottom or address >= self._variables.end or end <= self._variables.start
         ):
+            # `Memory.read` is asked only where memory ends: nearly all strings come this way.
+            if end <= self._end:
+                return bytes(self._ram[address:end])
             return self._memory.read(address, length)
         peek = self._memory.peek
         return bytes([peek(place & 0xFFFF) for place in range(address, end)])
@@ -129,7 +132,10 @@ class StringSpace:
         text = self.bytes_of(left) + self.bytes_of(right)
         self.free(right)
         self.free(left)
-        self._memory.write(address, text)
+        if addresses.PROGRAM <= address <= self._end - length:
+            self._ram[address : address + length] = text
+        else:
+            self._memory.write(address, text)
         self._clock.now += length * costs.STRING_BYTE
         return self.push([length, address])
 
@@ -139,7 +145,10 @@ class StringSpace:
         address = self.allocate(length)
         text = self.bytes_of(string)[start : start + length]
         self.free(string)
-        self._memory.write(address, text)
+        if addresses.PROGRAM <= address <= self._end - length:
+            self._ram[address : address + length] = text
+        else:
+            self._memory.write(address, text)
         self._clock.now += length * costs.STRING_BYTE
         return self.push([length, address])
 
