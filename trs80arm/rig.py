@@ -36,6 +36,7 @@ from trs80arm.works import Input, KeyEvent, Observers, RigSettings, Works, assem
 
 __all__ = [
     "TURNED_BY_HAND",
+    "Counts",
     "Input",
     "Key",
     "Pose",

@@ -13,7 +13,8 @@ from itertools import pairwise
 
 from trs80arm.arm.geometry import OutOfReach, inverse
 from trs80arm.arm.model import ArmModel, Motor
-from trs80arm.desk.teach import Counts, Lesson, Position, steps_between
+from trs80arm.desk.teach import Lesson, Position, steps_between
+from trs80arm.rig import Counts
 
 
 @dataclass(frozen=True)

@@ -14,15 +14,13 @@ from typing import Protocol
 
 from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.model import ArmModel
-from trs80arm.rig import Pose
+from trs80arm.rig import Counts, Pose
 
 REGISTER_SPAN = 1 << 16
 SAME_ZERO = 0.004
 """Radians by which the zeros of two positions may differ: less than a motor's loss of one ring."""
 MOST_NAME = 24
 """Characters of a name; a listing's REM holds it."""
-
-Counts = tuple[int, int, int, int, int, int]
 
 
 class Standing(Protocol):

@@ -24,6 +24,8 @@ _SYNTAX_ERROR: Final = (Code.SN - 1) * 2
 """What 409AH holds after an SN error."""
 _T_READY: Final = 2400
 """T-states from the end of a command to the R of READY, and between READY and the `>`."""
+_T_EDIT_AFTER_ERROR: Final = 4600
+"""T-states by which the way into EDIT from a syntax error is longer than from the word EDIT."""
 
 
 class CommandLevel(Home):
@@ -92,6 +94,7 @@ class CommandLevel(Home):
         if control.error == _SYNTAX_ERROR:
             control.error = 0
             if control.error_line != DIRECT:
+                state.clock.now += _T_EDIT_AFTER_ERROR
                 state.begin(Edit(control.error_line))
 
     def _numbered(self, state: State, number: int, line: bytes | None) -> None:
