@@ -30,10 +30,11 @@ def store_line(state: State, number: int, text: bytes) -> None:
     clock.now += costs.STORE_LINE + cost
     clock.now += editing_costs.search(program, number)
     control.dot = number
-    if program.find(number) is None:
+    is_new = program.find(number) is None
+    if is_new:
         clock.now += costs.NEW_LINE_NUMBER
     needed = len(crunched) + LINE_OVERHEAD + room.LINE
-    if crunched and program.find(number) is None:
+    if crunched and is_new:
         # The variables are about to go, but the stack is still there.
         state.room.need(needed - (state.variables.end - program.end))
     delete_range(state, number, number)
@@ -46,8 +47,7 @@ def store_line(state: State, number: int, text: bytes) -> None:
             state.room.need(needed)
         finally:
             control.frames[1:] = []
-        place = program.address_from(number) or program.end - 2
-        clock.now += editing_costs.put_in(place, program.end, crunched)
+        clock.now += editing_costs.put_in(program.place_for(number), program.end, crunched)
         program.store(number, crunched)
         state.clear_all()
     clock.now += editing_costs.link(program, number)
@@ -58,7 +58,7 @@ def delete_range(state: State, first: int, last: int) -> None:
     program = state.program
     before = program.end
     if program.delete_range(first, last):
-        stop = (program.address_from(first) or program.end - 2) + before - program.end
+        stop = program.place_for(first) + before - program.end
         state.clock.now += editing_costs.take_out(stop, before)
 
 

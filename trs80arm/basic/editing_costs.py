@@ -76,8 +76,7 @@ def moved_up(place: int, end: int) -> int:
 def link(program: Program, number: int) -> int:
     """T-states to make the links anew, from the first line not before `number` to the end."""
     lines = len(program) - program.place(number)
-    start = program.address_from(number) or program.end
-    text = max(0, program.end - start - 2) - (LINE_HEAD + 1) * lines
+    text = program.end - 2 - program.place_for(number) - (LINE_HEAD + 1) * lines
     return _LINKED + _LINK * lines + _LOOKED_AT * text
 
 

@@ -113,6 +113,10 @@ class Program:
         place = self.place(number)
         return places[place] if place < len(places) else None
 
+    def place_for(self, number: int) -> int:
+        """Where a line of that number stands or would: `address_from`, or the final two zeros."""
+        return self.address_from(number) or self.end - 2
+
     def line_at(self, address: int) -> int | None:
         """The link's address of the line that holds `address` in its text or its final zero."""
         places = self._walk()[0]
@@ -185,9 +189,7 @@ class Program:
             text: crunched, not empty, without its final zero.
         """
         self.delete(number)
-        places, numbers = self._walk()
-        place = bisect.bisect_left(numbers, number)
-        at = places[place] if place < len(places) else self.end - 2
+        at = self.place_for(number)
         line = b"\x01\x01" + number.to_bytes(2, "little") + text.replace(b"\0", b"") + b"\0"
         self._replace(at, at, line)
 
