@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import Protocol
+from dataclasses import dataclass, field, fields
+from typing import Any, Protocol
 
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import (
@@ -37,6 +37,8 @@ class Shape:
         inertia: about the centre of mass, in the body's frame.
         radius: of the sphere around it, inches.
         offset: from the centre of mass to the origin in which it was described, inches.
+        low: least x, y, z in the body's frame.
+        high: greatest x, y, z in the body's frame.
     """
 
     solids: tuple[Solid, ...]
@@ -44,6 +46,8 @@ class Shape:
     inertia: Matrix
     radius: float
     offset: Vector
+    low: Vector
+    high: Vector
 
     @classmethod
     def of(cls, solids: Sequence[Solid], mass: float) -> Shape:
@@ -59,7 +63,16 @@ class Shape:
         x, y, z = whole.middle
         around = tuple(solid.moved((-x, -y, -z)) for solid in solids)
         reach = max(u * u + v * v + w * w for solid in around for u, v, w in solid.vertices)
-        return cls(around, mass, (a, b, c, d, e, f, g, h, i), math.sqrt(reach), (-x, -y, -z))
+        us, vs, ws = zip(*(v for solid in around for v in solid.vertices), strict=True)
+        return cls(
+            around,
+            mass,
+            (a, b, c, d, e, f, g, h, i),
+            math.sqrt(reach),
+            (-x, -y, -z),
+            (min(us), min(vs), min(ws)),
+            (max(us), max(vs), max(ws)),
+        )
 
 
 @dataclass(slots=True)
@@ -92,6 +105,14 @@ class Body:
     carried: tuple[Vector, Matrix] | None = None
     touching: tuple[str, ...] = ()
     _solids: list[Placed] | None = field(default=None, repr=False, compare=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # Where its corners are follows from its place.
+        return {each.name: getattr(self, each.name) for each in fields(self)} | {"_solids": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for name, value in state.items():
+            setattr(self, name, value)
 
     @property
     def placed(self) -> list[Placed]:
@@ -127,6 +148,7 @@ class Fixed:
         friction: coefficient of its surface.
         axis: x and y of the axis about which its surface turns.
         spin: radians a second about that axis, counter-clockwise from above.
+        passes: names of links of the arm that never meet it, being joined to it.
     """
 
     name: str
@@ -134,7 +156,15 @@ class Fixed:
     friction: float
     axis: tuple[float, float] = (0.0, 0.0)
     spin: float = 0.0
+    passes: tuple[str, ...] = ()
     _solids: list[Placed] | None = field(default=None, repr=False, compare=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {each.name: getattr(self, each.name) for each in fields(self)} | {"_solids": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for name, value in state.items():
+            setattr(self, name, value)
 
     @property
     def placed(self) -> list[Placed]:

@@ -11,6 +11,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed, Link, Linkage
 from trs80arm.arm.contact.manifold import Manifold, Placed, between, on_table
@@ -63,8 +65,33 @@ TILT = 0.9962
 again: five degrees."""
 LOOSER, TIGHTER = 1e-9, 0.015
 """Inches of cable by which a hand may let up or tighten before its load is looked at again."""
-TABLE = "the table"
+TABLE = "\x01the table"
+"""No name that anybody can give begins with an unprintable character."""
 _DOWN: Vector = (0.0, 0.0, -1.0)
+
+
+@dataclass(slots=True)
+class Plate:
+    """A round plate let into the table, that turns.
+
+    Attributes:
+        x: of its axis.
+        y: of its axis.
+        radius: inches.
+        spin: radians a second, counter-clockwise from above.
+    """
+
+    x: float
+    y: float
+    radius: float
+    spin: float = 0.0
+
+    def surface(self, point: Vector) -> Vector:
+        """Velocity of the table's surface at a point, inches a second."""
+        x, y = point[0] - self.x, point[1] - self.y
+        if x * x + y * y > self.radius * self.radius:
+            return NOWHERE
+        return (-self.spin * y, self.spin * x, 0.0)
 
 
 class Scene:
@@ -78,6 +105,8 @@ class Scene:
         joints: the arm's six coordinates as they are: as commanded, less what the cables give.
         torques: what contact does to each coordinate: ounce inches, and ounces at the opening.
         time: T-state of the last tick.
+        plate: let into the table, or None.
+        contacts: of the last step, with what was found there; no part of the scene's state.
         steps: of the solver so far, for measuring.
         solved: islands solved so far, for measuring.
     """
@@ -90,6 +119,8 @@ class Scene:
         self.joints: list[float] = [0.0] * 6
         self.torques: list[float] = [0.0] * 6
         self.time = 0
+        self.plate: Plate | None = None
+        self.contacts: list[Contact] = []
         self.steps = 0
         self.solved = 0
         self._commands: list[float] = [0.0] * 6
@@ -106,6 +137,15 @@ class Scene:
         self._down_in_hand: Vector = _DOWN
         self._held_at = 0.0
 
+    def __getstate__(self) -> dict[str, Any]:
+        # Links are where the joints have them; what was measured is no part of what is.
+        gone: dict[str, Any] = {"contacts": [], "_links": [], "_link_solids": []}
+        return {**self.__dict__, **gone, "steps": 0, "solved": 0}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._place_links()
+
     # Setting up
 
     def add(self, body: Body) -> Body:
@@ -120,6 +160,11 @@ class Scene:
         self.wake(name)
         del self.bodies[body.name]
         self._forget(name)
+
+    def clear(self) -> None:
+        """Take all loose bodies away."""
+        self.bodies.clear()
+        self._pressures.clear()
 
     def put_arm(self, joints: Sequence[float]) -> None:
         """Have the arm stand somewhere, its cables without tension."""
@@ -159,6 +204,31 @@ class Scene:
             for body in list(self.bodies.values()):
                 if name in body.touching:
                     self.wake(body.name)
+
+    def jump(self, joints: Sequence[float]) -> None:
+        """Have the arm be elsewhere, with what it carries, having met nothing on the way."""
+        opening = self.joints[5]
+        self._commands = self._reached = list(joints)
+        self.joints = list(joints)
+        if self.carried:
+            # The hand keeps the opening at which it holds its load.
+            self.joints[5] = opening
+            give = self.joints[5] - self._commands[5]
+            self.torques = [0.0] * 5 + [give * self.arm.stiffness[5] if self.arm else 0.0]
+        else:
+            self.torques = [0.0] * 6
+        self._place_links()
+        self._carry()
+
+    @property
+    def link_solids(self) -> Sequence[Placed]:
+        """The arm's links where they stand."""
+        return self._link_solids
+
+    @property
+    def arm_still(self) -> int:
+        """Ticks for which the arm has been commanded nowhere else."""
+        return self._arm_still
 
     # Time
 
@@ -224,7 +294,7 @@ class Scene:
     def _step(self, moved: bool, may_halve: bool) -> bool:
         """One step; whether it was made, or is too long for how fast something turns."""
         rates = self._rates()
-        if moved:
+        if moved and self.arm is not None:
             self._wake_what_the_arm_meets(rates)
             rates = self._rates()
         awake = [body for body in self.bodies.values() if not body.asleep]
@@ -443,6 +513,8 @@ class Scene:
                 friction = math.sqrt(rough * self.table_friction)
                 self._add(contacts, (TABLE, name, 0), met, fast, side, friction)
             for thing in self.fixed.values():
+                if name in thing.passes:
+                    continue
                 for i, solid in enumerate(thing.placed):
                     met = _met(solid, link, margin)
                     if met is not None:
@@ -470,6 +542,8 @@ class Scene:
             if thing is not None and thing.spin:
                 x, y = point[0] - thing.axis[0], point[1] - thing.axis[1]
                 surface = (-thing.spin * y, thing.spin * x, 0.0)
+            elif self.plate is not None and self.plate.spin and key[0] == TABLE:
+                surface = self.plate.surface(point)
             contact = Contact(key, point, gap, met.normal, first, second, friction, surface)
             best, nearest = None, 0.01
             for there, pressure in known:
@@ -483,6 +557,7 @@ class Scene:
 
     def _keep(self, contacts: list[Contact]) -> None:
         """Remember the forces for the next tick."""
+        self.contacts = contacts
         kept: dict[Key, list[tuple[Vector, float]]] = {}
         for contact in contacts:
             if contact.pressure > 0:
