@@ -5,14 +5,21 @@ from __future__ import annotations
 import math
 import random
 
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.arm.contact.hand import SlidingHand
 from trs80arm.arm.contact.bodies import Body, Fixed, Shape
 from trs80arm.arm.contact.manifold import between
 from trs80arm.arm.contact.rotations import apply_back, matrix, oriented
-from trs80arm.arm.contact.scene import GRAVITY, SKIN, TICK, TICK_STATES, Scene
+from trs80arm.arm.contact.scene import (
+    GRAVITY,
+    SKIN,
+    T_STATES_PER_SECOND,
+    TICK,
+    TICK_STATES,
+    Scene,
+)
 from trs80arm.arm.contact.solids import Solid, box, cylinder, prism
 from trs80arm.arm.contact.solver import FASTEST_RECOVERY
 
@@ -75,20 +82,22 @@ def random_scene(chance: random.Random, count: int, arm: bool = False) -> Scene:
     return scene
 
 
-# Always the same heaps: one in sixty gains energy while it tumbles (docs/arm.md, Rigid parts).
-@settings(max_examples=6, deadline=None, derandomize=True)
+@settings(max_examples=6, deadline=None)
 @given(st.integers(0, 10**9))
+@example(730573909)
+@example(847283415)
 def test_whatever_falls_comes_to_rest_on_something_and_wins_no_energy(seed: int) -> None:
     chance = random.Random(seed)
     scene = random_scene(chance, chance.randrange(1, 6))
     start = before = energy(scene)
     # What has got into another for a moment is lifted out of it, at an inch a second at most.
     weight = sum(body.shape.mass for body in scene.bodies.values())
-    lift = 1.1 * weight * FASTEST_RECOVERY * TICK
+    lift = 1.1 * weight * FASTEST_RECOVERY / T_STATES_PER_SECOND
     for tick in range(round(6 / TICK)):
+        since = scene.time
         scene.tick()
         now = energy(scene)
-        assert now <= before + lift
+        assert now <= before + lift * (scene.time - since)
         before = now
         if tick % 40 == 0:
             assert_possible(scene, MOVING_SKIN)

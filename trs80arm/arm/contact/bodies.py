@@ -17,6 +17,7 @@ from trs80arm.arm.contact.rotations import (
     Matrix,
     Quaternion,
     apply,
+    inverted,
     matrix,
     times,
     transposed,
@@ -35,6 +36,7 @@ class Shape:
         solids: convex, rigidly joined, in the body's frame.
         mass: ounces.
         inertia: about the centre of mass, in the body's frame.
+        ease: inverse of the inertia.
         radius: of the sphere around it, inches.
         offset: from the centre of mass to the origin in which it was described, inches.
         low: least x, y, z in the body's frame.
@@ -44,6 +46,7 @@ class Shape:
     solids: tuple[Solid, ...]
     mass: float
     inertia: Matrix
+    ease: Matrix
     radius: float
     offset: Vector
     low: Vector
@@ -63,11 +66,13 @@ class Shape:
         x, y, z = whole.middle
         around = tuple(solid.moved((-x, -y, -z)) for solid in solids)
         reach = max(u * u + v * v + w * w for solid in around for u, v, w in solid.vertices)
+        inertia = (a, b, c, d, e, f, g, h, i)
         us, vs, ws = zip(*(v for solid in around for v in solid.vertices), strict=True)
         return cls(
             around,
             mass,
-            (a, b, c, d, e, f, g, h, i),
+            inertia,
+            inverted(inertia),
             math.sqrt(reach),
             (-x, -y, -z),
             (min(us), min(vs), min(ws)),

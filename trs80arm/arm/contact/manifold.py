@@ -23,6 +23,10 @@ MOST_POINTS = 8
 """Points kept of an area of contact: those farthest out in eight directions."""
 _PREFERENCE = 1e-3
 """By how much an edge or the second solid's face must be the better axis, inches."""
+_ALONGSIDE = 0.95
+"""Cosine of the angle between an edges' normal and a face's up to which the face is taken: of two
+faces that all but lie on each other one crossing of edges says too little, for what is pushed out
+there dives in elsewhere."""
 _LEVEL = 0.005
 """Points whose gaps differ by less are as deep as each other, inches."""
 _PARALLEL = 1e-6
@@ -104,18 +108,19 @@ def between(a: Placed, b: Placed, margin: float) -> Manifold | None:
         return None
     faces = max(of_a, of_b)
     found = _best_edges(a, b, margin, faces + _PREFERENCE)
-    if found is not None:
-        apart, normal, one, other = found
-        if apart > margin:
+    if found is not None and found[0] > margin:
+        return None
+    second = of_b > of_a + _PREFERENCE
+    x, y, z = b.normals[face_b] if second else a.normals[face_a]
+    outwards = (-x, -y, -z) if second else (x, y, z)
+    if found is None or dot(found[1], outwards) > _ALONGSIDE:
+        _, points = _against(b, face_b, a, margin) if second else _against(a, face_a, b, margin)
+        if points:
+            return Manifold(outwards, _fewer(points, outwards))
+        if found is None:
             return None
-        point = _crossing(a, b, normal, one, other)
-        return Manifold(normal, [(point, apart)])
-    if of_b > of_a + _PREFERENCE:
-        normal, points = _against(b, face_b, a, margin)
-        normal = (-normal[0], -normal[1], -normal[2])
-    else:
-        normal, points = _against(a, face_a, b, margin)
-    return Manifold(normal, _fewer(points, normal)) if points else None
+    apart, normal, one, other = found
+    return Manifold(normal, [(_crossing(a, b, normal, one, other), apart)])
 
 
 def _best_face(a: Placed, b: Placed, margin: float) -> tuple[float, int]:

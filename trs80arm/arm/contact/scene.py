@@ -22,9 +22,9 @@ from trs80arm.arm.contact.rotations import (
     apply_back,
     matrix,
     quaternion,
+    spun,
     times,
     transposed,
-    turned,
 )
 from trs80arm.arm.contact.solver import Contact, Key, Mobile, Problem, Side, Six
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
@@ -584,12 +584,12 @@ class Scene:
         change = [a - b for a, b in zip(mobile.speed, mobile.before or (), strict=True)]
         if _speed(mobile.speed, radius) > SLOW or _speed(change, radius) > STEADY:
             self._steady = False
-        body.velocity, body.spin = (vx, vy, vz), (wx, wy, wz)
+        h = self._seconds
+        body.velocity, body.spin, turn = (vx, vy, vz), (wx, wy, wz), body.turn
+        if wx or wy or wz:
+            turn, body.spin = spun(turn, body.spin, body.shape.inertia, body.shape.ease, h)
         if vx or vy or vz or wx or wy or wz:
-            body.put(
-                plus(body.place, body.velocity, self._seconds),
-                turned(body.turn, body.spin, self._seconds),
-            )
+            body.put(plus(body.place, body.velocity, h), turn)
 
     def _move_arm(self, arm: Mobile, contacts: list[Contact], moved: bool) -> None:
         """Move the arm for a tick; find what contact does to its motors."""
