@@ -80,6 +80,13 @@ class Shape:
         )
 
 
+class Watcher(Protocol):
+    """Who wants to know where bodies are that need no looking at."""
+
+    def file(self, body: Body) -> None:
+        """A body has woken, fallen asleep, been taken up, let go, or put elsewhere in its sleep."""
+
+
 @dataclass(slots=True)
 class Body:
     """Something loose.
@@ -93,8 +100,6 @@ class Body:
         velocity: of the centre of mass, inches a second.
         spin: radians a second about the world's axes.
         still: ticks for which it has hardly moved.
-        asleep: whether it is at rest and needs no looking at.
-        carried: its place and turn in the hand's frame while it rests in the hand, or None.
         touching: names of the bodies that it touched when it fell asleep.
     """
 
@@ -106,10 +111,11 @@ class Body:
     velocity: Vector = NOWHERE
     spin: Vector = NOWHERE
     still: int = 0
-    asleep: bool = False
-    carried: tuple[Vector, Matrix] | None = None
     touching: tuple[str, ...] = ()
+    _asleep: bool = False
+    _carried: tuple[Vector, Matrix] | None = None
     _solids: list[Placed] | None = field(default=None, repr=False, compare=False)
+    _watcher: Watcher | None = field(default=None, init=False, repr=False, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
         # Where its corners are follows from its place.
@@ -118,6 +124,35 @@ class Body:
     def __setstate__(self, state: dict[str, Any]) -> None:
         for name, value in state.items():
             setattr(self, name, value)
+
+    @property
+    def asleep(self) -> bool:
+        """Whether it is at rest and needs no looking at."""
+        return self._asleep
+
+    @asleep.setter
+    def asleep(self, asleep: bool) -> None:
+        self._asleep = asleep
+        self._tell()
+
+    @property
+    def carried(self) -> tuple[Vector, Matrix] | None:
+        """Its place and turn in the hand's frame while it rests in the hand, or None."""
+        return self._carried
+
+    @carried.setter
+    def carried(self, carried: tuple[Vector, Matrix] | None) -> None:
+        self._carried = carried
+        self._tell()
+
+    def watch(self, watcher: Watcher | None) -> None:
+        """Tell somebody from now on when it wakes, falls asleep, or is put elsewhere asleep."""
+        self._watcher = watcher
+        self._tell()
+
+    def _tell(self) -> None:
+        if self._watcher is not None:
+            self._watcher.file(self)
 
     @property
     def placed(self) -> list[Placed]:
@@ -136,6 +171,8 @@ class Body:
     def put(self, place: Vector, turn: Quaternion) -> None:
         """Be somewhere else."""
         self.place, self.turn, self._solids = place, turn, None
+        if self._asleep and self._carried is None:
+            self._tell()
 
     def inertia(self) -> Matrix:
         """About the centre of mass, in the world's frame."""

@@ -16,6 +16,7 @@ from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed, Link, Linkage
 from trs80arm.arm.contact.manifold import Manifold, Placed, between, on_table
+from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.rotations import (
     Matrix,
     apply,
@@ -68,6 +69,9 @@ LOOSER, TIGHTER = 1e-9, 0.015
 TABLE = "\x01the table"
 """No name that anybody can give begins with an unprintable character."""
 _DOWN: Vector = (0.0, 0.0, -1.0)
+
+Pressures = list[tuple[Vector, float]]
+"""Where two things press on each other, and with how much (impulse a second)."""
 
 
 @dataclass(slots=True)
@@ -131,7 +135,9 @@ class Scene:
         self._steady = False
         self._links: list[Link] = []
         self._link_solids: list[Placed] = []
-        self._pressures: dict[Key, list[tuple[Vector, float]]] = {}
+        self._roster = Roster()
+        self._pressures: dict[Key, Pressures] = {}
+        self._resting: dict[str, dict[Key, Pressures]] = {}
         self._arm_moved = False
         self._arm_still = 0
         self._down_in_hand: Vector = _DOWN
@@ -151,6 +157,7 @@ class Scene:
     def add(self, body: Body) -> Body:
         """Put a loose body into the scene, awake."""
         self.bodies[body.name] = body
+        self._roster.enter(body)
         self.wake(body.name)
         return body
 
@@ -159,12 +166,16 @@ class Scene:
         body = self.bodies[name]
         self.wake(name)
         del self.bodies[body.name]
+        self._roster.strike(body)
         self._forget(name)
 
     def clear(self) -> None:
         """Take all loose bodies away."""
+        for body in self.bodies.values():
+            self._roster.strike(body)
         self.bodies.clear()
         self._pressures.clear()
+        self._resting.clear()
 
     def put_arm(self, joints: Sequence[float]) -> None:
         """Have the arm stand somewhere, its cables without tension."""
@@ -193,6 +204,7 @@ class Scene:
             if body.asleep:
                 body.asleep = False
                 body.carried = None
+                self._pressures.update(self._resting.pop(body.name, {}))
                 waiting += body.touching
                 body.touching = ()
 
@@ -235,12 +247,12 @@ class Scene:
     @property
     def quiet(self) -> bool:
         """Whether nothing moves of itself."""
-        return all(body.asleep for body in self.bodies.values())
+        return not self._roster.awake
 
     @property
     def carried(self) -> list[Body]:
         """What rests in the hand."""
-        return [body for body in self.bodies.values() if body.carried is not None]
+        return self._roster.ordered(self._roster.carried.values())
 
     @property
     def due(self) -> int:
@@ -297,7 +309,7 @@ class Scene:
         if moved and self.arm is not None:
             self._wake_what_the_arm_meets(rates)
             rates = self._rates()
-        awake = [body for body in self.bodies.values() if not body.asleep]
+        awake = self._roster.ordered(self._roster.awake.values())
         mobiles = {body.name: self._mobile(body) for body in awake}
         arm = self._arm_mobile(rates)
         look = moved or bool(awake) or any(self.torques)
@@ -328,7 +340,7 @@ class Scene:
             ((there - here) + EASE * (there - before) / h) / (h + EASE)
             for there, here, before in zip(self._commands, self.joints, self._from, strict=True)
         )
-        return a, b, c, d, e, 0.0 if self.carried else f
+        return a, b, c, d, e, 0.0 if self._roster.carried else f
 
     def _mobile(self, body: Body) -> Mobile:
         """A body for the solver, gravity on it."""
@@ -347,7 +359,7 @@ class Scene:
             k * GRAVITY * self._seconds * (self._seconds + EASE) for k in self.arm.stiffness
         )
         # What rests in the hand keeps its fingers where they are.
-        f *= HELD_FAST if self.carried else 1.0
+        f *= HELD_FAST if self._roster.carried else 1.0
         return Mobile(list(rates), NOWHERE, inertias=(a, b, c, d, e, f))
 
     # What touches
@@ -355,7 +367,6 @@ class Scene:
     def _wake_what_the_arm_meets(self, rates: Six) -> None:
         """Bodies at rest that links, or what the hand carries, come upon."""
         assert self.arm is not None
-        sleeping = [body for body in self.bodies.values() if body.asleep and body.carried is None]
         loads = self.carried
         if loads and self._tilted():
             for body in loads:
@@ -365,7 +376,7 @@ class Scene:
             self._link_speed(i, rates) * self._seconds + TOUCH for i in range(len(self._links))
         ]
         around = _around(self._link_solids, max(reach))
-        for body in sleeping:
+        for body in self._roster.near(*around):
             if _outside(body, around):
                 continue
             for solid in body.placed:
@@ -379,7 +390,7 @@ class Scene:
             if not load.asleep:
                 continue
             margin = max(reach) + TOUCH
-            for other, thing in self._others(load):
+            for other, thing in self._others(load, margin):
                 if other in load.touching:
                     continue
                 if any(_within(mine, thing, margin) for mine in load.placed):
@@ -389,16 +400,17 @@ class Scene:
             for load in loads:
                 self.wake(load.name)
 
-    def _others(self, load: Body) -> Iterator[tuple[str, Placed | None]]:
+    def _others(self, load: Body, margin: float) -> Iterator[tuple[str, Placed | None]]:
         """All that something carried could come upon; None stands for the table."""
         yield TABLE, None
         for thing in self.fixed.values():
             for solid in thing.placed:
                 yield thing.name, solid
-        for body in self.bodies.values():
-            if body is not load and body.carried is None:
-                for solid in body.placed:
-                    yield body.name, solid
+        (x, y, z), r = load.place, load.shape.radius + margin
+        around = (x - r, y - r, z - r), (x + r, y + r, z + r)
+        for body in (*self._roster.awake.values(), *self._roster.near(*around)):
+            for solid in body.placed:
+                yield body.name, solid
 
     def _tilted(self) -> bool:
         """Whether the hand has turned against the vertical since it took up its load."""
@@ -461,7 +473,7 @@ class Scene:
                             rough = math.sqrt(rough_links[k] * body.friction)
                             other_side = Side(arm, self._links[k].screws)
                             self._add(contacts, key, met, other_side, side, rough)
-            for other_body in self.bodies.values():
+            for other_body in self._about(body, margin):
                 if other_body.name in done:
                     continue
                 theirs = mobiles.get(other_body.name)
@@ -473,6 +485,13 @@ class Scene:
         if arm is not None and look:
             self._arm_contacts(contacts, arm, reach)
         return contacts
+
+    def _about(self, body: Body, margin: float) -> list[Body]:
+        """What is awake, and what else could be within a margin of a body."""
+        roster = self._roster
+        (x, y, z), r = body.place, body.shape.radius + margin
+        asleep = roster.near((x - r, y - r, z - r), (x + r, y + r, z + r))
+        return roster.ordered([*roster.awake.values(), *roster.carried.values(), *asleep])
 
     def _pair(
         self,
@@ -491,8 +510,8 @@ class Scene:
                     continue
                 if other.asleep and not body.still and _about_to_touch(met, margin):
                     self.wake(other.name)
-                    for woken in self.bodies.values():
-                        if not woken.asleep and woken.name not in mobiles:
+                    for woken in self._roster.ordered(self._roster.awake.values()):
+                        if woken.name not in mobiles:
                             mobiles[woken.name] = self._mobile(woken)
                             queue.append(woken)
                 # What lies calmly against a sleeper lets it sleep.
@@ -558,7 +577,7 @@ class Scene:
     def _keep(self, contacts: list[Contact]) -> None:
         """Remember the forces for the next tick."""
         self.contacts = contacts
-        kept: dict[Key, list[tuple[Vector, float]]] = {}
+        kept: dict[Key, Pressures] = {}
         for contact in contacts:
             if contact.pressure > 0:
                 kept.setdefault(contact.key, []).append(
@@ -568,12 +587,14 @@ class Scene:
             # What sleeps still presses.
             body = self.bodies.get(key[1])
             if key not in kept and body is not None and body.asleep:
-                kept[key] = pressures
+                self._resting.setdefault(body.name, {})[key] = pressures
         self._pressures = kept
 
     def _forget(self, name: str) -> None:
-        for key in [key for key in self._pressures if name in key[:2]]:
-            del self._pressures[key]
+        self._resting.pop(name, None)
+        for pressures in (self._pressures, *self._resting.values()):
+            for key in [key for key in pressures if name in key[:2]]:
+                del pressures[key]
 
     # Moving
 
@@ -605,7 +626,7 @@ class Scene:
                 self.joints[k] += arm.speed[k] * self._seconds
                 give = self._commands[k] - self.joints[k]
                 self.torques[k] = -give * self.arm.stiffness[k]
-        elif not self.carried:
+        elif not self._roster.carried:
             self.joints = list(self._commands)
             self.torques = [0.0] * 6
         else:

@@ -1,0 +1,92 @@
+"""Who is awake, what is carried, and what lies where asleep: found without asking everybody.
+
+The table is divided into squares, each with the sleepers that reach into it: looking for what is
+near costs as much as there are squares and sleepers near, however many there are in all.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from trs80arm.arm.contact.bodies import Body
+from trs80arm.arm.shapes import Vector
+
+SQUARE = 2.0
+"""Side of a square, inches."""
+
+Square = tuple[int, int]
+
+
+class Roster:
+    """The loose bodies of a scene by what they do.
+
+    Attributes:
+        awake: those that are not asleep.
+        carried: those that rest in the hand.
+    """
+
+    def __init__(self) -> None:
+        self.awake: dict[str, Body] = {}
+        self.carried: dict[str, Body] = {}
+        self._numbers: dict[str, int] = {}
+        self._next = 0
+        self._squares: dict[Square, dict[str, Body]] = {}
+        self._filed: dict[str, list[Square]] = {}
+
+    def enter(self, body: Body) -> None:
+        """From now on know where a body is."""
+        self._numbers[body.name] = self._next
+        self._next += 1
+        body.watch(self)
+
+    def strike(self, body: Body) -> None:
+        """Forget a body."""
+        body.watch(None)
+        self._take(body.name)
+        self.awake.pop(body.name, None)
+        self.carried.pop(body.name, None)
+        del self._numbers[body.name]
+
+    def file(self, body: Body) -> None:
+        """Take note that a body is awake, carried or elsewhere."""
+        name = body.name
+        self._take(name)
+        self.awake.pop(name, None)
+        self.carried.pop(name, None)
+        if not body.asleep:
+            self.awake[name] = body
+        if body.carried is not None:
+            self.carried[name] = body
+        elif body.asleep:
+            (x, y, _), r = body.place, body.shape.radius
+            self._filed[name] = squares = _squares(x - r, y - r, x + r, y + r)
+            for square in squares:
+                self._squares.setdefault(square, {})[name] = body
+
+    def _take(self, name: str) -> None:
+        for square in self._filed.pop(name, ()):
+            here = self._squares[square]
+            del here[name]
+            if not here:
+                del self._squares[square]
+
+    def near(self, low: Vector, high: Vector) -> list[Body]:
+        """What sleeps, and is not carried, in or about an upright box; as it came to the scene."""
+        found: dict[str, Body] = {}
+        for square in _squares(low[0], low[1], high[0], high[1]):
+            here = self._squares.get(square)
+            if here:
+                found.update(here)
+        return self.ordered(found.values())
+
+    def ordered(self, bodies: Iterable[Body]) -> list[Body]:
+        """Bodies as they came to the scene."""
+        return sorted(bodies, key=lambda body: self._numbers[body.name])
+
+
+def _squares(left: float, front: float, right: float, back: float) -> list[Square]:
+    """The squares that a rectangle reaches into."""
+    columns = range(math.floor(left / SQUARE), math.floor(right / SQUARE) + 1)
+    rows = range(math.floor(front / SQUARE), math.floor(back / SQUARE) + 1)
+    return [(column, row) for column in columns for row in rows]
