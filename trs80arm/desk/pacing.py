@@ -23,7 +23,7 @@ LONGEST_SLICE = 0.25
 SHORTEST_SLICE = 0.0005
 LEAST_OWED = 0.0001
 """Virtual seconds that are too few to be paid now."""
-MOST_OWED = 0.25
+MOST_OWED = 0.5
 """Seconds of the wall that may be owed; after a suspend the rest is forgotten."""
 ACHIEVED_OVER = 1.0
 """Seconds of the wall over which the achieved speed is told."""

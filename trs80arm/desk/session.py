@@ -112,6 +112,11 @@ class Session:
         """Whether typed text is still on its way into the machine."""
         return self.rig.typing
 
+    @property
+    def busy(self) -> bool:
+        """Whether the machine works by itself, instead of waiting for its operator."""
+        return self.typing or self.waiting is Waiting.NOTHING
+
     def run_for(self, seconds: float) -> None:
         """Let virtual time pass, and do what a recording that plays says meanwhile."""
         self._run_to(self.rig.clock.now + round(seconds * T_STATES_PER_SECOND))

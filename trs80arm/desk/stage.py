@@ -23,6 +23,11 @@ class Stage:
         self._say = say
         self._demo: Demo | None = None
 
+    @property
+    def plays(self) -> bool:
+        """Whether the demonstration is under way."""
+        return self._demo is not None
+
     def begin_demo(self) -> None:
         """Begin the demonstration, or say why not."""
         try:

@@ -47,6 +47,7 @@ from trs80arm.ui.commands.program import ProgramCommands
 from trs80arm.ui.commands.table import COMMANDS, Commands, Palette, bindings, command, listed
 from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ViewCommands
+from trs80arm.ui.heartbeat import Heartbeat
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
@@ -55,6 +56,7 @@ from trs80arm.ui.panels.status import Pace
 from trs80arm.ui.screens.desk import DeskScreen, Typed
 from trs80arm.ui.screens.help import page
 from trs80arm.ui.screens.key_test import KeyTest
+from trs80arm.ui.screens.palette import PaletteScreen
 from trs80arm.ui.terminal.driver import choose_driver
 from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
 from trs80arm.ui.terminal.no_codes import NoControlCodes
@@ -62,6 +64,8 @@ from trs80arm.ui.themes import THEMES
 
 COPY_EVERY = 5.0
 """Seconds of the wall between two looks at whether a recovery copy is due."""
+BEHIND_FPS = 10
+"""The most frames a second while a dialog is open."""
 NOTICE_SECONDS = 6.0
 """How long a notice stands in the status line."""
 SIGNALLED = 128
@@ -123,6 +127,7 @@ class Trs80Arm(App[int]):
         self._remembered_theme = options.theme
         self._trying_themes = False
         self.pacer = Pacer(session, wall, options.speed.factor)
+        self.heartbeat = Heartbeat(self.tick, lambda: self.busy, wall)
         held = HeldKeys(options.tap_ms / 1000, options.repeat_ms / 1000)
         self.keyboard = Keyboard(session, held, options.keys, wall)
         bar = CommandBar(COMMANDS, id="commands")
@@ -176,12 +181,13 @@ class Trs80Arm(App[int]):
 
     def action_do(self, name: str) -> None:
         """Do the command of that name."""
+        self.heartbeat.wake()
         command(name).do(self.commands)
 
     def action_command_palette(self) -> None:
         """Open the palette, unless it is open already, perhaps below a dialog."""
         if not any(isinstance(screen, CommandPalette) for screen in self.screen_stack):
-            super().action_command_palette()
+            self.push_screen(PaletteScreen(id="--command-palette"))
 
     # -- what Textual asks ------------------------------------------------------------------------
 
@@ -237,7 +243,7 @@ class Trs80Arm(App[int]):
         self.app_suspend_signal.subscribe(self, self._suspended)
         self.app_resume_signal.subscribe(self, self._resumed)
         if self._ticking:
-            self.set_interval(TICK, self.tick)
+            self.heartbeat.begin(self)
             self.set_interval(COPY_EVERY, self.recovery.keep)
 
     def on_ready(self) -> None:
@@ -295,6 +301,21 @@ class Trs80Arm(App[int]):
         self.fault = sys.exc_info()[1]
         self._close_messages_no_wait()
 
+    @property
+    def busy(self) -> bool:
+        """Whether anything goes on that nobody has to begin: a program, a motion, held keys."""
+        if self.stage.plays:
+            return True
+        if self.pacer.paused:
+            return False
+        return self.session.busy or self.keyboard.held.busy or not self.desk.still
+
+    async def on_event(self, event: events.Event) -> None:
+        """Whatever the terminal sends wakes the program."""
+        if isinstance(event, events.InputEvent):
+            self.heartbeat.wake()
+        await super().on_event(event)
+
     def tick(self) -> None:
         """Give the machine its time, and draw when it is time to."""
         self.stage.go_on()
@@ -302,7 +323,8 @@ class Trs80Arm(App[int]):
         self.pacer.advance()
         now = self.wall()
         if now >= self._next_frame:
-            self._next_frame = now + 1 / self.options.fps - TICK / 2
+            fps = min(self.options.fps, BEHIND_FPS) if self.dialog_is_open else self.options.fps
+            self._next_frame = now + 1 / fps - TICK / 2
             self.draw(now)
         for fault in self.session.new_faults():
             self.say(fault, error=True)
@@ -326,6 +348,7 @@ class Trs80Arm(App[int]):
     def _arrange(self) -> None:
         self.desk.lay_out()
         self._next_frame = 0.0
+        self.heartbeat.wake()
 
     @property
     def tube_text(self) -> str:
@@ -340,6 +363,7 @@ class Trs80Arm(App[int]):
         self._notice = text
         self._notice_until = self.wall() + NOTICE_SECONDS
         self.desk.numbers_due = 0.0
+        self.heartbeat.wake()
         if error:
             self.notify(text, severity="error", markup=False)
 
@@ -357,6 +381,7 @@ class Trs80Arm(App[int]):
 
     def on_key_went_down(self, message: KeyWentDown) -> None:
         """A key of a terminal that tells presses from releases."""
+        self.heartbeat.wake()
         if isinstance(self.screen, KeyTest):
             self.screen.went_down(message.base, message.name, message.text)
         if self.at_the_keyboard and not self.stage.operator_came():
@@ -366,6 +391,7 @@ class Trs80Arm(App[int]):
 
     def on_key_went_up(self, message: KeyWentUp) -> None:
         """The same let go."""
+        self.heartbeat.wake()
         if isinstance(self.screen, KeyTest):
             self.screen.went_up(message.base)
         self.keyboard.went_up(message.base)

@@ -64,6 +64,11 @@ class HeldKeys:
     _lifted: dict[Key, float] = field(default_factory=dict)
     _after_enter: bool = False
 
+    @property
+    def busy(self) -> bool:
+        """Whether any key is down or waits for its turn."""
+        return bool(self._queue or self._strokes or self._timed or self._down or self._wanted())
+
     # -- the four sources -------------------------------------------------------------------------
 
     def key_down(self, source: Hashable, keys: Keys) -> None:

@@ -13,7 +13,6 @@ from textual import events
 from textual.app import ComposeResult
 from textual.geometry import Offset
 from textual.message import Message
-from textual.screen import Screen
 from textual.widget import Widget
 from textual.widgets import Static
 
@@ -26,6 +25,7 @@ from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.registry import Cadence, PanelRow, groups
 from trs80arm.ui.panels.status import Pace, StatusLine
 from trs80arm.ui.panels.tube import Tube
+from trs80arm.ui.terminal.layers import Layer
 
 BLINK_SECONDS = 0.5
 NUMBERS_EVERY = 0.1
@@ -44,7 +44,7 @@ class Typed(Message):
         self.text = text
 
 
-class DeskScreen(Screen[None]):
+class DeskScreen(Layer):
     """All panels, and what of them is shown.
 
     Args:
@@ -62,6 +62,7 @@ class DeskScreen(Screen[None]):
         arm_style: how the arm is drawn.
         cursor_style: whether the cursor blinks.
         numbers_due: the wall's time at which numbers are to be drawn again.
+        still: whether arm and bench stood at the last frame as at the one before.
     """
 
     def __init__(
@@ -86,6 +87,8 @@ class DeskScreen(Screen[None]):
         self.arm_style = ArmStyle.ASCII
         self.cursor_style = CursorStyle.BLINK
         self.numbers_due = 0.0
+        self.still = False
+        self._stood: tuple[object, ...] = ()
 
     def compose(self) -> ComposeResult:
         """All panels; where they stand is decided by `lay_out`."""
@@ -219,6 +222,8 @@ class DeskScreen(Screen[None]):
         if cursor is not None and self.tube.display:
             self._point_terminal_at(cursor)
         readings = Readings.of(rig)
+        stands = (readings.posture, readings.things, readings.coils, len(readings.events))
+        self.still, self._stood = stands == self._stood, stands
         numbers = now >= self.numbers_due
         if numbers:
             self.numbers_due = now + NUMBERS_EVERY

@@ -15,11 +15,12 @@ from textual.widgets.option_list import Option
 
 from trs80arm.desk.asking import FileQuestion, ListQuestion, Question
 from trs80arm.paths import is_file, is_folder, refusal, typed_path
+from trs80arm.ui.terminal.layers import SeenThrough
 
 Answer = TypeVar("Answer")
 
 
-class Dialog(ModalScreen[Answer | None], Generic[Answer]):
+class Dialog(ModalScreen[Answer | None], SeenThrough, Generic[Answer]):
     """A dialog: Escape leaves it without an answer."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Back")]

@@ -1,1 +1,1 @@
-"""Textual's private hooks, one module each: key releases, which Textual itself does not report."""
+"""Textual's private hooks: key releases, and what is drawn behind a dialog."""

@@ -1,0 +1,107 @@
+"""Behind a dialog the desk goes on, and only what changed is drawn."""
+
+from __future__ import annotations
+
+import inspect
+
+from textual._compositor import ChopsUpdate, Compositor
+from textual.screen import Screen
+from textual.widget import Widget
+
+from tests.ui.conftest import Opener, Sitting
+from tests.ui.piloted import piloted
+from tests.ui.screen_text import screen_colours, screen_text
+from trs80arm.ui.screens.dialog import Choose
+from trs80arm.ui.screens.palette import PaletteScreen
+
+
+def watch_lines(sitting: Sitting) -> list[set[int]]:
+    """The lines of each update that is written to the terminal from now on."""
+    written: list[set[int]] = []
+    real = sitting.app._display
+
+    def display(screen: Screen[object], update: object) -> None:
+        if isinstance(update, ChopsUpdate):
+            written.append({y for y, _, _ in update.spans})
+        elif update is not None:
+            written.append(set(range(sitting.app.size.height)))
+        real(screen, update)  # type: ignore[arg-type]
+
+    sitting.app._display = display  # type: ignore[assignment, method-assign]
+    return written
+
+
+def test_textual_still_has_the_hooks_that_layers_override_and_use() -> None:
+    assert "_compositor_refresh()" in inspect.getsource(Screen._on_timer_update)
+    assert "_dirty_widgets" in inspect.getsource(Screen._on_idle)
+    assert list(inspect.signature(Widget._set_dirty).parameters) == ["self", "regions"]
+    assert list(inspect.signature(Compositor._render_chops).parameters) == [
+        "self",
+        "crop",
+        "is_rendered_line",
+    ]
+
+
+@piloted
+async def test_what_the_machine_prints_is_seen_behind_a_dialog(sit_down: Opener) -> None:
+    async with sit_down(120, 40) as sitting:
+        await sitting.press("f8")
+        await sitting.settle()
+        assert isinstance(sitting.app.screen, Choose)
+        await sitting.type_line('CLS: PRINT "THERE IT IS"')
+        assert "THERE IT IS" in screen_text(sitting.app)
+
+
+@piloted
+async def test_only_the_lines_that_changed_are_written_behind_a_dialog(sit_down: Opener) -> None:
+    async with sit_down(120, 40) as sitting:
+        await sitting.press("f8")
+        await sitting.settle()
+        written = watch_lines(sitting)
+        await sitting.type_line("?2")
+        while not written:
+            await sitting.pilot.pause(0.01)
+        lines = set().union(*written)
+        assert lines
+        assert len(lines) <= 5
+        tube = sitting.app.desk.tube.content_region
+        assert lines <= set(range(tube.y, tube.bottom)) | {38}
+
+
+@piloted
+async def test_a_dialog_over_another_dialog_shows_the_desk_too(sit_down: Opener) -> None:
+    async with sit_down(120, 40) as sitting:
+        await sitting.press("f8")
+        await sitting.settle()
+        await sitting.press("ctrl+p")
+        await sitting.settle()
+        assert isinstance(sitting.app.screen, PaletteScreen)
+        await sitting.type_line('CLS: PRINT "DEEP BELOW"')
+        await sitting.settle()
+        assert "DEEP BELOW" in screen_text(sitting.app)
+
+
+@piloted
+async def test_behind_a_dialog_the_desk_is_dimmed_and_afterwards_as_before(
+    sit_down: Opener,
+) -> None:
+    async with sit_down(120, 40) as sitting:
+        before = screen_colours(sitting.app)
+        await sitting.press("f8")
+        await sitting.settle()
+        behind = screen_colours(sitting.app)
+        assert behind.splitlines()[0] != before.splitlines()[0]
+        await sitting.press("escape")
+        await sitting.settle()
+        assert screen_colours(sitting.app) == before
+
+
+@piloted
+async def test_a_theme_that_is_tried_colours_what_is_behind_the_list(sit_down: Opener) -> None:
+    async with sit_down(120, 40) as sitting:
+        sitting.app.commands.program.theme()
+        await sitting.settle()
+        green = screen_colours(sitting.app).splitlines()[0]
+        await sitting.press("down")
+        await sitting.settle()
+        assert screen_colours(sitting.app).splitlines()[0] != green
