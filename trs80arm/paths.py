@@ -18,7 +18,8 @@ def typed_path(text: str) -> Path:
     path = Path(text.strip())
     try:
         return path.expanduser()
-    except RuntimeError:
+    except (RuntimeError, ValueError):
+        # No such user; or a name that no user can have.
         return path
 
 

@@ -12,7 +12,7 @@ import tomllib
 import typing
 from collections.abc import Callable, Iterable, Mapping, MutableMapping
 from dataclasses import dataclass, fields
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -173,6 +173,8 @@ def _read(path: Path | None) -> tuple[str, Path]:
         raise SettingsError(f"{where}: not a text file") from None
     except OSError as error:
         raise SettingsError(f"{where}: {error.strerror or error}") from None
+    except ValueError:
+        raise SettingsError(f"{where}: no file can be called that") from None
 
 
 def _tables_of(content: str, where: Path) -> dict[str, dict[str, Any]]:
@@ -238,6 +240,9 @@ def _one_line(error: Exception) -> str:
     return " ".join(str(error).split())
 
 
+_hints = cache(typing.get_type_hints)
+
+
 def _checked(
     name: str, cls: type, values: dict[str, Any], sources: Mapping[tuple[str, str], Source]
 ) -> Any:
@@ -246,7 +251,7 @@ def _checked(
         try:
             if key not in keys_of(cls):
                 raise SettingsError(f"unknown key; there are {', '.join(sorted(keys_of(cls)))}")
-            built[key] = fit(typing.get_type_hints(cls)[key], value)
+            built[key] = fit(_hints(cls)[key], value)
             cls(**{key: built[key]})
         except (SettingsError, ValueError) as error:
             raise SettingsError(f"{sources[name, key]()}: {error}") from None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 from random import Random
+from typing import Any
 
 from trs80arm.basic import words
 
@@ -32,6 +33,15 @@ FUNCTIONS = _words(
     "LEN ASC VAL CHR$ STR$ STRING$ LEFT$ RIGHT$ MID$ POINT VARPTR"
 )
 OPERATORS = _words("+ - * / [ AND OR = < > <= >= <> =<")
+EDITABLE = 'ABCXYZ 0123456789"$:=+-*/(),;' + "PRINT"
+ESCAPE = "\x1b"
+"""SHIFT and the up-arrow, which ends an insertion."""
+ODD_JSON: tuple[Any, ...] = (
+    *(None, True, 0, 1, -1, 5, 10**18, 2**63, 2**64, 10**400, 1e308, -0.0, 0.5),
+    *("", "odd", "\x1b[2J", float("nan"), float("inf"), [], {}, [[]], {"hex": "00"}, {"pose": [1]}),
+    *([["new", "Clock", {}]], ["same", 0], ["at", "clock"], ["bytes", "AAAA"], ["bytes", "!"]),
+    *(["tuple"], ["float", "inf"]),
+)
 TYPABLE = "".join(map(chr, range(32, 91))) + "[`abz\x08\x09\n\x18\x19\x1a\x1b\x1f\x01\r\r\r"
 
 
@@ -139,6 +149,49 @@ def typed(rng: Random) -> str:
         )
         for _ in range(rng.randrange(1, 20))
     )
+
+
+def edit_keys(rng: Random) -> str:
+    """EDIT begun on a line, and keys pressed in it: commands, counts, texts, ways out."""
+    keys = [f"EDIT {rng.choice(['10', '20', '30', '.', '99', ''])}\r"]
+    for _ in range(rng.randrange(1, 16)):
+        count = rng.choice(["", "", "", str(rng.randrange(300))])
+        command = rng.choice(["L", "X", "I", "H", "D", "C", "S", "K", "A", " ", "\x08", "Z"])
+        text = "".join(rng.choice(EDITABLE) for _ in range(rng.randrange(6)))
+        keys.append(f"{count}{command}{text}{rng.choice(['', '', ESCAPE])}")
+    return "".join([*keys, rng.choice(["", ESCAPE]), rng.choice(["E", "Q", "\r", "", "\x01"])])
+
+
+def odd_json(rng: Random, value: Any) -> Any:
+    """JSON with something odd somewhere in it."""
+    if rng.random() < 0.1 or not value or not isinstance(value, dict | list):
+        return rng.choice(ODD_JSON) if rng.random() < 0.8 else _near(rng, value)
+    if isinstance(value, dict):
+        key = rng.choice(list(value))
+        match rng.randrange(12):
+            case 0:
+                return {name: item for name, item in value.items() if name != key}
+            case 1:
+                return value | {"odd\n": value[key]}
+            case _:
+                return value | {key: odd_json(rng, value[key])}
+    place = rng.randrange(len(value))
+    match rng.randrange(12):
+        case 0:
+            return [*value[:place], *value[place + 1 :]]
+        case 1:
+            return [*value, value[place]]
+        case _:
+            return [*value[:place], odd_json(rng, value[place]), *value[place + 1 :]]
+
+
+def _near(rng: Random, value: Any) -> Any:
+    """A value of the same kind."""
+    if isinstance(value, bool):
+        return not value
+    if isinstance(value, int | float):
+        return value + rng.choice([1, -1, 8, 256, 65536, -(10**6), 10**18, 2**63])
+    return mutated_text(rng, value) if isinstance(value, str) else value
 
 
 def mutated_text(rng: Random, text: str) -> str:

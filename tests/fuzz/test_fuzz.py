@@ -10,11 +10,13 @@ from typing import Any
 import pytest
 
 from tests.fuzz.smaller import smallest
-from tests.fuzz.targets import TARGETS, Target
+from tests.fuzz.target import Target
+from tests.fuzz.targets import TARGETS
 from tests.fuzz.work import FOUND, case_of, fault_of, keep
 
-CASES = {"programs": 2, "crunched": 8, "pokes": 4, "typing": 6, "hands": 4, "tapes": 3}
-CASES |= {"benches": 15, "snapshots": 8, "lines": 3, "settings": 40, "program-files": 30}
+CASES = {"programs": 4, "moments": 2, "crunched": 12, "pokes": 6, "storms": 8, "typing": 12}
+CASES |= {"editing": 10, "hands": 3, "tapes": 3, "benches": 20, "snapshots": 15, "lines": 4}
+CASES |= {"statements": 25, "settings": 40, "program-files": 40, "commands": 20}
 MANY = 150
 
 
