@@ -49,6 +49,8 @@ __all__ = [
 
 _TRIAL = 1 / 60
 """Virtual seconds that a machine from a snapshot must be able to run for."""
+_BREAK = 1 / 10
+"""Virtual seconds for which BREAK is then held."""
 LONGEST_HOLD = 86_400.0
 """Seconds for which a key can be held, a day."""
 
@@ -621,6 +623,13 @@ def _try(works: Works) -> None:
         rig.run_for(_TRIAL)
         rig.screen()
         rig.joints, rig.state, rig.waiting  # noqa: B018
+        # Whatever it does, its operator can break off.
+        rig.stop_typing()
+        rig.release_all()
+        rig.hold([Key.BREAK], _BREAK)
+        rig.run_for(2 * _BREAK)
+        if not all(-0x8000 <= count <= 0x7FFF for count in rig.registers):
+            raise ValueError("registers have 16 bits")
     except Exception:
         # Whatever the classes of the machine say to values that they never have.
         raise SnapshotError("no snapshot: a machine in a state that cannot be") from None

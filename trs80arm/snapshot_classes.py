@@ -8,9 +8,11 @@ snapshot is taken (`TypeError`); it belongs into one of the three tables.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
 from enum import Enum
+from math import prod
+from typing import Any
 
 from trs80arm.arm import body, events, fixtures, forces, geometry, shapes
 from trs80arm.arm.model import ArmModel, Motor, Pose
@@ -25,7 +27,7 @@ from trs80arm.basic.numbers.double import Double
 from trs80arm.basic.outcome import Ending, Outcome
 from trs80arm.basic.runtime.data import ListedTarget, Targets
 from trs80arm.basic.state import Activity
-from trs80arm.basic.variables import Array, Scalar
+from trs80arm.basic.variables import Array, Scalar, is_value
 from trs80arm.machine import card, coordination, driver
 from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.machine.keys import Key
@@ -108,6 +110,15 @@ OBJECTS: dict[str, type] = _by_name(
     )
 )
 """What has an identity and a state: made without being called, then given its attributes."""
+
+CHECKS: dict[type, Callable[[Any], bool]] = {
+    Scalar: lambda scalar: is_value(scalar.kind, scalar.value),
+    Array: lambda array: (
+        len(array.data) == prod(array.dims)
+        and all(is_value(array.kind, value) for value in array.data)
+    ),
+}
+"""What must hold of some objects, beside the types of their attributes."""
 
 _ENUMS: tuple[type[Enum], ...] = (
     Key,

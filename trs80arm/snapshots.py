@@ -28,15 +28,19 @@ import binascii
 import hashlib
 import json
 import math
+import types
+import typing
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum
-from typing import Any
+from functools import cache
+from typing import Any, ClassVar
 
 from trs80arm.arm.minimover import MiniMover
+from trs80arm.machine.clock import END_OF_TIME
 from trs80arm.plain_values import SettingsError, Table, as_table, from_table
-from trs80arm.snapshot_classes import NAMED, OBJECTS, VALUES, parts_of
+from trs80arm.snapshot_classes import CHECKS, NAMED, OBJECTS, VALUES, parts_of
 from trs80arm.works import RigSettings, Works, assemble
 
 FORMAT = "trs80arm snapshot 1"
@@ -45,6 +49,8 @@ LARGEST = 64 * 1024 * 1024
 _DEEPEST = 60
 """How deep values may lie in one another."""
 _LARGEST_INTEGER = 1 << 64
+_LATEST = END_OF_TIME // 2
+"""The last T-state that a machine may stand at, so that it can go on for as long again."""
 _MISSING = object()
 
 _KINDS = {cls: name for name, (cls, _) in NAMED.items()}
@@ -102,6 +108,8 @@ def decode(data: bytes) -> Works:
         places = _Places(works, works)
         _Reader(places).read(entries)
         works.settings = settings
+        if not 0 <= works.clock.now <= _LATEST:
+            raise SnapshotError("no snapshot: a time at which no machine was ever switched on")
     except SnapshotError:
         raise
     except SettingsError as error:
@@ -322,7 +330,10 @@ class _Reader:
     def _entry(self, name: str, written: Any) -> None:
         thing = self._things[name]
         if isinstance(thing, _CONTAINERS):
-            _refill(thing, self.value(written, thing))
+            content = self.value(written, thing)
+            if type(content) is not type(thing):
+                raise SnapshotError("no snapshot: another kind of content than the machine's")
+            _refill(thing, content)
             return
         state = self._states[name]
         if not isinstance(state, dict):
@@ -340,6 +351,8 @@ class _Reader:
         if not isinstance(written, list):
             if isinstance(written, dict):
                 raise SnapshotError("no snapshot: an object where a value should be")
+            if isinstance(written, int) and not -_LARGEST_INTEGER < written < _LARGEST_INTEGER:
+                raise SnapshotError("no snapshot: a number larger than any of a machine")
             return written
         if depth > _DEEPEST:
             raise SnapshotError("no snapshot: values nested too deeply")
@@ -354,7 +367,9 @@ class _Reader:
             case "named", [kind, name]:
                 return NAMED[kind][1][name]
             case "value", [name, *parts]:
-                return VALUES[name](*(self.value(part, depth=depth + 1) for part in parts))
+                made = VALUES[name](*(self.value(part, depth=depth + 1) for part in parts))
+                _check(made)
+                return made
             case "at", [place]:
                 return self._things[place]
             case "same", [int(number)] if number >= 0:
@@ -395,12 +410,12 @@ class _Reader:
             state: Any = {
                 name: self.value(value, depth=depth + 1) for name, value in written.items()
             }
-            known = {field.name for field in fields(cls)} if is_dataclass(cls) else state.keys()
-            if state.keys() != known or any(name.startswith("__") for name in state):
+            if state.keys() != _types(cls).keys():
                 raise SnapshotError("no snapshot: an object with other attributes than its class")
         else:
             state = self.value(written, depth=depth + 1)
         _give(made, state)
+        _check(made)
         return made
 
 
@@ -409,6 +424,56 @@ def _bytes(text: Any) -> bytes:
         return base64.b64decode(text, validate=True)
     except binascii.Error:
         raise SnapshotError("no snapshot: bytes that are not base64") from None
+
+
+def _check(made: Any) -> None:
+    """See that an object has what its class says: types of attributes, and what must hold."""
+    cls: Any = type(made)
+    right = all(
+        hasattr(made, name) and _is_of(hint, getattr(made, name))
+        for name, hint in _types(cls).items()
+    )
+    if not right or (cls in CHECKS and not CHECKS[cls](made)):
+        raise SnapshotError("no snapshot: another kind of value than the machine's")
+
+
+@cache
+def _types(cls: type) -> dict[str, Any]:
+    """The types of the attributes of a class that may be made anew."""
+    hints = typing.get_type_hints(cls)
+    if is_dataclass(cls):
+        return {field.name: hints[field.name] for field in fields(cls)}
+    return {name: hint for name, hint in hints.items() if typing.get_origin(hint) is not ClassVar}
+
+
+def _is_of(hint: Any, value: Any) -> bool:
+    """Whether a value is of a type; what is in tuples, lists, dictionaries and sets, too."""
+    origin, inner = typing.get_origin(hint), typing.get_args(hint)
+    if hint is Any:
+        return True
+    if hint is None:
+        return value is None
+    if origin in (typing.Union, types.UnionType):
+        return any(_is_of(one, value) for one in inner)
+    if origin is tuple:
+        if not isinstance(value, tuple):
+            return False
+        if inner[1:] == (...,):
+            return all(_is_of(inner[0], item) for item in value)
+        return len(inner) == len(value) and all(map(_is_of, inner, value))
+    if origin in (dict, Mapping):
+        return isinstance(value, dict) and all(
+            _is_of(inner[0], key) and _is_of(inner[1], item) for key, item in value.items()
+        )
+    if origin in (list, set, deque, Sequence):
+        kinds = list | tuple if origin is Sequence else origin
+        return isinstance(value, kinds) and all(_is_of(inner[0], item) for item in value)
+    cls = origin or hint
+    if getattr(cls, "_is_protocol", False):
+        return type(value) in _OBJECT_NAMES
+    if isinstance(value, bool):
+        return cls in (bool, object)
+    return isinstance(value, (int, float) if cls is float else cls)
 
 
 def _give(thing: Any, state: Any) -> None:
@@ -422,9 +487,16 @@ def _give(thing: Any, state: Any) -> None:
 
 
 def _like(was: Any, now: Any) -> Any:
-    """A new value of an attribute, which must be of the kind that the machine has there."""
+    """A new value of an attribute, which must be of the kind that the machine has there.
+
+    What a machine just assembled has is never taken away; what it has not yet may come.
+    """
+    if isinstance(was, tuple) and isinstance(now, tuple) and was:
+        kinds = {type(item) for item in was}
+        if not {type(item) for item in now} <= kinds | ({int} if float in kinds else set()):
+            raise SnapshotError("no snapshot: another kind of value than the machine's")
     both = {type(was), type(now)}
-    if was is None or now is None or len(both) == 1 or both <= {int, float}:
+    if was is None or len(both) == 1 or both == {int, float}:
         return now
     if type(was) in _OBJECT_NAMES and type(now) in _OBJECT_NAMES:
         return now

@@ -168,16 +168,15 @@ def _recording_seed() -> bytes:
 _RECORDING = _recording_seed()
 
 
+_ENTRIES = list(map(json.loads, _RECORDING.splitlines()))
+
+
 def _recording(rng: Random) -> Case:
     """Half of them are JSON still, with odd values in it."""
     if rng.random() < 0.5:
         return noise.mutated(rng, _RECORDING).hex()
-    lines = _RECORDING.splitlines()
-    for _ in range(rng.randrange(1, 3)):
-        place = rng.randrange(len(lines))
-        with contextlib.suppress(ValueError):
-            lines[place] = json.dumps(noise.odd_json(rng, json.loads(lines[place]))).encode()
-    return b"\n".join(lines).hex()
+    entries = noise.with_changes(_ENTRIES, noise.odd_changes(rng, _ENTRIES))
+    return "\n".join(map(json.dumps, entries if isinstance(entries, list) else [])).encode().hex()
 
 
 def _play_recording(case: Case) -> None:
@@ -199,37 +198,63 @@ def _play_recording(case: Case) -> None:
 # -- snapshots -------------------------------------------------------------------------------------
 
 
-def _snapshot_seed() -> bytes:
+_SESSION = """10 DIM A(3),B$(2):A$="X"+"Y":B#=1/3:I%=7:FOR I=1 TO 3:GOSUB 100
+20 NEXT
+100 ON ERROR GOTO 30:@STEP 50,100,-50:INPUT "N";N,M$
+30 @CLOSE:@SET:PRINT#-1,5"""
+
+
+def _moments() -> list[bytes]:
+    """Snapshots of moments in which different things are in the works."""
     rig = Rig(RigSettings(ram_kib=4))
-    rig.type("@STEP 50,100,-50\r")
-    rig.run_for(1.5)
-    return rig.snapshot()
+    rig.load_text(_SESSION)
+    found = []
+    for typed, seconds in (
+        *(("RUN\r", 1.5), ("5,A\r", 3.0), ("", 3.0), ("0", 2.0), ("\x01EDIT 10\rIX", 1.0)),
+        *(("\x1bQAUTO\r", 0.5), ('\x01CSAVE"A"\r', 1.0), ("\x01CLOAD\r", 1.0), ("\x01LIST\r", 0.1)),
+        ("\x01SYSTEM\rX\r", 1.0),
+    ):
+        rig.type(typed)
+        rig.run_for(seconds)
+        found.append(rig.snapshot())
+    return found
 
 
-_SNAPSHOT = _snapshot_seed()
-_STATE = json.loads(_SNAPSHOT.partition(b"\n")[2])
+_MOMENTS = _moments()
+_TEXTS = [moment.partition(b"\n")[2] for moment in _MOMENTS]
+_STATES = list(map(json.loads, _TEXTS))
 
 
 def _forged(rng: Random) -> Case:
     """Most of them have the right length and checksum for what was changed."""
-    pick = rng.random()
-    if pick < 0.5:
-        text = json.dumps(noise.odd_json(rng, _STATE)).encode()
+    pick, moment = rng.random(), rng.randrange(len(_MOMENTS))
+    if pick < 0.7:
+        return {"moment": moment, "changes": noise.odd_changes(rng, _STATES[moment])}
+    changes = noise.splices(rng, _TEXTS[moment])
+    return {"moment": moment, "splices": changes, "sealed": pick < 0.95}
+
+
+def _snapshot(case: Case) -> bytes:
+    """The snapshot of a case."""
+    moment = case["moment"]
+    if "changes" in case:
+        text = json.dumps(noise.with_changes(_STATES[moment], case["changes"])).encode()
     else:
-        text = noise.mutated(rng, _SNAPSHOT.partition(b"\n")[2])
-    if pick > 0.9:
-        return (_SNAPSHOT.partition(b"\n")[0] + b"\n" + text).hex()
+        text = noise.spliced(_TEXTS[moment], case["splices"])
+    if not case.get("sealed", True):
+        return _MOMENTS[moment].partition(b"\n")[0] + b"\n" + text
     digest = hashlib.sha256(text).hexdigest()
-    return (b"trs80arm snapshot 1 %d %s\n" % (len(text), digest.encode()) + text).hex()
+    return b"trs80arm snapshot 1 %d %s\n" % (len(text), digest.encode()) + text
 
 
 def _play_snapshot(case: Case) -> None:
     rig = Rig()
     try:
-        rig.restore(bytes.fromhex(case))
+        rig.restore(_snapshot(case))
     except SnapshotError as error:
         one_line(error)
     rig.run_for(0.1)
+    quiet(rig)
 
 
 TARGETS = (

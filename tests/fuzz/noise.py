@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -36,6 +37,7 @@ OPERATORS = _words("+ - * / [ AND OR = < > <= >= <> =<")
 EDITABLE = 'ABCXYZ 0123456789"$:=+-*/(),;' + "PRINT"
 ESCAPE = "\x1b"
 """SHIFT and the up-arrow, which ends an insertion."""
+ODD_BYTES = (b"\0", b"\xff", b'"', b"[" * 50, b"9" * 400, b"\x1b]0;X\x07", b"1e400", b"nan")
 ODD_JSON: tuple[Any, ...] = (
     *(None, True, 0, 1, -1, 5, 10**18, 2**63, 2**64, 10**400, 1e308, -0.0, 0.5),
     *("", "odd", "\x1b[2J", float("nan"), float("inf"), [], {}, [[]], {"hex": "00"}, {"pose": [1]}),
@@ -162,27 +164,41 @@ def edit_keys(rng: Random) -> str:
     return "".join([*keys, rng.choice(["", ESCAPE]), rng.choice(["E", "Q", "\r", "", "\x01"])])
 
 
-def odd_json(rng: Random, value: Any) -> Any:
-    """JSON with something odd somewhere in it."""
-    if rng.random() < 0.1 or not value or not isinstance(value, dict | list):
-        return rng.choice(ODD_JSON) if rng.random() < 0.8 else _near(rng, value)
-    if isinstance(value, dict):
-        key = rng.choice(list(value))
-        match rng.randrange(12):
-            case 0:
-                return {name: item for name, item in value.items() if name != key}
-            case 1:
-                return value | {"odd\n": value[key]}
-            case _:
-                return value | {key: odd_json(rng, value[key])}
-    place = rng.randrange(len(value))
-    match rng.randrange(12):
-        case 0:
-            return [*value[:place], *value[place + 1 :]]
-        case 1:
-            return [*value, value[place]]
-        case _:
-            return [*value[:place], odd_json(rng, value[place]), *value[place + 1 :]]
+def odd_changes(rng: Random, value: Any) -> list[list[Any]]:
+    """Changes of a JSON value: the way to a place, and what is to stand there, nothing for gone."""
+    return [_odd_change(rng, value) for _ in range(rng.choice([1, 1, 1, 2, 3]))]
+
+
+def _odd_change(rng: Random, value: Any) -> list[Any]:
+    way: list[Any] = []
+    while isinstance(value, dict | list) and value and (not way or rng.random() > 0.1):
+        key = rng.choice(list(value)) if isinstance(value, dict) else rng.randrange(len(value))
+        way.append(key)
+        value = value[key]
+    pick = rng.random()
+    if pick < 0.1:
+        return [way]
+    return [way, rng.choice(ODD_JSON) if pick < 0.7 else _near(rng, value)]
+
+
+def with_changes(value: Any, changes: list[list[Any]]) -> Any:
+    """A JSON value after changes; those whose place is gone are left out."""
+    for way, *new in changes:
+        with contextlib.suppress(LookupError, TypeError):
+            value = _with_change(value, way, new)
+    return value
+
+
+def _with_change(value: Any, way: list[Any], new: list[Any]) -> Any:
+    if not way:
+        return new[0]
+    key, *rest = way
+    changed = dict(value) if isinstance(value, dict) else list(value)
+    if rest or new:
+        changed[key] = _with_change(value[key], rest, new)
+    else:
+        del changed[key]
+    return changed
 
 
 def _near(rng: Random, value: Any) -> Any:
@@ -201,21 +217,42 @@ def mutated_text(rng: Random, text: str) -> str:
 
 def mutated(rng: Random, data: bytes) -> bytes:
     """Bytes with some changed, lost, doubled or put in."""
-    changed = bytearray(data)
+    return spliced(data, splices(rng, data))
+
+
+def splices(rng: Random, data: bytes) -> list[list[Any]]:
+    """Changes of some bytes: where, how many go, and what comes in their place, in hex."""
+    found: list[list[Any]] = []
     for _ in range(rng.randrange(1, 6)):
-        place = rng.randrange(len(changed) + 1)
+        place = rng.randrange(len(data) + 1)
         count = rng.choice([1, 1, 2, 8, 100])
         match rng.randrange(5):
             case 0:
-                changed[place : place + 1] = bytes((rng.randrange(256),))
+                found.append([place, 1, rng.randbytes(1).hex()])
             case 1:
-                del changed[place : place + count]
+                found.append([place, count, ""])
             case 2:
-                changed[place:place] = changed[place : place + count]
+                found.append([place, 0, data[place : place + count].hex()])
             case 3:
-                changed[place:place] = rng.randbytes(count)
+                found.append([place, 0, rng.randbytes(count).hex()])
             case _:
-                changed[place:place] = rng.choice(
-                    [b"\0", b"\xff", b'"', b"[" * 50, b"9" * 400, b"\x1b]0;X\x07", b"1e400", b"nan"]
-                )
+                odd = [
+                    b"\0",
+                    b"\xff",
+                    b'"',
+                    b"[" * 50,
+                    b"9" * 400,
+                    b"\x1b]0;X\x07",
+                    b"1e400",
+                    b"nan",
+                ]
+                found.append([place, 0, rng.choice(odd).hex()])
+    return found
+
+
+def spliced(data: bytes, changes: list[list[Any]]) -> bytes:
+    """Bytes after changes, one after the other."""
+    changed = bytearray(data)
+    for place, count, new in changes:
+        changed[place : place + count] = bytes.fromhex(new)
     return bytes(changed)

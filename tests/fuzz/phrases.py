@@ -76,7 +76,8 @@ def _command(rng: Random) -> Case:
     words += rng.choice([["a.bas"], ["a.bas"], [_value(rng)], []])
     for _ in range(rng.randrange(1, 4)):
         words += [rng.choice(_FLAGS), *([_value(rng)] if rng.random() < 0.9 else [])]
-    return words
+    # No system passes a zero on.
+    return [word.replace("\0", "") for word in words]
 
 
 def _play_command(case: Case) -> None:

@@ -12,8 +12,9 @@ import pickle
 import subprocess
 import sys
 from collections.abc import Iterator
+from dataclasses import is_dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, get_type_hints
 
 import pytest
 from hypothesis import given, settings
@@ -23,8 +24,10 @@ from trs80arm import Rig, RigSettings
 from trs80arm.arm import benchfile
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.machine.card import CardSettings
+from trs80arm.machine.clock import END_OF_TIME
 from trs80arm.machine.driver import DriverSettings
 from trs80arm.rig import SnapshotError
+from trs80arm.snapshot_classes import OBJECTS, VALUES
 from trs80arm.snapshots import FORMAT
 
 BENCH = "[[part]]\nname = 'cube'\nat = [9, 1]\nsize = [1, 1, 1]\nweight = 1\n"
@@ -227,6 +230,18 @@ def test_the_snapshot_is_what_the_format_says() -> None:
     assert len(base64.b64decode(ram[1])) == 65536
 
 
+def forged_key(time: Any) -> bytes:
+    """A snapshot with a key that goes down at a time."""
+    key = {"time": time, "order": 1, "key": ["named", "Key", "A"], "down": True, "typed": False}
+    events = ["list", ["new", "KeyEvent", key]]
+    return sealed({"settings": {}, "state": [["events", events]]})
+
+
+def forged_registers(first: Any) -> bytes:
+    state = [["driver", {"registers": ["tuple", first, 0, 0, 0, 0, 0]}]]
+    return sealed({"settings": {}, "state": state})
+
+
 @pytest.mark.parametrize(
     ("data", "told"),
     [
@@ -247,6 +262,15 @@ def test_the_snapshot_is_what_the_format_says() -> None:
         (sealed({"settings": {}, "state": [["clock", {"now": "5"}]]}), "another kind of value"),
         (sealed({"settings": {}, "state": [["works", {"order": ["new", "Popen", {}]}]]}), "be"),
         (sealed({"settings": {}, "state": "[" * 9}), "no list"),
+        (sealed({"settings": {}, "state": [["events", "later"]]}), "another kind of content"),
+        (sealed({"settings": {}, "state": [["matrix", {"_image": None}]]}), "kind of value"),
+        (sealed({"settings": {}, "state": [["works", {"order": 10**400}]]}), "a number larger"),
+        (sealed({"settings": {}, "state": [["clock", {"now": 10**18}]]}), "a time at which no"),
+        (sealed({"settings": {}, "state": [["clock", {"now": -1}]]}), "a time at which no"),
+        (forged_key("later"), "kind of value"),
+        (forged_key(True), "kind of value"),
+        (forged_registers("odd"), "kind of value"),
+        (forged_registers(40000), "in a state that cannot be"),
     ],
 )
 def test_what_is_no_snapshot_is_refused_in_one_sentence(data: bytes, told: str) -> None:
@@ -290,6 +314,28 @@ OTHER = st.sampled_from(
 )
 
 
+def test_a_forged_snapshot_of_which_the_operator_cannot_break_off_is_refused() -> None:
+    """Its stack has nothing to come back to."""
+    stack = ["list", ["new", "Pause", {}]]
+    with pytest.raises(SnapshotError, match="cannot be"):
+        Rig().restore(sealed({"settings": {}, "state": [["basic.state.stack", stack]]}))
+
+
+def test_the_latest_time_leaves_a_machine_time_enough() -> None:
+    latest = END_OF_TIME // 2
+    rig = Rig()
+    rig.restore(sealed({"settings": {}, "state": [["clock", {"now": latest}]]}))
+    rig.type("\rPRINT 5\r")
+    rig.run_until_waiting()
+    assert " 5" in rig.screen()
+
+
+def test_the_types_of_all_fields_that_a_snapshot_may_fill_are_known() -> None:
+    for cls in (*VALUES.values(), *OBJECTS.values()):
+        if is_dataclass(cls):
+            assert get_type_hints(cls)
+
+
 @settings(max_examples=120, deadline=None)
 @given(st.lists(st.tuples(st.sampled_from(LEAVES), OTHER), min_size=1, max_size=3))
 def test_a_forged_snapshot_is_refused_or_is_a_machine(changes: list[tuple[Any, Any]]) -> None:
@@ -307,4 +353,6 @@ def test_a_forged_snapshot_is_refused_or_is_a_machine(changes: list[tuple[Any, A
         rig.restore(sealed(content))
     before = rig.clock.now
     rig.run_for(0.01)
-    assert rig.clock.now >= before
+    rig.hold(["BREAK"], 0.1)
+    rig.run_for(0.2)
+    assert rig.clock.now > before

@@ -33,6 +33,13 @@ class ForFrame:
 
     __slots__ = ("body", "limit", "line", "scalar", "step", "up")
 
+    scalar: Scalar
+    limit: float
+    step: float
+    up: int
+    body: int
+    line: int
+
     def __init__(self, scalar: Scalar, limit: float, step: float, body: int, line: int) -> None:
         self.scalar = scalar
         self.limit = limit

@@ -54,12 +54,18 @@ class Execution(Activity):
         targets: the variables of the INPUT that it waits for.
     """
 
+    next: int
+    statement: int
+    forced_line: int | None
+    noted: int | None
+    targets: Answered | None
+
     def __init__(self, address: int) -> None:
         self.next = address
         self.statement = address
-        self.forced_line: int | None = None
-        self.noted: int | None = None
-        self.targets: Answered | None = None
+        self.forced_line = None
+        self.noted = None
+        self.targets = None
 
     def line(self, state: State) -> int:
         """The number of the line being executed, 65535 in direct mode (40A2H)."""

@@ -59,6 +59,8 @@ class Activity:
 class Home(Activity):
     """The bottom of the stack: what it does next can be set from outside."""
 
+    _ready: bool
+
     def __init__(self) -> None:
         self._ready = True
 

@@ -39,6 +39,22 @@ def zero(kind: Kind) -> Any:
     return 0 if kind == INTEGER else 0.0
 
 
+def is_value(kind: Kind, value: Any) -> bool:
+    """Whether a value is one that a variable of that kind can hold."""
+    if kind == INTEGER:
+        return type(value) is int and -0x8000 <= value <= 0x7FFF
+    if kind == SINGLE:
+        return type(value) is float and single.unpack(single.pack(value)) == value
+    if kind == DOUBLE:
+        return isinstance(value, double.Double)
+    return (
+        isinstance(value, list)
+        and list(map(type, value)) == [int, int]
+        and 0 <= value[0] <= 0xFF
+        and 0 <= value[1] <= 0xFFFF
+    )
+
+
 def encode(kind: Kind, value: Any) -> bytes:
     """The bytes of a value in memory, low byte first."""
     if kind == INTEGER:
@@ -73,11 +89,17 @@ class Scalar:
 
     __slots__ = ("cell", "cost", "kind", "name", "offset")
 
+    name: str
+    kind: Kind
+    cell: CellType
+    offset: int | None
+    cost: int
+
     def __init__(self, name: str, kind: Kind) -> None:
         self.name = name
         self.kind = kind
         self.cell = CellType(zero(kind))
-        self.offset: int | None = None
+        self.offset = None
         self.cost = 0
 
     def __getstate__(self) -> tuple[Any, ...]:
@@ -108,6 +130,13 @@ class Array:
 
     __slots__ = ("cost", "data", "dims", "kind", "name", "offset")
 
+    name: str
+    kind: Kind
+    dims: tuple[int, ...]
+    data: list[Any]
+    offset: int
+    cost: int
+
     def __init__(self, name: str, kind: Kind, dims: tuple[int, ...], offset: int) -> None:
         self.name = name
         self.kind = kind
@@ -115,9 +144,7 @@ class Array:
         count = 1
         for dim in dims:
             count *= dim
-        self.data: list[Any] = (
-            [[0, 0] for _ in range(count)] if kind == STRING else [zero(kind)] * count
-        )
+        self.data = [[0, 0] for _ in range(count)] if kind == STRING else [zero(kind)] * count
         self.offset = offset
         self.cost = 0
 

@@ -18,6 +18,8 @@ class ArmMotion(Activity):
         manual: whether it is `@SET`, which waits for the operator.
     """
 
+    _manual: bool
+
     def __init__(self, *, manual: bool = False) -> None:
         self._manual = manual
 

@@ -24,6 +24,8 @@ _T_PROBE: Final = 16
 class MemorySize(Activity):
     """Asks until the answer makes sense, then hands over to the command level."""
 
+    _clear: bool
+
     def __init__(self) -> None:
         self._clear = True
 

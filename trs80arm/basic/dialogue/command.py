@@ -31,9 +31,11 @@ _T_EDIT_AFTER_ERROR: Final = 4600
 class CommandLevel(Home):
     """Says READY, asks for a line, stores or executes it, and again."""
 
+    _number: int | None
+
     def __init__(self) -> None:
         super().__init__()
-        self._number: int | None = None
+        self._number = None
         """The line that AUTO asks for."""
 
     def advance(self, state: State) -> None:

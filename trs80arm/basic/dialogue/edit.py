@@ -67,6 +67,12 @@ class Edit(Activity):
         number: the line; it must exist when the activity begins, else ?UL.
     """
 
+    _number: int
+    _line: bytearray
+    _place: int
+    _count: int
+    _mode: _Mode
+
     def __init__(self, number: int) -> None:
         self._number = number
         self._line = bytearray()

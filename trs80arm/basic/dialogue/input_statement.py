@@ -119,11 +119,16 @@ class InputStatement(Activity):
         targets: the variables.
     """
 
+    _prompt: bytes
+    _targets: TargetList
+    _done: int
+    _question: bytes | None
+
     def __init__(self, prompt: bytes, targets: TargetList) -> None:
         self._prompt = prompt
         self._targets = targets
         self._done = 0
-        self._question: bytes | None = prompt + b"? "
+        self._question = prompt + b"? "
 
     def advance(self, state: State) -> None:
         """Ask."""

@@ -42,6 +42,10 @@ class LineInput(Activity):
         waiting: what the machine waits for meanwhile.
     """
 
+    _waiting: Waiting
+    _line: bytearray
+    _begun: bool
+
     def __init__(self, waiting: Waiting) -> None:
         self._waiting = waiting
         self._line = bytearray()

@@ -31,6 +31,10 @@ class Listing(Activity):
         printer: whether they go to the printer.
     """
 
+    _next: int
+    _last: int
+    _printer: bool
+
     def __init__(self, lines: LineRange, *, printer: bool) -> None:
         self._next = lines.first
         self._last = lines.last

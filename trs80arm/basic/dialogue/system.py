@@ -69,6 +69,9 @@ class SystemTape(Activity):
         name: up to six characters; the first program of that name is taken.
     """
 
+    _name: bytes
+    _playing: bool
+
     def __init__(self, name: bytes) -> None:
         self._name = name.ljust(_NAME_LENGTH)
         self._playing = False

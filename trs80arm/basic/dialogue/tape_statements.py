@@ -36,9 +36,13 @@ class Writing(Activity):
             records the leader before it looks at what to record.
     """
 
+    _data: bytes
+    _error: BasicError | None
+    _place: int
+
     def __init__(self, data: bytes | BasicError) -> None:
         self._data = bytes(LEADER) + bytes((SYNC,))
-        self._error: BasicError | None = None
+        self._error = None
         if isinstance(data, BasicError):
             self._error = data
         else:
@@ -82,6 +86,8 @@ class Csave(Activity):
         name: its first character is the program's name; empty is ?FC.
     """
 
+    _name: bytes | BasicError
+
     def __init__(self, name: bytes | BasicError) -> None:
         self._name = name or BasicError(Code.FC)
 
@@ -98,6 +104,9 @@ class Csave(Activity):
 
 class Reading(Activity):
     """Something on its way from the tape; at the end of the tape nothing happens until BREAK."""
+
+    _playing: bool
+    _found: bool
 
     def __init__(self) -> None:
         self._playing = False
@@ -157,6 +166,12 @@ class Cload(Reading):
         name: the program's name, of which the first character counts; None takes the next program.
         verify: whether it is `CLOAD?`.
     """
+
+    _name: bytes | BasicError | None
+    _verify: bool
+    _head: bytearray
+    _address: int
+    _zeros: int
 
     def __init__(self, name: bytes | BasicError | None, *, verify: bool) -> None:
         super().__init__()
@@ -238,6 +253,9 @@ class InputTape(Reading):
     Args:
         targets: the variables.
     """
+
+    _targets: TargetList
+    _text: bytearray
 
     def __init__(self, targets: TargetList) -> None:
         super().__init__()

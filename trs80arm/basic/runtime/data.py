@@ -33,11 +33,16 @@ class ListedTarget:
         address: of its name in the text.
     """
 
+    _state: State
+    _targets: Targets
+    _number: int
+    _found: Any
+
     def __init__(self, state: State, targets: Targets, number: int) -> None:
         self._state = state
         self._targets = targets
         self._number = number
-        self._found: Any = None
+        self._found = None
 
     @property
     def kind(self) -> Kind:
@@ -53,6 +58,9 @@ class ListedTarget:
 
 class Targets:
     """The list of variables of an INPUT statement, read as the answer is."""
+
+    _state: State
+    _places: list[int]
 
     def __init__(self, state: State, address: int) -> None:
         self._state = state
