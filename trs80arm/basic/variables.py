@@ -196,6 +196,10 @@ class Variables:
         self.arrays_size = 0
         self._zeros: dict[tuple[Key, int], bytes] = {}
 
+    def __getstate__(self) -> dict[str, Any]:
+        # Names that were compiled and never given a value say nothing about the machine.
+        return self.__dict__ | {"scalars": {(each.name, each.kind): each for each in self.order}}
+
     def clear(self, start: int) -> None:
         """Forget all of them; the tables begin at `start`."""
         self.start = start
