@@ -120,3 +120,62 @@ def test_a_motor_step_that_is_still_being_typed_is_found() -> None:
     session.run_for(0.7)
     assert session.step_motor()
     assert session.rig.registers[0] == 1
+
+
+def slipped(session: Session) -> Session:
+    """The elbow is driven into its stop."""
+    typed(session, "@STEP 50,0,0,-3000")
+    session.rig.run_for(20)
+    return session
+
+
+def test_a_slip_is_told_once_with_its_reason() -> None:
+    session = slipped(Session())
+    slip = session.new_slip()
+    assert slip is not None
+    assert slip.reason is not None
+    assert session.new_slip() is None
+    assert session.last_slip is not None
+
+
+def test_an_arm_that_lost_nothing_has_nothing_to_tell() -> None:
+    session = Session()
+    typed(session, "@STEP 50,100")
+    session.rig.run_for(5)
+    assert session.new_slip() is None
+    assert session.last_slip is None
+
+
+def test_going_home_puts_arm_parts_and_registers_back_and_keeps_the_program() -> None:
+    session = Session()
+    before = session.rig.pose
+    typed(session, "10 @STEP 50,0,0,-3000", "20 GOTO 10", "RUN")
+    session.rig.run_for(20)
+    assert session.new_slip() is not None
+    session.go_home()
+    assert session.rig.waiting is Waiting.COMMAND
+    assert session.rig.pose == before
+    assert session.rig.registers == session.rig.joints == (0,) * 6
+    assert session.rig.state.slipped == (0,) * 6
+    assert [number for number, _ in session.program] == [10, 20]
+    assert session.new_slip() is None
+
+
+def test_going_home_sets_up_the_bench_that_was_set_up(tmp_path: Path) -> None:
+    file = tmp_path / "bench.toml"
+    file.write_text('[arm]\nat = [6.0, 0.0, 2.0]\npitch = -90.0\n')
+    session = Session(bench=file)
+    file.unlink()
+    slipped(session)
+    session.go_home()
+    assert session.rig.pose.x == pytest.approx(6.0, abs=0.02)
+    assert session.rig.pose.z == pytest.approx(2.0, abs=0.02)
+
+
+def test_a_second_slip_is_told_after_the_first_was_made_good() -> None:
+    session = slipped(Session())
+    assert session.new_slip() is not None
+    session.go_home()
+    assert session.new_slip() is None
+    slipped(session)
+    assert session.new_slip() is not None

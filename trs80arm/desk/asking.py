@@ -41,7 +41,7 @@ class ListQuestion:
 
 @dataclass(frozen=True)
 class FileQuestion:
-    """The name of a file.
+    """The name of a file, or of a folder.
 
     Attributes:
         title: of the dialog.
@@ -49,6 +49,7 @@ class FileQuestion:
         proposal: the name to begin with.
         to_write: whether the file will be written: one that exists is asked about.
         own: the file that may be replaced without a question.
+        folder: whether it is a folder that is wanted; there need be none of that name yet.
     """
 
     title: str
@@ -56,6 +57,7 @@ class FileQuestion:
     proposal: Path | str
     to_write: bool
     own: Path | None = None
+    folder: bool = False
 
 
 @dataclass(frozen=True)

@@ -225,6 +225,47 @@ class SessionFiles:
         question = Question(title, "The program in memory is not saved.", answers)
         self._ask.ask(question, answered)
 
+    # -- cassettes and paper ----------------------------------------------------------------------
+
+    def save_keepsakes(self, afterwards: Callable[[], object] = lambda: None) -> None:
+        """Ask for a folder, save the cassettes and the paper that are in memory, do something."""
+        keepsakes = self._session.keepsakes
+        if not keepsakes.files:
+            self._say("No cassette and no paper is in memory only.")
+            return
+
+        def save(folder: Path) -> None:
+            try:
+                written = keepsakes.save(folder)
+            except OSError as error:
+                self._say(f"{error.filename or folder}: {reason(error)}", error=True)
+            else:
+                self._recovery.keep()
+                self._say(f"Saved in {folder}: {', '.join(path.name for path in written)}.")
+                afterwards()
+
+        hint = f"A folder for {keepsakes}; with --tapes and --printer they are files at once."
+        self._ask.ask_file(
+            FileQuestion("Save cassettes and paper", hint, "tapes", to_write=True, folder=True),
+            save,
+        )
+
+    def _if_keepsakes_may_go(self, title: str, do: Callable[[], object]) -> None:
+        """Do something that puts the machine away, asking first about its cassettes and paper."""
+        keepsakes = self._session.keepsakes
+        if not keepsakes.unsaved:
+            do()
+            return
+
+        def answered(answer: str) -> None:
+            if answer == "save":
+                self.save_keepsakes(do)
+            elif answer == "go":
+                do()
+
+        answers = (Choice("save", "Save"), Choice("go", "Do not save"), Choice("stay", "Back"))
+        self._ask.ask(Question(title, f"Only in memory: {keepsakes}.", answers), answered)
+
     # -- listings ---------------------------------------------------------------------------------
 
     def paste(self) -> None:
@@ -280,12 +321,15 @@ class SessionFiles:
 
     def play(self) -> None:
         """Ask for a recorded session, and play it."""
+        title = "Play a recording"
 
         def play(path: Path) -> None:
-            self.if_program_may_go("Play a recording", lambda: self.play_file(path))
+            self.if_program_may_go(
+                title, lambda: self._if_keepsakes_may_go(title, lambda: self.play_file(path))
+            )
 
         hint = "The machine on the desk is put away for the recorded one."
-        question = FileQuestion("Play a recording", hint, "session.jsonl", to_write=False)
+        question = FileQuestion(title, hint, "session.jsonl", to_write=False)
         self._ask.ask_file(question, play)
 
     def play_file(self, path: Path) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from trs80arm.desk.asking import Asking, Choice, Question
 from trs80arm.desk.files import SessionFiles
@@ -20,11 +20,16 @@ LESSON_UNWRITTEN = Question(
     f"Positions were taught, and no program of them is written. {AGAIN}",
     (Choice("teach", "Look at them"), *BACK),
 )
+KEEPSAKES_UNSAVED = Question(
+    "Leave",
+    f"What was recorded on cassettes or printed is in memory only. {AGAIN}",
+    (Choice("keep", "Save it"), *BACK),
+)
 NOTHING_UNSAVED = Question(
     "Leave", "Leave trs80arm? Ctrl+C again leaves.", (Choice("go", "Leave"), Choice("stay", "Back"))
 )
 """What is asked when the key that leaves may have been meant for the machine."""
-QUESTIONS = (PROGRAM_UNSAVED, LESSON_UNWRITTEN, NOTHING_UNSAVED)
+QUESTIONS = (PROGRAM_UNSAVED, LESSON_UNWRITTEN, KEEPSAKES_UNSAVED, NOTHING_UNSAVED)
 
 
 class Leaving:
@@ -57,18 +62,28 @@ class Leaving:
         self._ask = ask
         self._teach = teach
         self._end = end
+        self._given_up: set[Question] = set()
 
     @property
     def asked(self) -> bool:
         """Whether a question before leaving stands unanswered."""
         return any(map(self._ask.is_asking, QUESTIONS))
 
+    def _unsaved(self) -> Iterator[Question]:
+        """What to ask about, in order."""
+        if self._session.unsaved:
+            yield PROGRAM_UNSAVED
+        if self._lesson.unwritten:
+            yield LESSON_UNWRITTEN
+        if self._session.keepsakes.unsaved:
+            yield KEEPSAKES_UNSAVED
+
     def ask_first(self) -> None:
         """Leave, but not without a question, whatever is saved."""
-        if self.asked or self._session.unsaved or self._lesson.unwritten:
+        if self.asked or any(self._unsaved()):
             self.leave()
         else:
-            self._ask.ask(NOTHING_UNSAVED, self._answered)
+            self._ask.ask(NOTHING_UNSAVED, lambda answer: self._answered(NOTHING_UNSAVED, answer))
 
     def leave(self) -> None:
         """Leave; ask if something is unsaved, but when asked while asking, leave at once."""
@@ -77,20 +92,28 @@ class Leaving:
             if self._recovery.keep():
                 self._session.close()
                 self._end()
-        elif self._session.unsaved:
-            self._ask.ask(PROGRAM_UNSAVED, self._answered)
-        elif self._lesson.unwritten:
-            self._ask.ask(LESSON_UNWRITTEN, self._answered)
         else:
-            self._go()
+            self._given_up = set()
+            self._go_on()
 
-    def _answered(self, answer: str) -> None:
+    def _go_on(self) -> None:
+        """Ask about what is unsaved and not given up; leave when there is no more of it."""
+        question = next((q for q in self._unsaved() if q not in self._given_up), None)
+        if question is None:
+            self._go()
+        else:
+            self._ask.ask(question, lambda answer: self._answered(question, answer))
+
+    def _answered(self, question: Question, answer: str) -> None:
         if answer == "save":
-            self._files.save(self.leave)
+            self._files.save(self._go_on)
         elif answer == "teach":
             self._teach()
+        elif answer == "keep":
+            self._files.save_keepsakes(self._go_on)
         elif answer == "go":
-            self._go()
+            self._given_up.add(question)
+            self._go_on()
 
     def _go(self) -> None:
         self._recovery.drop()

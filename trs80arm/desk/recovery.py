@@ -1,7 +1,8 @@
 """Copies of what is unsaved, kept where a crash does not take them.
 
-A sitting keeps one of the program in memory and one of the positions taught. Both go when their
-owner has saved the thing or given it up; what a sitting that ended badly has left is offered again.
+A sitting keeps one of the program in memory, one of the positions taught, and a folder of cassettes
+and paper that no file holds. They go when their owner has saved the thing or given it up; programs
+that a sitting that ended badly has left are offered again.
 """
 
 from __future__ import annotations
@@ -35,6 +36,7 @@ class Recovery:
     Attributes:
         program_copy: where the program is kept while it is unsaved.
         lesson_copy: where a program of the positions is kept while none is written.
+        keepsakes_copy: the folder where cassettes and paper are kept while they are in no file.
     """
 
     def __init__(self, session: Session, lesson: Lesson, folder: Path, name: str, say: Say) -> None:
@@ -45,6 +47,8 @@ class Recovery:
         self._told = False
         self.program_copy = folder / f"recovered-{name}.bas"
         self.lesson_copy = folder / f"recovered-{name}-taught.bas"
+        self.keepsakes_copy = folder / f"recovered-{name}-tapes"
+        self._kept_tapes: dict[str, bytes] = {}
 
     def keep(self) -> bool:
         """Keep what is unsaved, and nothing else; say so once if that cannot be.
@@ -55,6 +59,7 @@ class Recovery:
         try:
             self._keep_program()
             self._keep_lesson()
+            self._keep_keepsakes()
         except (OSError, FileFormatError) as error:
             if not self._told:
                 self._told = True
@@ -83,18 +88,38 @@ class Recovery:
         else:
             _remove(self.lesson_copy)
 
+    def _keep_keepsakes(self) -> None:
+        keepsakes = self._session.keepsakes
+        wanted = keepsakes.files if keepsakes.unsaved else {}
+        if wanted == self._kept_tapes:
+            return
+        for name in self._kept_tapes.keys() - wanted.keys():
+            _remove(self.keepsakes_copy / name)
+        for name, content in wanted.items():
+            if self._kept_tapes.get(name) != content:
+                self.keepsakes_copy.mkdir(parents=True, exist_ok=True)
+                write_whole(self.keepsakes_copy / name, content)
+        self._kept_tapes = wanted
+        if not wanted:
+            _remove_folder(self.keepsakes_copy)
+
     def drop(self) -> None:
-        """Remove both copies: their owner gave them up."""
+        """Remove all copies: their owner gave them up."""
         _remove(self.program_copy)
         _remove(self.lesson_copy)
+        for name in self._kept_tapes:
+            _remove(self.keepsakes_copy / name)
+        _remove_folder(self.keepsakes_copy)
+        self._kept_tapes = {}
 
     def kept(self) -> Iterator[tuple[str, Path]]:
         """What is kept now: what it is, in words, and where."""
         for what, path in (
             ("the program in memory is kept", self.program_copy),
             ("the positions taught are kept as a program", self.lesson_copy),
+            ("cassettes and paper are kept", self.keepsakes_copy),
         ):
-            if path.is_file():
+            if path.exists():
                 yield what, path
 
     def left_over(self) -> list[Path]:
@@ -129,3 +154,8 @@ def copy_label(path: Path) -> str:
 def _remove(path: Path) -> None:
     with contextlib.suppress(OSError):
         path.unlink()
+
+
+def _remove_folder(path: Path) -> None:
+    with contextlib.suppress(OSError):
+        path.rmdir()

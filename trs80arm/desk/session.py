@@ -11,14 +11,18 @@ from collections import deque
 from collections.abc import Callable
 from pathlib import Path
 
+from trs80arm.arm import benchfile
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.events import ArmEvent, EventKind
+from trs80arm.arm.motors import RING
 from trs80arm.benches import BenchFile
 from trs80arm.desk.greeting import greet
+from trs80arm.desk.keepsakes import Keepsakes
 from trs80arm.desk.recording import Journal, Recording
 from trs80arm.files import Kind, load_program, parse_program, save_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.jog_keys import JogKeys
-from trs80arm.rig import Input, ReplayError, Rig, RigSettings, Waiting
+from trs80arm.rig import Input, Key, ReplayError, Rig, RigSettings, Waiting
 
 _NUMBERS = re.compile(r"^[ \t]*(\d+)", re.MULTILINE)
 ProgramLines = list[tuple[int, bytes]]
@@ -45,6 +49,7 @@ class Session:
 
     Attributes:
         rig: the machine; another one after a recording was begun.
+        keepsakes: its cassettes and paper, as far as they are in memory only.
         path: the file that the program came from or went to.
         bench_path: the bench file, None for the standard bench.
 
@@ -70,6 +75,8 @@ class Session:
         self._play_end = 0
         self._play_fault: str | None = None
         self._told_faults: set[str] = set()
+        self._told_slip = False
+        self.keepsakes = Keepsakes(lambda: self.rig)
         rig = Rig(self._settings, file.bench if file else None)
         if greeting:
             greet(rig.console)
@@ -80,6 +87,7 @@ class Session:
         self._journal = journal
         self._safe: ProgramLines = []
         self.path = None
+        self.keepsakes.forget()
         self._tell_of_new_machine()
 
     def watch_machine(self, observer: Callable[[], None]) -> None:
@@ -251,9 +259,12 @@ class Session:
                 return
             if rig.waiting in LEAVING:
                 rig.type(LEAVING[rig.waiting])
+                rig.run_until(lambda rig: rig.waiting is Waiting.COMMAND, LONGEST_MOTION)
             else:
-                rig.hold(["BREAK"], 0.1)
-            rig.run_until(lambda rig: rig.waiting is Waiting.COMMAND, LONGEST_MOTION)
+                # Held, for a machine that looks for BREAK when a motion has ended.
+                rig.press(Key.BREAK)
+                rig.run_until(lambda rig: rig.waiting is Waiting.COMMAND, LONGEST_MOTION)
+                rig.release(Key.BREAK)
         rig.reset()
         self._tell_of_new_machine()
 
@@ -287,6 +298,26 @@ class Session:
         self._journal.bench_text = file.text if file else None
         self.rig.set_bench(file.bench if file else Bench.standard())
         self.bench_path = path
+
+    def go_home(self) -> None:
+        """Stop the program, put arm and parts back to where the bench has them, count from zero."""
+        self.ready()
+        text = self._journal.bench_text
+        self.rig.set_bench(benchfile.parse(text, "bench") if text else Bench.standard())
+
+    def new_slip(self) -> ArmEvent | None:
+        """The slip by which the arm ceased to be where its registers say, told once; else None."""
+        lost = any(abs(steps) >= RING for steps in self.rig.state.slipped)
+        told, self._told_slip = self._told_slip, lost
+        return self.last_slip if lost and not told else None
+
+    @property
+    def last_slip(self) -> ArmEvent | None:
+        """The last time that a motor lost steps; None if none has, or it has been made good."""
+        if not any(abs(steps) >= RING for steps in self.rig.state.slipped):
+            return None
+        events = reversed(self.rig.arm.events)
+        return next((event for event in events if event.kind is EventKind.SLIP), None)
 
     # -- recordings -------------------------------------------------------------------------------
 

@@ -68,6 +68,11 @@ class Printer:
         r"""What is on the paper in memory: CR as `\n`, other codes as they are."""
         return _as_text(self._sent)
 
+    @property
+    def in_memory(self) -> str:
+        """The paper that may be in no file: all of it without one, or after a line went amiss."""
+        return self.text if self.path is None or self.fault is not None else ""
+
     def put(self, code: int) -> None:
         """Send one character, 0 to 255; with CR the line goes to the file."""
         self._sent.append(code & 0xFF)

@@ -43,6 +43,10 @@ class Shelf(Protocol):
     def set_aside(self, name: str) -> None:
         """Keep a copy of a cassette that is about to be recorded over."""
 
+    @property
+    def in_memory(self) -> dict[str, bytes]:
+        """What is on the cassettes that are in no file."""
+
 
 class MemoryShelf:
     """Cassettes that are gone when the program ends."""
@@ -64,6 +68,11 @@ class MemoryShelf:
 
     def set_aside(self, name: str) -> None:
         """Keep no copy: nothing here outlives the program anyway."""
+
+    @property
+    def in_memory(self) -> dict[str, bytes]:
+        """What is on the cassettes: all of them."""
+        return dict(self._contents)
 
 
 class FolderShelf:
@@ -108,6 +117,11 @@ class FolderShelf:
         path = self._path(name)
         if path.exists():
             write_whole(path.with_name(path.name + "~"), path.read_bytes())
+
+    @property
+    def in_memory(self) -> dict[str, bytes]:
+        """None: all are files."""
+        return {}
 
     def _path(self, name: str) -> Path:
         path = self._folder / (name + SUFFIX)
@@ -198,6 +212,11 @@ class Tape:
     def length(self) -> int:
         """How much is on the cassette, in bytes."""
         return len(self._content)
+
+    @property
+    def in_memory(self) -> dict[str, bytes]:
+        """The cassettes that no file holds: all, without a folder; else what failed to be written."""
+        return {**self._shelf.in_memory, **self._unsaved}
 
     def insert(self, name: str) -> None:
         """Put in a cassette, rewound; it is a new one if there is none of that name.

@@ -328,6 +328,8 @@ class Trs80Arm(App[int]):
             self.draw(now)
         for fault in self.session.new_faults():
             self.say(fault, error=True)
+        if (slip := self.session.new_slip()) is not None:
+            self.say(f"{slip.text}. Ctrl+R: why, and the way back.")
 
     def draw(self, now: float | None = None) -> None:
         """Draw what differs from what is shown."""

@@ -311,6 +311,14 @@ COMMANDS: tuple[Command, ...] = (
         also="drag joints manual",
     ),
     Command(
+        "come_back",
+        lambda to: to.arm.come_back(),
+        "Arm: come back after a slip",
+        "What a motor lost and why; arm, parts and registers back to the start.",
+        "ctrl+r",
+        also="recover home reset lost steps slipped",
+    ),
+    Command(
         "bench",
         lambda to: to.arm.choose_bench(),
         "Bench: choose",
@@ -382,6 +390,13 @@ COMMANDS: tuple[Command, ...] = (
         "Screen: cursor blinks or not",
         "The ROM's own is steady.",
         also="blink steady",
+    ),
+    Command(
+        "save_keepsakes",
+        lambda to: to.files.save_keepsakes(),
+        "Machine: save cassettes and paper",
+        "What was recorded or printed and is in memory only.",
+        also="tape csave lprint printer export",
     ),
     Command(
         "save_recording",

@@ -160,6 +160,8 @@ class AskPath(Dialog[Path]):
     def _problem(self, text: str, path: Path) -> str:
         if not text:
             return "Type a name."
+        if self.question.folder:
+            return refusal(path) or ("" if is_folder(path) else _no_new_folder(path))
         if is_folder(path):
             return f"{path} is a folder."
         if not self.question.to_write:
@@ -172,3 +174,10 @@ class AskPath(Dialog[Path]):
             self._warned = text
             return f"{path.name} exists. Enter again replaces it."
         return ""
+
+
+def _no_new_folder(path: Path) -> str:
+    """Why no folder of that name can be made; empty if it can."""
+    if is_file(path):
+        return f"{path} is a file."
+    return "" if is_folder(path.parent) else f"There is no folder {path.parent}."
