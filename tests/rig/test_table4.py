@@ -114,3 +114,11 @@ def test_as_printed_the_shoulder_never_moves() -> None:
     # S2 and S5 are used and never set, so J2 and J5 are always told to go nowhere.
     assert (rig.registers[1], rig.registers[4]) == (0, 0)
     assert rig.registers[0] != rig.joints[0] or any(rig.state.slipped)
+
+
+@pytest.mark.parametrize("keys", ["0", "6:0.1 0", "6:0.5 0", "6:0.9 0", "6:3.5 0"])
+def test_however_far_the_operator_opens_the_hand_the_task_works(keys: str) -> None:
+    rig = table4()
+    Operator(rig, sets=[parse_holds(keys)]).run(60)
+    assert rig.arm.bench.trays[0].taken > 2
+    assert rig.state.slipped == (0,) * 6

@@ -258,6 +258,26 @@ def test_parts_go_back_where_they_were(desk: Desk) -> None:
     assert next(iter(desk.session.rig.arm.bench.parts.values())).box == before
 
 
+def test_after_a_slip_the_way_back_is_offered_with_the_reason(desk: Desk) -> None:
+    rig = desk.session.rig
+    rig.type("@STEP 50,0,0,-3000\r")
+    rig.run_for(20)
+    desk.answer("home")
+    desk.arm.come_back()
+    [question] = desk.person.asked
+    assert "slipped" in question.text
+    assert "at its stop" in question.text
+    assert "J3" in question.text or "elbow" in question.text
+    assert rig.state.slipped == (0,) * 6
+    assert rig.registers == (0,) * 6
+
+
+def test_without_a_slip_it_says_that_nothing_is_lost(desk: Desk) -> None:
+    desk.answer("stay")
+    desk.arm.come_back()
+    assert "No motor has lost steps" in desk.person.asked[0].text
+
+
 def test_positions_are_taught_and_loaded_as_a_program(desk: Desk) -> None:
     desk.arm.teach_here()
     assert desk.person.told == ["Position 1 is taught: F12 lists them."]
