@@ -215,7 +215,7 @@ class Tape:
 
     @property
     def in_memory(self) -> dict[str, bytes]:
-        """The cassettes that no file holds: all, without a folder; else what failed to be written."""
+        """The cassettes that no file holds: all, without a folder, or what failed to be written."""
         return {**self._shelf.in_memory, **self._unsaved}
 
     def insert(self, name: str) -> None:
