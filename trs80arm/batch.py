@@ -74,6 +74,11 @@ def _run(options: BatchOptions, stream: TextIO) -> int:
     bench = options.bench or bench_beside(options.program)
     sets = [parse_holds(holds) for holds in options.sets]
     rig = Rig(options.rig, BenchFile.read(bench).bench if bench else None)
+    if rig.waiting is Waiting.MEMORY_SIZE:
+        raise UnusableError(
+            f"MEMORY SIZE? does not take {options.rig.memory_size!r}: an address from 17430 to "
+            f"{0x4000 + 1024 * options.rig.ram_kib - 1}, or nothing"
+        )
     rig.load_lines(lines)
     with ExitStack() as traces:
         if options.trace:

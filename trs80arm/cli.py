@@ -7,6 +7,7 @@ unreadable file, with one line on standard error.
 
 from __future__ import annotations
 
+import difflib
 import io
 import math
 import os
@@ -31,6 +32,8 @@ BROKEN_PIPE = 128 + 13
 """The exit code when whoever read the output has left: that of a program ended by SIGPIPE."""
 INTERRUPTED = 128 + 2
 A_PATH = click.Path(path_type=Path)
+CLOSE = 0.6
+"""How much of a word must be that of a command for it to be proposed."""
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
@@ -47,6 +50,29 @@ class Finite(click.FloatRange):
         return number
 
 
+class Named(click.Path):
+    """A program or a bench: a file, or the name of one that comes along."""
+
+    def __init__(self, suffix: str) -> None:
+        super().__init__(path_type=Path)
+        self._suffix = suffix
+
+    def convert(
+        self,
+        value: str | os.PathLike[str],
+        param: click.Parameter | None,
+        ctx: click.Context | None,
+    ) -> str | bytes | os.PathLike[str]:
+        """The file that is meant."""
+        from trs80arm.bundled import named
+
+        return named(Path(value), self._suffix)
+
+
+A_PROGRAM = Named(".bas")
+A_BENCH = Named(".toml")
+
+
 class ProgramFirst(click.Group):
     """A group of commands of which `terminal` may be left out: `trs80arm table4.bas`."""
 
@@ -57,8 +83,23 @@ class ProgramFirst(click.Group):
         if args[:1] not in (["--help"], ["-h"], ["--version"]) and (
             not args or args[0] not in self.commands
         ):
+            self._refuse_odd_words(ctx, args)
             args = [self.default, *args]
         return super().parse_args(ctx, args)
+
+    def _refuse_odd_words(self, ctx: click.Context, args: list[str]) -> None:
+        """A word that is neither a command nor a program is told as that, whatever follows it."""
+        from trs80arm.bundled import PROGRAM_SUFFIX, named
+        from trs80arm.paths import is_file
+
+        if not args or args[0].startswith("-"):
+            return
+        word = args[0]
+        plain = word.replace("-", "").isalnum()
+        if plain and not Path(word).exists() and not is_file(named(Path(word), PROGRAM_SUFFIX)):
+            close = difflib.get_close_matches(word, self.commands, 1, CLOSE)
+            hint = f"; is {close[0]} meant?" if close else "; `trs80arm programs` lists some"
+            raise click.UsageError(f"there is no command and no program {word!r}{hint}", ctx)
 
 
 def fail(message: object) -> NoReturn:
@@ -119,7 +160,9 @@ def _machine_options(command: Command) -> Command:
         ),
         click.option("--no-armbasic", is_flag=True, help="The bare ROM: @ words are ?SN."),
         _settings_options(_SETTING_FLAGS),
-        click.option("--bench", type=A_PATH, help="The bench file (TOML)."),
+        click.option(
+            "--bench", type=A_BENCH, help="The bench: a TOML file or one that came along."
+        ),
     ):
         command = option(command)
     return command
@@ -154,7 +197,7 @@ def _take_settings(given: dict[str, Any], *defaults: str) -> Settings:
 
 
 @cli.command()
-@click.argument("program", type=A_PATH, required=False)
+@click.argument("program", type=A_PROGRAM, required=False)
 @click.option("--run", is_flag=True, help="Type RUN at once.")
 @click.option("--record", type=A_PATH, help="Write everything that the operator does to a file.")
 @click.option("--replay", type=A_PATH, help="Play a recorded session.")
@@ -197,7 +240,7 @@ def _terminal_options(given: dict[str, Any], **more: Any) -> TerminalOptions:
 @cli.command()
 @click.option("--host", default="127.0.0.1", show_default=True, help="The address to listen at.")
 @click.option("--port", default=8000, show_default=True, type=click.IntRange(1, 65535))
-@click.argument("program", type=A_PATH, required=False)
+@click.argument("program", type=A_PROGRAM, required=False)
 def serve(host: str, port: int, program: Path | None) -> None:
     """Serve the terminal to a browser (extra `web`)."""
     from trs80arm.ui.serve import ServeError, serve_terminal
@@ -212,7 +255,7 @@ def serve(host: str, port: int, program: Path | None) -> None:
 
 
 @cli.command()
-@click.argument("program", type=A_PATH)
+@click.argument("program", type=A_PROGRAM)
 @click.option(
     "--seconds",
     type=Finite(min=0, max=LONGEST_RUN),
@@ -244,7 +287,7 @@ def run(**given: Any) -> None:
 
 
 @cli.command()
-@click.argument("source", type=A_PATH)
+@click.argument("source", type=A_PROGRAM)
 @click.argument("target", type=A_PATH)
 @click.option("--keep-good", is_flag=True, help="Take what is good of a damaged file.")
 def convert(source: Path, target: Path, keep_good: bool) -> None:
@@ -259,6 +302,19 @@ def convert(source: Path, target: Path, keep_good: bool) -> None:
     except OSError as error:
         fail(f"{error.filename}: {reason(error)}")
     click.echo(f"{target}: {count} line{'' if count == 1 else 's'}")
+
+
+@cli.command()
+def programs() -> None:
+    """List the programs that come along; each opens by its name."""
+    from trs80arm.bundled import described
+
+    listed = described()
+    if not listed:
+        fail("no programs were installed with trs80arm")
+    width = max(len(name) for name, _ in listed) + 2
+    for name, words in listed:
+        click.echo(name.ljust(width) + words)
 
 
 @cli.command()

@@ -102,8 +102,13 @@ def load_program(path: Path, *, keep_good: bool = False) -> list[ProgramLine]:
         FileFormatError: the file is damaged or no program; the message begins with its path.
         OSError: it cannot be read.
     """
-    with path.open("rb") as file:
-        data = file.read(LARGEST + 1)
+    try:
+        with path.open("rb") as file:
+            data = file.read(LARGEST + 1)
+    except OSError as error:
+        # What fails while it is read has no name of its own.
+        error.filename = error.filename or str(path)
+        raise
     try:
         if len(data) > LARGEST:
             raise FileFormatError(f"longer than {LARGEST >> 20} MB, which no program is")

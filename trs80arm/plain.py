@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TextIO
 
+from trs80arm.bundled import PROGRAM_SUFFIX, named
 from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.places import state_folder
@@ -150,7 +151,7 @@ class PlainMode:
             "pose": self._pose,
             "events": self._events,
             "quit": self._leave,
-            "open": lambda: self._file(self.session.load, rest, "loaded"),
+            "open": lambda: self._file(self._open, rest, "loaded"),
             "save": lambda: self._file(self.session.save, rest, "saved"),
         }
         do = commands.get(word)
@@ -158,6 +159,9 @@ class PlainMode:
             self._tell(f"There is no .{word}; .help lists what there is.")
         else:
             do()
+
+    def _open(self, path: Path) -> None:
+        self.session.load(named(path, PROGRAM_SUFFIX))
 
     def _file(self, do: Callable[[Path], None], name: str, done: str) -> None:
         if not name.strip():

@@ -163,7 +163,7 @@ def test_going_home_puts_arm_parts_and_registers_back_and_keeps_the_program() ->
 
 def test_going_home_sets_up_the_bench_that_was_set_up(tmp_path: Path) -> None:
     file = tmp_path / "bench.toml"
-    file.write_text('[arm]\nat = [6.0, 0.0, 2.0]\npitch = -90.0\n')
+    file.write_text("[arm]\nat = [6.0, 0.0, 2.0]\npitch = -90.0\n")
     session = Session(bench=file)
     file.unlink()
     slipped(session)
