@@ -146,48 +146,60 @@ class Problem:
 
     def _rows(self, index: dict[int, int]) -> None:
         """How each contact's relative velocity follows from the coordinates."""
-        contacts, count = self.contacts, len(self.contacts)
-        ways = np.array([(contact.normal, *tangents(contact.normal)) for contact in contacts])
+        contacts, count, size = self.contacts, len(self.contacts), self.size
+        nobody = len(self.mobiles)
+        ways_of: list[tuple[float, ...]] = []
+        sides: tuple[list[int], list[int]] = ([], [])
+        linked: list[tuple[int, int, Side]] = []
+        normal: Vector | None = None
+        way: tuple[float, ...] = ()
+        for i, contact in enumerate(contacts):
+            if contact.normal is not normal:
+                normal = contact.normal
+                u, v = tangents(normal)
+                way = (*normal, *u, *v)
+            ways_of.append(way)
+            for which, side in ((0, contact.first), (1, contact.second)):
+                if side.mobile is None:
+                    sides[which].append(nobody)
+                    continue
+                sides[which].append(index[id(side.mobile)])
+                if side.screws is not None:
+                    linked.append((i, which, side))
+        ways = np.array(ways_of).reshape(count, 3, 3)
         points = np.array([contact.point for contact in contacts])
-        rows = np.zeros((count, 3, 12))
-        columns = np.full((count, 12), self.size, dtype=np.int64)
+        places = np.array([*(mobile.place for mobile in self.mobiles), (0.0, 0.0, 0.0)])
+        easy = np.array([*(1 / m.mass if m.mass else 0.0 for m in self.mobiles), 0.0])
+        rows = np.empty((count, 3, 12))
+        columns = np.empty((count, 12), dtype=np.int64)
         ease = np.zeros(count)
         for which, sign in ((0, -1.0), (1, 1.0)):
-            bodies: list[int] = []
-            found: list[Mobile] = []
-            for i, contact in enumerate(contacts):
-                side = contact.second if which else contact.first
-                if side.mobile is None:
-                    continue
-                first = 6 * index[id(side.mobile)]
-                columns[i, 6 * which : 6 * which + 6] = _SIX + first
-                if side.screws is None:
-                    bodies.append(i)
-                    found.append(side.mobile)
-                    continue
-                here = _link_row(side.screws, contact.point, ways[i]) * sign
-                rows[i, :, 6 * which : 6 * which + 6] = here
-                assert side.mobile.inertias is not None
-                ease[i] += sum(
-                    j * j / m for j, m in zip(here[0].tolist(), side.mobile.inertias, strict=True)
-                )
-            if bodies:
-                at = np.array(bodies)
-                r = points[at] - np.array([mobile.place for mobile in found])
-                x, y, z = r[:, None, 0], r[:, None, 1], r[:, None, 2]
-                w = ways[at] * sign
-                u, v, t = w[:, :, 0], w[:, :, 1], w[:, :, 2]
-                start = 6 * which
-                rows[at, :, start : start + 3] = w
-                rows[at, :, start + 3] = y * t - z * v
-                rows[at, :, start + 4] = z * u - x * t
-                rows[at, :, start + 5] = x * v - y * u
-                ease[at] += np.array([1 / mobile.mass for mobile in found])
+            at = np.array(sides[which])
+            r = points - places[at]
+            w = ways * np.where(at == nobody, 0.0, sign)[:, None, None]
+            x, y, z = r[:, None, 0], r[:, None, 1], r[:, None, 2]
+            a, b, c = w[:, :, 0], w[:, :, 1], w[:, :, 2]
+            start = 6 * which
+            rows[:, :, start : start + 3] = w
+            rows[:, :, start + 3] = y * c - z * b
+            rows[:, :, start + 4] = z * a - x * c
+            rows[:, :, start + 5] = x * b - y * a
+            columns[:, start : start + 6] = np.minimum((6 * at)[:, None] + _SIX, size)
+            ease += easy[at]
+        for i, which, side in linked:
+            assert side.screws is not None
+            assert side.mobile is not None
+            assert side.mobile.inertias is not None
+            here = _link_row(side.screws, contacts[i].point, ways[i]) * (1.0 if which else -1.0)
+            rows[i, :, 6 * which : 6 * which + 6] = here
+            ease[i] += sum(
+                j * j / m for j, m in zip(here[0].tolist(), side.mobile.inertias, strict=True)
+            )
         self.ways, self.rows, self.columns = ways, rows, columns
         self.stiffness = 1 / (GIVE * np.maximum(ease, 1e-9))
         surface = np.array([contact.surface for contact in contacts])
         self.surface = np.add.reduce(ways * surface[:, None, :], axis=2)
-        self.places = (columns[:, :, None] * (self.size + 1) + columns[:, None, :]).reshape(-1)
+        self.places = (columns[:, :, None] * (size + 1) + columns[:, None, :]).reshape(-1)
 
     def solve(self) -> int:
         """Find the velocities and the impulses; steps of Newton's method taken."""
@@ -350,18 +362,22 @@ def eliminate(matrix: Floats, right: Floats) -> Floats:
     lowest = np.where(matrix != 0.0, np.arange(count)[:, None], 0).max(axis=0)
     ends = (np.maximum.accumulate(lowest) + 1).tolist()
     out = right.copy()
+    pivots = []
     for k, end in enumerate(ends):
+        pivot = matrix.item(k, k)
+        pivots.append(pivot)
+        after = k + 1
+        if end > after:
+            beside = matrix[k, after:end]
+            factor = beside / pivot
+            matrix[after:end, after:end] -= factor[:, None] * beside
+            out[after:end] -= factor * out.item(k)
+    values = out.tolist()
+    for k in range(count - 1, -1, -1):
+        end = ends[k]
+        value = values[k]
         if end > k + 1:
-            factor = matrix[k + 1 : end, k] / matrix[k, k]
-            matrix[k + 1 : end, k + 1 : end] -= factor[:, None] * matrix[k, k + 1 : end]
-            out[k + 1 : end] -= factor * out[k]
-    starts = [0] * count
-    for k in range(count - 1, -1, -1):
-        for i in range(k + 1, ends[k]):
-            starts[i] = k
-    for k in range(count - 1, -1, -1):
-        out[k] /= matrix[k, k]
-        first = starts[k]
-        if first < k:
-            out[first:k] -= matrix[first:k, k] * out[k]
-    return out
+            for a, b in zip(matrix[k, k + 1 : end].tolist(), values[k + 1 : end], strict=True):
+                value -= a * b
+        values[k] = value / pivots[k]
+    return np.array(values)
