@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed, Link, Linkage
+from trs80arm.arm.contact.coasting import MOST_STEPS, Coast, Mover, apart, even, join, pace
 from trs80arm.arm.contact.manifold import Manifold, Placed, between, on_table
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.rotations import (
@@ -26,8 +27,9 @@ from trs80arm.arm.contact.rotations import (
     spun,
     times,
     transposed,
+    turned,
 )
-from trs80arm.arm.contact.solver import Contact, Key, Mobile, Problem, Side, Six
+from trs80arm.arm.contact.solver import Contact, Key, Mobile, Problem, Side, Six, total
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
 T_STATES_PER_SECOND = 1_774_080
@@ -55,10 +57,11 @@ DRAG = 0.5
 """Part of its spin that a body loses in a second: what rolls comes to rest."""
 FAR_TURN = 0.08
 """Angle (radians) that a body may turn in a step; for a greater one the step is halved."""
-STRIDE = 4
-"""Ticks that are done at once while everything that is awake moves slowly and steadily."""
-SLOW, STEADY = 3.0, 0.25
-"""Inches a second of a body's outermost point, and of its change, up to which that is so."""
+STRIDES = ((4, 3.0), (2, 6.0))
+"""Ticks that are done at once while all that is awake moves steadily, and no faster than so many
+inches a second in its outermost point."""
+STEADY, UNEVEN = 0.25, 0.5
+"""Inches a second by which a velocity may change in a step, or part of it: motors go in steps."""
 FINEST = 8
 """Steps of a tick at most."""
 TILT = 0.9962
@@ -71,7 +74,8 @@ TABLE = "\x01the table"
 _DOWN: Vector = (0.0, 0.0, -1.0)
 
 Pressures = list[tuple[Vector, float]]
-"""Where two things press on each other, and with how much (impulse a second)."""
+"""Where two things press on each other, from the middle of the second if that is a body, and with
+how much (impulse a second)."""
 
 
 @dataclass(slots=True)
@@ -133,6 +137,9 @@ class Scene:
         self._seconds = TICK
         self._stride = 1
         self._steady = False
+        self._fastest = 0.0
+        self._coast: Coast | None = None
+        self._way: list[float] = [0.0] * 6
         self._links: list[Link] = []
         self._link_solids: list[Placed] = []
         self._roster = Roster()
@@ -145,7 +152,9 @@ class Scene:
 
     def __getstate__(self) -> dict[str, Any]:
         # Links are where the joints have them; what was measured is no part of what is.
-        gone: dict[str, Any] = {"contacts": [], "_links": [], "_link_solids": []}
+        gone: dict[str, Any] = {"_links": [], "_link_solids": []}
+        if self._coast is None:
+            gone["contacts"] = []
         return {**self.__dict__, **gone, "steps": 0, "solved": 0}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -171,6 +180,7 @@ class Scene:
 
     def clear(self) -> None:
         """Take all loose bodies away."""
+        self._coast = None
         for body in self.bodies.values():
             self._roster.strike(body)
         self.bodies.clear()
@@ -183,6 +193,7 @@ class Scene:
         self._reached = list(joints)
         self.joints = list(joints)
         self.torques = [0.0] * 6
+        self._coast = None
         self._place_links()
         self._arm_moved = True
         self._arm_still = 0
@@ -195,6 +206,7 @@ class Scene:
 
     def wake(self, name: str) -> None:
         """Look at a body again, and at all that it leans on or that leans on it."""
+        self._coast = None
         waiting = [name]
         while waiting:
             body = self.bodies.get(waiting.pop())
@@ -213,6 +225,7 @@ class Scene:
         thing = self.fixed[name]
         if thing.spin != spin:
             thing.spin = spin
+            self._coast = None
             for body in list(self.bodies.values()):
                 if name in body.touching:
                     self.wake(body.name)
@@ -220,6 +233,7 @@ class Scene:
     def jump(self, joints: Sequence[float]) -> None:
         """Have the arm be elsewhere, with what it carries, having met nothing on the way."""
         opening = self.joints[5]
+        self._coast = None
         self._commands = self._reached = list(joints)
         self.joints = list(joints)
         if self.carried:
@@ -277,10 +291,20 @@ class Scene:
         self._arm_moved = False
         self._arm_still = 0 if moved else self._arm_still + self._stride
         before, after = self._reached, self._commands
-        self._steady = True
+        share = self._coast.share(after) if self._coast is not None else None
+        if self._coast is not None and share is not None:
+            self._go_on(self._coast, share)
+            self._reached = after
+            return
+        self._coast = None
+        self._steady, self._fastest = True, 0.0
         self._part(before, after, 0, self._stride * FINEST, moved)
         self._commands = self._reached = after
-        self._stride = STRIDE if self._steady and not self.quiet else 1
+        stride = 1
+        if self._steady and not self.quiet:
+            stride = max((ticks for ticks, fast in STRIDES if self._fastest <= fast), default=1)
+        if stride != self._stride:
+            self._stride, self._coast = stride, None
 
     def _part(
         self, before: list[float], after: list[float], start: int, end: int, moved: bool
@@ -314,13 +338,14 @@ class Scene:
         arm = self._arm_mobile(rates)
         look = moved or bool(awake) or any(self.torques)
         contacts = self._contacts(awake, mobiles, arm, rates, look)
-        for group in _islands(contacts):
+        problems = [Problem(group, self._seconds) for group in _islands(contacts)]
+        for problem in problems:
             self.solved += 1
-            self.steps += Problem(group, self._seconds).solve()
+            self.steps += problem.solve()
         if may_halve and any(_turns_far(mobiles[b.name], self._seconds) for b in awake):
             return False
         self._keep(contacts)
-        before = self._links
+        before, joints = self._links, list(self.joints)
         if arm is not None:
             self._move_arm(arm, contacts, moved)
         for body in awake:
@@ -328,7 +353,113 @@ class Scene:
         self._rest(awake, mobiles, contacts, before)
         if moved:
             self._carry()
+        way, self._way = self._way, [a - b for a, b in zip(self.joints, joints, strict=True)]
+        self._coast = self._coasting(problems, mobiles, arm, way) if self._steady else None
         return True
+
+    # Going on as before
+
+    def _coasting(
+        self,
+        problems: list[Problem],
+        mobiles: dict[str, Mobile],
+        arm: Mobile | None,
+        way: list[float],
+    ) -> Coast | None:
+        """How all goes on as in this step, if it does.
+
+        Args:
+            problems: as solved.
+            mobiles: what was awake.
+            arm: as solved.
+            way: of the arm's coordinates in the step before.
+        """
+        h = self._seconds
+        awake = [self.bodies[name] for name in mobiles]
+        if (
+            self._stride == 1
+            or h != self._stride * TICK
+            or self._roster.carried
+            or self._something_spins()
+        ):
+            return None
+        if any(body.still or body.asleep for body in awake):
+            return None
+        levers = [1.0] * 6
+        if self.arm is not None:
+            reach = [self._link_reach(k) for k in range(len(self._links))]
+            levers = [max(each) for each in zip(*reach, strict=True)]
+        faster = pace(levers, way, self._way)
+        driven: set[str] = set()
+        for problem in problems:
+            members = {id(mobile) for mobile in problem.mobiles}
+            if id(arm) in members:
+                driven |= {name for name, mobile in mobiles.items() if id(mobile) in members}
+        for body in awake:
+            own = faster if body.name in driven else 1.0
+            if not even(mobiles[body.name], body.shape.radius, own):
+                return None
+        lasting = MOST_STEPS * h
+        for problem in problems:
+            lasting = min(lasting, problem.lasting({TABLE}))
+        if lasting < h:
+            return None
+        links, bodies = self._movers(awake)
+        join(links, bodies, touching := {contact.key[:2] for contact in self.contacts})
+        lasting = self._apart([*links, *bodies], touching, lasting)
+        if lasting < h:
+            return None
+        gives = [a - b for a, b in zip(self._commands, self.joints, strict=True)]
+        moves = [body.move(body.name in driven) for body in bodies]
+        return Coast(self._way, list(self._commands), levers, gives, moves, lasting / h)
+
+    def _something_spins(self) -> bool:
+        """Whether any surface turns that stands fast itself."""
+        plate = self.plate is not None and self.plate.spin != 0
+        return plate or any(thing.spin for thing in self.fixed.values())
+
+    def _movers(self, awake: list[Body]) -> tuple[list[Mover], list[Mover]]:
+        """The arm's links and what is awake, as they went in the last step."""
+        links = []
+        if self.arm is not None:
+            rates = [each / self._seconds for each in self._way]
+            for name, link, solid in zip(
+                self.arm.names, self._links, self._link_solids, strict=True
+            ):
+                spin, velocity = total(link.screws, rates)
+                middle, radius = _sphere(solid)
+                velocity = plus(velocity, cross(spin, middle))
+                links.append(Mover(name, [solid], middle, radius, velocity, spin))
+        return links, [
+            Mover(body.name, body.placed, body.place, body.shape.radius, body.velocity, body.spin)
+            for body in awake
+        ]
+
+    def _apart(self, movers: list[Mover], touching: set[tuple[str, str]], seconds: float) -> float:
+        """For how much of some time nothing comes upon anything new, as all moves now."""
+        others = [Mover(thing.name, thing.placed) for thing in self.fixed.values()]
+        near: dict[str, Body] = {}
+        for mover in movers:
+            if (TABLE, mover.name) not in touching:
+                seconds = min(seconds, mover.above())
+            seconds = min(seconds, mover.straight())
+            speed = math.sqrt(dot(mover.velocity, mover.velocity)) + mover.turning
+            for body in self._roster.near(*_around(mover.solids, speed * seconds)):
+                near[body.name] = body
+        others += [Mover(body.name, body.placed) for body in self._roster.ordered(near.values())]
+        return apart(movers, others, touching, seconds)
+
+    def _go_on(self, coast: Coast, share: float) -> None:
+        """A step in which everything goes on as it went in the one before."""
+        h = self._seconds
+        for move in coast.moves:
+            body, seconds = self.bodies[move.name], h * share if move.driven else h
+            still = move.spin == NOWHERE
+            turn = body.turn if still else turned(body.turn, move.spin, seconds)
+            body.put(plus(body.place, move.velocity, seconds), turn)
+        if self.arm is not None and self._commands != self._reached:
+            self.joints = [a - b for a, b in zip(self._commands, coast.gives, strict=True)]
+            self._place_links()
 
     def _rates(self) -> Six:
         """Rates at which the arm's coordinates go where they are commanded, if nothing is there.
@@ -418,17 +549,20 @@ class Scene:
         down = apply_back(self._links[self.arm.hand].turn, _DOWN)
         return dot(down, self._down_in_hand) < TILT
 
+    def _link_reach(self, index: int) -> list[float]:
+        """How far any point of a link moves at most for a unit of each coordinate, inches."""
+        middle, radius = _sphere(self._link_solids[index])
+        out = []
+        for spin, velocity in self._links[index].screws:
+            v = plus(velocity, cross(spin, middle))
+            out.append(math.sqrt(dot(v, v)) + radius * math.sqrt(dot(spin, spin)))
+        return out
+
     def _link_speed(self, index: int, rates: Six) -> float:
         """A bound on the speed of any point of a link, inches a second."""
-        solid = self._link_solids[index]
         far = 0.0
-        for (spin, velocity), rate in zip(self._links[index].screws, rates, strict=True):
-            if rate:
-                most = 0.0
-                for corner in solid.vertices:
-                    v = plus(velocity, cross(spin, corner))
-                    most = max(most, dot(v, v))
-                far += math.sqrt(most) * abs(rate)
+        for most, rate in zip(self._link_reach(index), rates, strict=True):
+            far += most * abs(rate)
         return far
 
     def _contacts(
@@ -556,18 +690,19 @@ class Scene:
     ) -> None:
         """Contacts of a manifold, beginning with the forces of the tick before."""
         known = self._pressures.get(key, [])
+        x, y, z = second.mobile.place if second.mobile is not None else NOWHERE
         for point, gap in met.points:
             surface = NOWHERE
             if thing is not None and thing.spin:
-                x, y = point[0] - thing.axis[0], point[1] - thing.axis[1]
-                surface = (-thing.spin * y, thing.spin * x, 0.0)
+                u, v = point[0] - thing.axis[0], point[1] - thing.axis[1]
+                surface = (-thing.spin * v, thing.spin * u, 0.0)
             elif self.plate is not None and self.plate.spin and key[0] == TABLE:
                 surface = self.plate.surface(point)
             contact = Contact(key, point, gap, met.normal, first, second, friction, surface)
             best, nearest = None, 0.01
-            for there, pressure in known:
-                d = minus(there, point)
-                square = dot(d, d)
+            a, b, c = point[0] - x, point[1] - y, point[2] - z
+            for (i, j, k), pressure in known:
+                square = (i - a) * (i - a) + (j - b) * (j - b) + (k - c) * (k - c)
                 if square < nearest:
                     best, nearest = pressure, square
             if best is not None:
@@ -579,9 +714,10 @@ class Scene:
         self.contacts = contacts
         kept: dict[Key, Pressures] = {}
         for contact in contacts:
-            if contact.pressure > 0:
+            mobile = contact.second.mobile
+            if contact.pressure > 0 and mobile is not None:
                 kept.setdefault(contact.key, []).append(
-                    (contact.point, contact.pressure / self._seconds)
+                    (minus(contact.point, mobile.place), contact.pressure / self._seconds)
                 )
         for key, pressures in self._pressures.items():
             # What sleeps still presses.
@@ -603,7 +739,9 @@ class Scene:
         vx, vy, vz, wx, wy, wz = mobile.speed
         radius = body.shape.radius
         change = [a - b for a, b in zip(mobile.speed, mobile.before or (), strict=True)]
-        if _speed(mobile.speed, radius) > SLOW or _speed(change, radius) > STEADY:
+        speed = _speed(mobile.speed, radius)
+        self._fastest = max(self._fastest, speed)
+        if _speed(change, radius) > max(STEADY, UNEVEN * speed):
             self._steady = False
         h = self._seconds
         body.velocity, body.spin, turn = (vx, vy, vz), (wx, wy, wz), body.turn
@@ -784,6 +922,13 @@ def _around(solids: Sequence[Placed], margin: float) -> tuple[Vector, Vector]:
     us, vs, ws = zip(*(solid.high for solid in solids), strict=True)
     low = (min(xs) - margin, min(ys) - margin, min(zs) - margin)
     return low, (max(us) + margin, max(vs) + margin, max(ws) + margin)
+
+
+def _sphere(solid: Placed) -> tuple[Vector, float]:
+    """Middle and radius of a sphere around a solid."""
+    (a, b, c), (d, e, f) = solid.low, solid.high
+    x, y, z = (d - a) / 2, (e - b) / 2, (f - c) / 2
+    return (a + x, b + y, c + z), math.sqrt(x * x + y * y + z * z)
 
 
 def _outside(body: Body, around: tuple[Vector, Vector]) -> bool:

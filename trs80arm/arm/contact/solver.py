@@ -16,6 +16,8 @@ the same to the last bit on every machine.
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,7 +25,7 @@ import numpy.typing as npt
 
 from trs80arm.arm.contact.manifold import tangents
 from trs80arm.arm.contact.rotations import Matrix
-from trs80arm.arm.shapes import Vector
+from trs80arm.arm.shapes import Vector, cross, minus, plus
 
 GIVE = 1e-4
 """Softness of a contact as a fraction of the bodies' own readiness to move."""
@@ -40,7 +42,14 @@ PASSES = 4
 """Times that friction's bounds are brought in line with the pressure, at most."""
 AGREED = 0.05
 """Part of the greatest pressure by which bounds and pressures may differ."""
+DRIFT = 3e-5
+"""Inches by which what presses may part or come closer while it goes on as before."""
+SHIFT = 0.03
+"""Inches by which it may shift on something that has an end."""
+TILT = 0.005
+"""Radians by which it may tilt."""
 
+_SLOWEST = 1e-9
 _SIX = np.arange(6)
 
 Six = tuple[float, float, float, float, float, float]
@@ -82,6 +91,23 @@ class Side:
 
     mobile: Mobile | None
     screws: tuple[tuple[Vector, Vector], ...] | None = None
+
+    @property
+    def spin(self) -> Vector:
+        """Radians a second."""
+        if self.mobile is None:
+            return (0.0, 0.0, 0.0)
+        if self.screws is None:
+            return self.mobile.speed[3], self.mobile.speed[4], self.mobile.speed[5]
+        return total(self.screws, self.mobile.speed)[0]
+
+
+def total(screws: Sequence[tuple[Vector, Vector]], rates: Sequence[float]) -> tuple[Vector, Vector]:
+    """Spin of a link, and velocity at the world's origin."""
+    spin = velocity = (0.0, 0.0, 0.0)
+    for (turning, going), rate in zip(screws, rates, strict=True):
+        spin, velocity = plus(spin, turning, rate), plus(velocity, going, rate)
+    return spin, velocity
 
 
 @dataclass(slots=True)
@@ -136,7 +162,8 @@ class Problem:
         self.wanted = np.array([mobile.speed for mobile in mobiles]).reshape(-1)
         self.first = np.array([m.before or m.speed for m in mobiles]).reshape(-1)
         self._rows(index)
-        gaps = np.array([contact.gap for contact in contacts])
+        self.relative = self.pressure = np.zeros(0)
+        self.gaps = gaps = np.array([contact.gap for contact in contacts])
         self.least = np.where(
             gaps > 0,
             -gaps / seconds,
@@ -216,6 +243,7 @@ class Problem:
         relative = self._relative(speed)
         pull = self._pull(relative, self.friction * bound)
         pressure = self._pressure(relative[:, 0])
+        self.relative, self.pressure = relative, pressure
         impulses = np.column_stack((pressure, pull))
         vectors = np.add.reduce(self.ways * impulses[:, :, None], axis=1).tolist()
         for contact, normal, vector in zip(self.contacts, pressure.tolist(), vectors, strict=True):
@@ -224,6 +252,28 @@ class Problem:
         for mobile, found in zip(self.mobiles, speed.reshape(-1, 6).tolist(), strict=True):
             mobile.speed[:] = found
         return steps
+
+    def lasting(self, endless: set[str]) -> float:
+        """Seconds for which these contacts stay as they are while everything goes on as found.
+
+        Args:
+            endless: names of things that are the same wherever they are touched.
+        """
+        opening, u, v = self.relative[:, 0], self.relative[:, 1], self.relative[:, 2]
+        pressing = self.pressure > 0
+        closing = ~pressing & (opening < 0)
+        room = np.where(pressing, DRIFT, np.where(closing, np.maximum(self.gaps, 0.0), np.inf))
+        lasting = float((room / np.maximum(np.abs(opening), _SLOWEST)).min())
+        ends = np.array([contact.key[0] not in endless for contact in self.contacts])
+        if ends.any():
+            shift = np.sqrt(u * u + v * v)[ends]
+            lasting = min(lasting, SHIFT / max(float(shift.max()), _SLOWEST))
+        tilting = 0.0
+        for contact in self.contacts:
+            x, y, z = minus(contact.second.spin, contact.first.spin)
+            a, b, c = cross((x, y, z), contact.normal)
+            tilting = max(tilting, a * a + b * b + c * c)
+        return min(lasting, TILT / max(math.sqrt(tilting), _SLOWEST))
 
     def _relative(self, speed: Floats) -> Floats:
         """Velocities of the second sides against the first, along normals and tangents."""

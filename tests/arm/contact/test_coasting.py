@@ -1,0 +1,118 @@
+"""Going on as before: what is not solved again goes where it would have gone."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable
+
+import pytest
+
+from tests.arm.contact.hand import SlidingHand
+from trs80arm.arm.contact import scene as scenes
+from trs80arm.arm.contact.bodies import Body, Fixed, Shape
+from trs80arm.arm.contact.scene import TICK_STATES, Scene
+from trs80arm.arm.contact.solids import box
+
+CUBE = Shape.of([box((1.0, 1.0, 1.0))], 2.0)
+STEP = 0.0066
+"""Inches that the hand goes in a tick: 1.4 inches a second."""
+
+
+def row(count: int) -> Scene:
+    """Cubes in a row and a hand beside the first."""
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm((4.2, 0.0, 0.3, 0.0, 0.0, 0.1))
+    for k in range(count):
+        scene.add(Body(str(k), CUBE, 0.5, (5.0 + k, 0.0, 0.5)))
+    scene.advance(40 * TICK_STATES)
+    return scene
+
+
+def push(scene: Scene, way: Callable[[int], float], start: int, end: int, pieces: int = 1) -> None:
+    """Have the hand go along x, commanded in every tick; time passes in pieces besides."""
+    for k in range(start, end):
+        for piece in range(1, pieces + 1):
+            scene.advance((40 + k) * TICK_STATES + TICK_STATES * piece // pieces)
+        scene.command((4.2 + way(k), 0.0, 0.3, 0.0, 0.0, 0.1))
+
+
+def state(scene: Scene) -> object:
+    bodies = [(b.place, b.turn, b.velocity, b.spin, b.asleep) for b in scene.bodies.values()]
+    pressures = [(c.key, c.pressure, c.gap) for c in scene.contacts]
+    return bodies, scene.joints, scene.torques, scene.time, pressures
+
+
+def straight(k: int) -> float:
+    return STEP * k
+
+
+def test_a_row_that_is_pushed_on_and_on_is_seldom_solved_and_goes_as_far(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    found = []
+    for most in (16, 0):
+        monkeypatch.setattr(scenes, "MOST_STEPS", most)
+        scene = row(3)
+        before = scene.solved
+        push(scene, straight, 0, 400)
+        places = [body.place for body in scene.bodies.values()]
+        found.append((places, scene.torques, scene.solved - before))
+    coasting, solving = found
+    for one, other in zip(coasting[0], solving[0], strict=True):
+        assert one == pytest.approx(other, abs=0.005)
+    assert coasting[1] == pytest.approx(solving[1], abs=0.2)
+    assert coasting[2] < solving[2] / 3
+
+
+@pytest.mark.parametrize(("period", "step"), [(7200, 0.0107), (12000, 0.0107), (4000, 0.0107)])
+def test_a_motor_goes_in_half_steps_and_what_it_pushes_evenly(period: int, step: float) -> None:
+    scene = row(3)
+    solved, start = scene.solved, scene.time
+    for k in range(300 * TICK_STATES // period):
+        scene.advance(start + k * period)
+        scene.command((4.2 + k * step, 0.0, 0.3, 0.0, 0.0, 0.1))
+    ahead = [body.place[0] - scene.joints[0] for body in scene.bodies.values()]
+    assert ahead == pytest.approx([0.8, 1.8, 2.8], abs=0.005)
+    # Three parts of two ounces at a friction of a half.
+    assert scene.torques[0] == pytest.approx(-3, rel=0.1)
+    assert scene.solved - solved < 60
+
+
+def test_what_is_pushed_stops_with_the_hand_and_lags_when_it_turns_back() -> None:
+    scene = row(2)
+    push(scene, lambda k: STEP * min(k, 203), 0, 400)
+    assert scene.quiet
+    ahead = [body.place[0] - scene.joints[0] for body in scene.bodies.values()]
+    assert ahead == pytest.approx([0.8, 1.8], abs=0.005)
+    scene = row(2)
+    push(scene, lambda k: STEP * min(k, 406 - k), 0, 400)
+    assert scene.quiet
+    assert scene.joints[0] == pytest.approx(4.2, abs=0.06)
+    assert [b.place[0] for b in scene.bodies.values()] == pytest.approx([6.34, 7.34], abs=0.02)
+
+
+def test_what_lies_in_the_way_is_met_where_it_lies() -> None:
+    scene = row(1)
+    scene.fixed["wall"] = Fixed("wall", (box((0.5, 4.0, 2.0)).moved((7.25, 0.0, 1.0)),), 0.5)
+    light = scene.add(Body("light", CUBE, 0.5, (5.0, 1.2, 0.5)))
+    push(scene, straight, 0, 260)
+    cube = scene.bodies["0"]
+    assert cube.place[0] == pytest.approx(6.5, abs=0.005)
+    assert scene.torques[0] < -100
+    assert light.place == pytest.approx((5.0, 1.2, 0.5), abs=0.001)
+
+
+def test_time_in_pieces_and_a_copy_in_the_middle_change_nothing() -> None:
+    whole = row(2)
+    push(whole, straight, 0, 300)
+    sliced = row(2)
+    push(sliced, straight, 0, 300, pieces=3)
+    assert state(sliced) == state(whole)
+    for at in (150, 163, 182):
+        first = row(2)
+        push(first, straight, 0, at)
+        assert first._coast is not None
+        copy = pickle.loads(pickle.dumps(first))
+        assert state(copy) == state(first)
+        push(copy, straight, at, 300)
+        assert state(copy) == state(whole)
