@@ -97,6 +97,19 @@ def test_a_standing_disc_touches_the_table_all_round() -> None:
     assert len(bearings) == 8
 
 
+@pytest.mark.parametrize("tilt", [90.0, 89.0, 85.0])
+def test_a_lying_cylinder_may_touch_at_both_ends_however_it_is_tilted(tilt: float) -> None:
+    lying = Placed(cylinder(0.7, 1.4), (0.0, 0.0, 0.65), matrix(oriented(30.0, tilt, 0.0)))
+    met = on_table(lying, 0.5)
+    assert met is not None
+    along = [x * math.sqrt(0.75) + y / 2 for (x, y, _), _ in met.points]
+    assert min(along) < -0.6
+    assert max(along) > 0.6
+    deepest = [min(gap for (x, _, _), gap in met.points if x * side > 0) for side in (1, -1)]
+    lowest = [min(z for x, _, z in lying.vertices if x * side > 0) for side in (1, -1)]
+    assert deepest == lowest
+
+
 def test_a_tray_a_holed_block_and_a_peg_board_have_the_volume_that_is_left() -> None:
     assert moments(tray((2.0, 3.0, 1.0), 0.25)).volume == pytest.approx(6 - 1.5 * 2.5 * 0.75)
     assert moments(holed((2.0, 3.0, 1.0), (0.5, 1.0))).volume == pytest.approx(5.5)

@@ -9,7 +9,6 @@ it, or the nearest points of the two edges.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -20,15 +19,15 @@ from trs80arm.arm.contact.solids import Solid
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
 MOST_POINTS = 8
-"""Points kept of an area of contact: those farthest out in eight directions."""
+"""Points of an area of contact of which none is left out."""
 _PREFERENCE = 1e-3
 """By how much an edge or the second solid's face must be the better axis, inches."""
 _ALONGSIDE = 0.95
 """Cosine of the angle between an edges' normal and a face's up to which the face is taken: of two
 faces that all but lie on each other one crossing of edges says too little, for what is pushed out
 there dives in elsewhere."""
-_LEVEL = 0.005
-"""Points whose gaps differ by less are as deep as each other, inches."""
+_TILTS = (0.003, 0.03, 0.3)
+"""Slopes by which what lies on something may be tilted to lie on other points."""
 _PARALLEL = 1e-6
 _MANY = 48
 """Products of edges from which on arrays are quicker than a loop."""
@@ -276,28 +275,26 @@ def _clipped(area: list[Vector], start: Vector, outwards: Vector) -> list[Vector
 
 
 def _fewer(points: list[tuple[Vector, float]], normal: Vector) -> list[tuple[Vector, float]]:
-    """Points of contact without those that lie between others, and are no deeper."""
+    """Points of contact on which two solids could rest on each other, tilted a little any way.
+
+    Of a round face those farthest out; of a cylinder on its side those of both ends.
+    """
     if len(points) <= MOST_POINTS:
         return points
-    level = min(gap for _, gap in points) + _LEVEL
-    lowest = [k for k, (_, gap) in enumerate(points) if gap <= level]
-    kept = _outermost(points, lowest, normal)
-    kept += [k for k in _outermost(points, range(len(points)), normal) if k not in kept]
-    return [points[k] for k in kept]
-
-
-def _outermost(
-    points: list[tuple[Vector, float]], among: Sequence[int], normal: Vector
-) -> list[int]:
-    """Those of some points that lie farthest out in eight directions."""
     u, v = tangents(normal)
+    ways = [(u[0] * c + v[0] * s, u[1] * c + v[1] * s, u[2] * c + v[2] * s) for c, s in _COMPASS]
+    out = [[x * a + y * b + z * c for (x, y, z), _ in points] for a, b, c in ways]
     kept: list[int] = []
-    for c, s in _COMPASS:
-        way = plus((u[0] * c, u[1] * c, u[2] * c), v, s)
-        best = max(among, key=lambda k: dot(points[k][0], way))
-        if best not in kept:
-            kept.append(best)
-    return kept
+    for tilt in _TILTS:
+        for along in out:
+            best, found = -math.inf, 0
+            for k, (_, gap) in enumerate(points):
+                value = tilt * along[k] - gap
+                if value > best:
+                    best, found = value, k
+            if found not in kept:
+                kept.append(found)
+    return [points[k] for k in sorted(kept)]
 
 
 _HALF = math.sqrt(0.5)
