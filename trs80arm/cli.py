@@ -202,6 +202,11 @@ def _take_settings(given: dict[str, Any], *defaults: str) -> Settings:
 @click.option("--record", type=A_PATH, help="Write everything that the operator does to a file.")
 @click.option("--replay", type=A_PATH, help="Play a recorded session.")
 @click.option("--plain", is_flag=True, help="Line by line, for screen readers and pipes.")
+@click.option(
+    "--own-folder",
+    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    help="Open and save in this folder only; programs that come along can be opened.",
+)
 @_settings_options(_SCREEN_FLAGS)
 @_machine_options
 def terminal(**given: Any) -> None:
@@ -240,13 +245,16 @@ def _terminal_options(given: dict[str, Any], **more: Any) -> TerminalOptions:
 @cli.command()
 @click.option("--host", default="127.0.0.1", show_default=True, help="The address to listen at.")
 @click.option("--port", default=8000, show_default=True, type=click.IntRange(1, 65535))
+@click.option(
+    "--allow-files", is_flag=True, help="Let visitors open and save files as you can yourself."
+)
 @click.argument("program", type=A_PROGRAM, required=False)
-def serve(host: str, port: int, program: Path | None) -> None:
+def serve(host: str, port: int, program: Path | None, allow_files: bool) -> None:
     """Serve the terminal to a browser (extra `web`)."""
     from trs80arm.ui.serve import ServeError, serve_terminal
 
     try:
-        serve_terminal(host, port, program)
+        serve_terminal(host, port, program, allow_files=allow_files)
     except ServeError as error:
         fail(error)
 

@@ -120,5 +120,7 @@ class TerminalOptions(TerminalSettings):
     """A recorded session to play."""
     rig: RigSettings | None = None
     """The machine's fittings; None is a 16K machine with ARMBASIC."""
+    own_folder: Path | None = None
+    """The one folder whose files its user can name; None for all files."""
     settings_file: Path | None = None
     """Where choices made in the program are remembered; None does not remember them."""

@@ -16,11 +16,11 @@ from trs80arm.bundled import PROGRAM_SUFFIX, named
 from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.places import state_folder
+from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.session import Session
 from trs80arm.files import FileFormatError
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.options import TerminalOptions
-from trs80arm.paths import typed_path
 from trs80arm.reasons import one_line
 from trs80arm.rig import Waiting
 from trs80arm.shown import shown
@@ -45,6 +45,7 @@ class PlainMode:
         out: where everything is printed.
         echo: whether what is typed is printed as well, for a transcript.
         speed: virtual seconds per second of the wall; None is flat out.
+        reach: which files can be named.
         sleep: waits for so many seconds of the wall.
     """
 
@@ -55,12 +56,14 @@ class PlainMode:
         *,
         echo: bool,
         speed: float | None,
+        reach: Reach = ALL_FILES,
         sleep: Callable[[float], None] = time.sleep,
     ) -> None:
         self.session = session
         self._out = out
         self._echo = echo
         self._speed = speed
+        self._reach = reach
         self._sleep = sleep
         self._teletype = Teletype(out)
         self._stop = session.rig.listen(self._printed)
@@ -151,8 +154,8 @@ class PlainMode:
             "pose": self._pose,
             "events": self._events,
             "quit": self._leave,
-            "open": lambda: self._file(self._open, rest, "loaded"),
-            "save": lambda: self._file(self.session.save, rest, "saved"),
+            "open": lambda: self._file(self._open, rest, "loaded", to_write=False),
+            "save": lambda: self._file(self.session.save, rest, "saved", to_write=True),
         }
         do = commands.get(word)
         if do is None:
@@ -163,11 +166,14 @@ class PlainMode:
     def _open(self, path: Path) -> None:
         self.session.load(named(path, PROGRAM_SUFFIX))
 
-    def _file(self, do: Callable[[Path], None], name: str, done: str) -> None:
+    def _file(self, do: Callable[[Path], None], name: str, done: str, *, to_write: bool) -> None:
         if not name.strip():
             self._tell("Which file?")
             return
-        path = typed_path(name)
+        path = self._reach.typed(name)
+        if outside := self._reach.refusal(path, to_write=to_write):
+            self._tell(outside)
+            return
         try:
             do(path)
         except FileFormatError as error:
@@ -214,7 +220,13 @@ def run_plain(options: TerminalOptions) -> int:
     except UNUSABLE as error:
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
-    plain = PlainMode(session, sys.stdout, echo=not sys.stdin.isatty(), speed=options.speed.factor)
+    plain = PlainMode(
+        session,
+        sys.stdout,
+        echo=not sys.stdin.isatty(),
+        speed=options.speed.factor,
+        reach=Reach(options.own_folder),
+    )
     if options.run:
         session.rig.type("RUN\r")
     try:

@@ -117,3 +117,40 @@ async def test_a_recovered_program_is_removed_when_asked_to_twice(
             "recovered-20260101-093000-7.bas"
         ]
         assert "2026-01-02 09:30" not in screen_text(sitting.app)
+
+
+@pytest.mark.parametrize("name", ["/etc/passwd", "/etc/", "../secret.bas", "/no/such/file"])
+@pytest.mark.parametrize("key", ["f2", "f3"])
+@piloted
+async def test_a_visitor_names_files_of_his_own_folder_only(
+    sit_down: Opener, tmp_path: Path, key: str, name: str
+) -> None:
+    own = tmp_path / "own"
+    own.mkdir()
+    (tmp_path / "secret.bas").write_text("10 REM SECRET\n")
+    async with sit_down(own_folder=own) as sitting:
+        sitting.app.session.rig.load_text("10 REM MINE")
+        await sitting.press(key)
+        await type_name(sitting, name)
+        assert "secret" not in screen_text(sitting.app).replace("../secret.bas", "")
+        await sitting.press("enter")
+        await sitting.settle()
+        assert "Only the files of your own folder" in screen_text(sitting.app)
+
+
+@piloted
+async def test_a_visitor_saves_and_opens_in_his_own_folder(
+    sit_down: Opener, tmp_path: Path
+) -> None:
+    own = tmp_path / "own"
+    own.mkdir()
+    async with sit_down(own_folder=own) as sitting:
+        sitting.app.session.rig.load_text("10 REM MINE")
+        await sitting.press("f3")
+        await type_name(sitting, "mine.txt")
+        await sitting.press("enter")
+        await sitting.settle()
+        assert (own / "mine.txt").is_file()
+        await sitting.press("f2")
+        await sitting.settle()
+        assert "mine.txt" in screen_text(sitting.app)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import signal
 import socket
@@ -13,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from trs80arm.ui.serve import LIMITS, ServeError, serve_terminal
+from trs80arm.ui.serve import LIMITS, OWN_FILES, ServeError, serve_terminal
 
 PATIENCE = 60.0
 """Seconds of the wall after which a server that does not answer is none."""
@@ -57,7 +58,7 @@ def test_a_browser_gets_a_page_with_a_terminal(tmp_path: Path) -> None:
         process.communicate(timeout=PATIENCE)
     assert address.startswith(f"http://127.0.0.1:{port}/?token=")
     assert f"ws://127.0.0.1:{port}/ws" in page
-    assert told.rstrip("\n") == LIMITS.format(address=address)
+    assert told.rstrip("\n") == LIMITS.format(address=address, files=OWN_FILES)
 
 
 def test_without_the_extra_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -89,7 +90,14 @@ def test_a_port_that_is_taken_is_told_in_one_line(tmp_path: Path) -> None:
     assert done.stderr.count("\n") == 1
 
 
-def test_an_address_for_others_is_warned_of(capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("allow_files", [False, True])
+def test_an_address_for_others_is_warned_of(
+    capsys: pytest.CaptureFixture[str], allow_files: bool
+) -> None:
+    # textual-serve closes the loop that it has found.
+    asyncio.set_event_loop(asyncio.new_event_loop())
     with pytest.raises(ServeError, match=r"192\.0\.2\.1:8000: "):
-        serve_terminal("192.0.2.1", 8000, None)
-    assert "Careful: 192.0.2.1 is not this computer alone." in capsys.readouterr().out
+        serve_terminal("192.0.2.1", 8000, None, allow_files=allow_files)
+    told = capsys.readouterr().out
+    assert "Careful: 192.0.2.1 is not this computer alone." in told
+    assert ("read and write the files" in told) == allow_files

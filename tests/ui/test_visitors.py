@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import asyncio
 import os
 import signal
@@ -11,6 +12,7 @@ import sys
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from pathlib import Path
 
 import aiohttp
 import pytest
@@ -18,7 +20,7 @@ from aiohttp import WSServerHandshakeError
 from aiohttp.test_utils import TestClient, TestServer
 
 from tests.ui.piloted import piloted
-from trs80arm.ui import visitors
+from trs80arm.ui import visitor_folders, visitors
 from trs80arm.ui.visitors import Visitors
 
 PROGRAM = r"""
@@ -34,18 +36,28 @@ while head := sys.stdin.buffer.read(5):
     body = sys.stdin.buffer.read(struct.unpack(">I", head[1:])[0]).decode()
     if '"quit"' in body:
         break
+    if '"where"' in body:
+        own = {name: it for name, it in os.environ.items() if name.startswith("TRS80ARM_")}
+        say(repr((sys.argv[1:], own)))
+        continue
     say("got " + body)
 """
 """Stands for the terminal program: says its size, and what it is sent."""
 
 
 @asynccontextmanager
-async def served(host: str = "127.0.0.1") -> AsyncIterator[tuple[Visitors, TestClient]]:
-    server = Visitors([sys.executable, "-c", PROGRAM.replace("\\\\", "\\")], host, 1)
+async def served(
+    host: str = "127.0.0.1", *, allow_files: bool = False
+) -> AsyncIterator[tuple[Visitors, TestClient]]:
+    words = [sys.executable, "-c", PROGRAM.replace("\\\\", "\\")]
+    server = Visitors(words, host, 1, allow_files=allow_files)
     async with TestClient(TestServer(await server._make_app())) as client:
         assert client.port is not None
         server.port = client.port
-        yield server, client
+        try:
+            yield server, client
+        finally:
+            server.forget_visitors()
 
 
 def token(server: Visitors) -> dict[str, str]:
@@ -125,6 +137,69 @@ async def test_a_window_has_a_size_that_windows_have(asked: str, given: str) -> 
             assert (await machine.receive_bytes()).decode() == f"size {given or '500x200'}"
             await machine.send_json(["resize", {"width": 10**12, "height": 10**12}])
             assert b'"width": 500, "height": 200' in await machine.receive_bytes()
+
+
+async def told_where(server: Visitors, client: TestClient) -> tuple[list[str], dict[str, str]]:
+    """The words that a visitor's program is started with, and its own variables."""
+    here = {"Origin": f"http://127.0.0.1:{client.port}"}
+    async with client.ws_connect("/ws", params=token(server), headers=here) as machine:
+        await machine.receive_bytes()
+        await machine.send_json(["stdin", '"where"'])
+        told = (await machine.receive_bytes()).decode()
+    words, variables = ast.literal_eval(told)
+    return words, variables
+
+
+@piloted
+async def test_a_visitor_has_a_folder_of_his_own_that_goes_with_the_server(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("TRS80ARM_PRINTER", "/their/paper")
+    async with served() as (server, client):
+        await client.get("/", params=token(server))
+        words, variables = await told_where(server, client)
+        folder = Path(words[words.index("--own-folder") + 1])
+        assert folder.is_dir()
+        assert words[words.index("--tapes") + 1] == str(folder / "tapes")
+        assert Path(words[words.index("--config") + 1]).parent == folder.parent
+        assert set(variables) == {"TRS80ARM_STATE", "TRS80ARM_SERVER"}
+        assert Path(variables["TRS80ARM_STATE"]).parent == folder.parent
+        again, _ = await told_where(server, client)
+        assert again == words
+        client.session.cookie_jar.clear()
+        await client.get("/", params=token(server))
+        another, _ = await told_where(server, client)
+        assert another != words
+    assert not folder.exists()
+
+
+@piloted
+async def test_visitors_who_are_allowed_to_have_the_files_of_who_serves(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("TRS80ARM_PRINTER", "/their/paper")
+    async with served(allow_files=True) as (server, client):
+        words, variables = await told_where(server, client)
+    assert words == []
+    assert variables["TRS80ARM_PRINTER"] == "/their/paper"
+
+
+@piloted
+async def test_a_cookie_leads_to_no_folder_elsewhere(monkeypatch: pytest.MonkeyPatch) -> None:
+    async with served() as (server, client):
+        client.session.cookie_jar.update_cookies({visitors.VISITOR: "../../../elsewhere"})
+        words, _ = await told_where(server, client)
+        assert "elsewhere" not in str(words)
+
+
+@piloted
+async def test_there_are_so_many_visitors_and_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(visitor_folders, "MOST", 1)
+    async with served() as (server, client):
+        await told_where(server, client)
+        with pytest.raises(WSServerHandshakeError) as refused:
+            await told_where(server, client)
+        assert refused.value.status == 503
 
 
 @piloted

@@ -24,6 +24,7 @@ from trs80arm.desk.asking import (
     Shelf,
 )
 from trs80arm.desk.places import RecentFiles, program_files
+from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.recovery import Recovery, copy_label
 from trs80arm.desk.session import Session
 from trs80arm.files import FileFormatError, Kind
@@ -47,16 +48,27 @@ class SessionFiles:
         recent: the programs opened lately.
         ask: a way to ask.
         say: a way to say something.
+        reach: which files its user can name.
+
+    Attributes:
+        reach: the same.
     """
 
     def __init__(
-        self, session: Session, recovery: Recovery, recent: RecentFiles, ask: Asking, say: Say
+        self,
+        session: Session,
+        recovery: Recovery,
+        recent: RecentFiles,
+        ask: Asking,
+        say: Say,
+        reach: Reach = ALL_FILES,
     ) -> None:
         self._session = session
         self._recovery = recovery
         self._recent = recent
         self._ask = ask
         self._say = say
+        self.reach = reach
 
     # -- open -------------------------------------------------------------------------------------
 
@@ -72,7 +84,7 @@ class SessionFiles:
         def chosen(path: Path) -> None:
             self.if_program_may_go("Open", lambda: self.load_file(path))
 
-        self._ask.ask_program(ProgramQuestion(shelves, Path.cwd()), chosen)
+        self._ask.ask_program(ProgramQuestion(shelves, self.reach.home), chosen)
 
     def _recovered(self) -> Shelf:
         """What sittings that ended badly have left: the newest few, unless they are asked for."""

@@ -30,6 +30,7 @@ from trs80arm.desk.files import PLAYING, SessionFiles
 from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.pacing import TICK, Pacer
 from trs80arm.desk.places import RecentFiles
+from trs80arm.desk.reach import Reach
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.remembered import Remembered
 from trs80arm.desk.session import Session
@@ -147,8 +148,9 @@ class Trs80Arm(App[int]):
     def _groups(self, recent: RecentFiles) -> Commands:
         """The groups of commands, each with what it needs."""
         session, lesson, keyboard, desk = self.session, self.lesson, self.keyboard, self.desk
-        dialogs, say = Dialogs(self), self.say
-        files = SessionFiles(session, self.recovery, recent, dialogs, say)
+        reach = Reach(self.options.own_folder)
+        dialogs, say = Dialogs(self, reach), self.say
+        files = SessionFiles(session, self.recovery, recent, dialogs, say, reach)
         arm = ArmCommands(
             session, lesson, files, dialogs, say, dialogs, lambda: desk.side.picture.braille
         )

@@ -15,6 +15,7 @@ from trs80arm.desk.asking import (
     ProgramQuestion,
     Question,
 )
+from trs80arm.desk.reach import Reach
 from trs80arm.ui.screens.dialog import Ask, AskPath, Choose, Dialog
 from trs80arm.ui.screens.open import OpenScreen
 from trs80arm.ui.screens.paste import PasteScreen
@@ -30,10 +31,16 @@ class Screens(Protocol):
 
 
 class Dialogs:
-    """Asks by dialogs of an application."""
+    """Asks by dialogs of an application.
 
-    def __init__(self, app: App[Any]) -> None:
+    Args:
+        app: the application.
+        reach: which files can be named in them.
+    """
+
+    def __init__(self, app: App[Any], reach: Reach) -> None:
         self._app = app
+        self._reach = reach
 
     def open(self, dialog: Dialog[Answer], then: Callable[[Answer], object] | None = None) -> None:
         """Show a dialog; `then` gets its answer, if it ends with one."""
@@ -59,11 +66,11 @@ class Dialogs:
 
     def ask_file(self, question: FileQuestion, then: Callable[[Path], object]) -> None:
         """Ask for a file's name."""
-        self.open(AskPath(question), then)
+        self.open(AskPath(question, self._reach), then)
 
     def ask_program(self, question: ProgramQuestion, then: Callable[[Path], object]) -> None:
         """Ask for a program, with a look into it."""
-        self.open(OpenScreen(question), then)
+        self.open(OpenScreen(question, self._reach), then)
 
     def ask_listing(self, then: Callable[[Listing], object]) -> None:
         """Ask for a listing to be pasted."""

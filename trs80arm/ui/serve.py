@@ -14,8 +14,12 @@ LOOPBACK = ("127.0.0.1", "localhost", "::1")
 LIMITS = """\
 Serving on {address}  (Ctrl+C ends it)
 Only this address opens it. In a browser: no key releases (hold with the mouse, or latch with
-Ctrl+D), one machine for each visitor, and files are those of this computer."""
+Ctrl+D), one machine for each visitor, and {files}."""
+OWN_FILES = "a folder of one's own that goes when this ends"
+ALL_FILES = "files are those of this computer"
 OPEN_TO_OTHERS = """\
+Careful: {host} is not this computer alone. Whoever has the address can use the machine."""
+FILES_OPEN_TO_OTHERS = """\
 Careful: {host} is not this computer alone. Whoever has the address can read and write the files
 that you can, through the open and save dialogs."""
 
@@ -24,13 +28,17 @@ class ServeError(Exception):
     """The terminal cannot be served; one clear line."""
 
 
-def serve_terminal(host: str, port: int, program: Path | None) -> None:
+def serve_terminal(
+    host: str, port: int, program: Path | None, *, allow_files: bool = False
+) -> None:
     """Serve the terminal until Ctrl+C.
 
     Args:
         host: the address to listen at.
         port: the port.
         program: a program for every visitor to begin with.
+        allow_files: whether visitors reach the files of this computer, with the settings and
+            cassettes of whoever serves; otherwise each has a folder of his own.
 
     Raises:
         ServeError: the extra is not installed, or the port cannot be had.
@@ -46,11 +54,15 @@ def serve_terminal(host: str, port: int, program: Path | None) -> None:
         if not program.is_file():
             raise ServeError(f"{program}: no such file")
         words.append(str(program.resolve()))
-    server = Visitors(words, host, port)
-    print(LIMITS.format(address=server.address), flush=True)
+    server = Visitors(words, host, port, allow_files=allow_files)
+    files = ALL_FILES if allow_files else OWN_FILES
+    print(LIMITS.format(address=server.address, files=files), flush=True)
     if host not in LOOPBACK:
-        print(OPEN_TO_OTHERS.format(host=host), flush=True)
+        warning = FILES_OPEN_TO_OTHERS if allow_files else OPEN_TO_OTHERS
+        print(warning.format(host=host), flush=True)
     try:
         server.serve()
     except OSError as error:
         raise ServeError(f"{host}:{port}: {error.strerror or error}") from None
+    finally:
+        server.forget_visitors()

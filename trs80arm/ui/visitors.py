@@ -18,6 +18,7 @@ import secrets
 import socket
 from asyncio.subprocess import PIPE, Process
 from collections.abc import Awaitable, Callable, Sequence
+from functools import partial
 from typing import Any
 
 from aiohttp import WSMsgType, web
@@ -25,6 +26,7 @@ from textual_serve.app_service import AppService
 from textual_serve.server import Server
 
 from trs80arm.ui.start import SERVER
+from trs80arm.ui.visitor_folders import VisitorFolders, environment_for, words_for
 
 VISITORS = 8
 """Machines at a time."""
@@ -37,6 +39,9 @@ COLUMNS, ROWS = (20, 500), (5, 200)
 PATIENCE = 5.0
 """Seconds that a visitor's program has to end when its page was closed."""
 COOKIE = "trs80arm"
+"""Holds the token."""
+VISITOR = "trs80arm-visitor"
+"""Holds the name of a visitor's folder."""
 _OUTSIDE = re.compile(rb"<link\b[^>]*\bhref=[\"']https?://[^>]*>")
 _POLICY = (
     "default-src 'self'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline'; "
@@ -55,18 +60,28 @@ class Visitors(Server):
         words: the command that a visitor's program is started with, word by word.
         host: the address to listen at.
         port: the port.
+        allow_files: whether visitors reach the files of this computer; otherwise each has a
+            folder of his own.
 
     Attributes:
         address: what is to be opened in a browser, token and all.
     """
 
-    def __init__(self, words: Sequence[str], host: str, port: int) -> None:
+    def __init__(
+        self, words: Sequence[str], host: str, port: int, *, allow_files: bool = False
+    ) -> None:
         name = f"[{host}]" if ":" in host else host
         super().__init__(" ".join(words), host, port, "trs80arm", f"http://{name}:{port}")
         self._words = list(words)
+        self._folders = None if allow_files else VisitorFolders()
         self._token = secrets.token_urlsafe(24)
         self._count = 0
         self.address = f"{self.public_url}/?token={self._token}"
+
+    def forget_visitors(self) -> None:
+        """Remove the folders that visitors had."""
+        if self._folders is not None:
+            self._folders.forget()
 
     def initialize_logging(self) -> None:
         """Tell of troubles only: a line for each request would show the token."""
@@ -107,6 +122,9 @@ class Visitors(Server):
         response.headers["X-Content-Type-Options"] = "nosniff"
         if request.path == "/":
             response.set_cookie(COOKIE, self._token, httponly=True, samesite="Strict")
+            if not VisitorFolders.is_name(request.cookies.get(VISITOR, "")):
+                name = VisitorFolders.new_name()
+                response.set_cookie(VISITOR, name, httponly=True, samesite="Strict")
         return response
 
     def _is_own_name(self, host: str) -> bool:
@@ -133,12 +151,23 @@ class Visitors(Server):
         """One visitor's machine, from the page's opening to its end."""
         if self._count >= VISITORS:
             raise web.HTTPServiceUnavailable(text="All machines are taken.")
+        words = self._words
+        change: Callable[[dict[str, str]], dict[str, str]] = dict
+        if self._folders is not None:
+            name = request.cookies.get(VISITOR, "")
+            name = name if VisitorFolders.is_name(name) else VisitorFolders.new_name()
+            folder = self._folders.of(name)
+            if folder is None:
+                raise web.HTTPServiceUnavailable(text="There are too many visitors.")
+            words = [*words, *words_for(folder)]
+            change = partial(environment_for, folder)
         socket_ = web.WebSocketResponse(heartbeat=15, max_msg_size=LARGEST_MESSAGE)
         self._count += 1
         try:
             await socket_.prepare(request)
             service = _Machine(
-                self._words,
+                words,
+                change,
                 self.command,
                 write_bytes=socket_.send_bytes,
                 write_str=socket_.send_str,
@@ -188,15 +217,29 @@ class Visitors(Server):
 
 
 class _Machine(AppService):
-    """A visitor's program: started without a shell, of a bounded size."""
+    """A visitor's program: started without a shell, of a bounded size.
 
-    def __init__(self, words: Sequence[str], command: str, **more: Any) -> None:
+    Args:
+        words: its command line.
+        change: makes its environment of that of the server.
+        command: the command line as textual-serve has it; it is not used.
+        more: what textual-serve gives.
+    """
+
+    def __init__(
+        self,
+        words: Sequence[str],
+        change: Callable[[dict[str, str]], dict[str, str]],
+        command: str,
+        **more: Any,
+    ) -> None:
         super().__init__(command, **more)
         self._words = list(words)
+        self._change = change
 
     async def _open_app_process(self, width: int = 80, height: int = 24) -> Process:
         width, height = _within(width, COLUMNS), _within(height, ROWS)
-        environment = self._build_environment(width=width, height=height)
+        environment = self._change(self._build_environment(width=width, height=height))
         environment[SERVER] = str(os.getpid())
         self._process = process = await asyncio.create_subprocess_exec(
             *self._words, stdin=PIPE, stdout=PIPE, stderr=PIPE, env=environment

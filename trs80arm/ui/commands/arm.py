@@ -78,7 +78,7 @@ class ArmCommands:
         self._ask.choose(question, lambda name: self.set_up_bench(Path(name) if name else None))
 
     def _benches(self) -> list[Path]:
-        folders = {Path.cwd(), programs_folder()}
+        folders = {self._files.reach.home, programs_folder()}
         if self._session.path is not None:
             folders.add(self._session.path.resolve().parent)
         found = {
@@ -153,8 +153,9 @@ class ArmCommands:
 
     def teach(self) -> None:
         """The list of positions."""
-        folder = self._session.path.parent if self._session.path else Path.cwd()
-        self._screens.open(TeachScreen(self._lesson, self.look, folder), self._taught)
+        reach = self._files.reach
+        folder = self._session.path.parent if self._session.path else reach.home
+        self._screens.open(TeachScreen(self._lesson, self.look, folder, reach), self._taught)
 
     def _taught(self, result: TeachResult) -> None:
         def load() -> None:

@@ -14,7 +14,8 @@ from textual.widgets import Button, Input, OptionList, Static
 from textual.widgets.option_list import Option
 
 from trs80arm.desk.asking import FileQuestion, ListQuestion, Question
-from trs80arm.paths import is_file, is_folder, refusal, typed_path
+from trs80arm.desk.reach import Reach
+from trs80arm.paths import is_file, is_folder, refusal
 from trs80arm.ui.terminal.layers import SeenThrough
 
 Answer = TypeVar("Answer")
@@ -132,11 +133,17 @@ class Ask(Dialog[str]):
 
 
 class AskPath(Dialog[Path]):
-    """Asks for the name of a file."""
+    """Asks for the name of a file.
 
-    def __init__(self, question: FileQuestion) -> None:
+    Args:
+        question: what kind of file.
+        reach: which files can be named.
+    """
+
+    def __init__(self, question: FileQuestion, reach: Reach) -> None:
         super().__init__()
         self.question = question
+        self._reach = reach
         self._warned = ""
 
     def compose(self) -> ComposeResult:
@@ -145,12 +152,13 @@ class AskPath(Dialog[Path]):
             box.border_title = self.question.title
             box.border_subtitle = "Enter does it, Escape goes back"
             yield Static(self.question.hint, classes="hint", markup=False)
-            yield Input(str(self.question.proposal), select_on_focus=False)
+            proposal = self._reach.proposal(self.question.proposal)
+            yield Input(str(proposal), select_on_focus=False)
             yield Static("", classes="wrong", markup=False)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Answer, if the name can be used."""
-        path = typed_path(event.value)
+        path = self._reach.typed(event.value)
         problem = self._problem(event.value.strip(), path)
         if problem:
             self.query_one(".wrong", Static).update(problem)
@@ -160,6 +168,8 @@ class AskPath(Dialog[Path]):
     def _problem(self, text: str, path: Path) -> str:
         if not text:
             return "Type a name."
+        if outside := self._reach.refusal(path, to_write=self.question.to_write):
+            return outside
         if self.question.folder:
             return refusal(path) or ("" if is_folder(path) else _no_new_folder(path))
         if is_folder(path):

@@ -15,8 +15,9 @@ from textual.widgets.option_list import Option
 
 from trs80arm.desk.asking import ProgramQuestion, Shelf
 from trs80arm.desk.places import program_files
+from trs80arm.desk.reach import Reach
 from trs80arm.files import FileFormatError, parse_program
-from trs80arm.paths import is_file, read_beginning, typed_path
+from trs80arm.paths import is_file, read_beginning
 from trs80arm.program_text import spell
 from trs80arm.reasons import reason
 from trs80arm.shown import shown
@@ -28,7 +29,12 @@ MOST_BYTES = 1 << 20
 
 
 class OpenScreen(Dialog[Path]):
-    """Asks for a program file."""
+    """Asks for a program file.
+
+    Args:
+        question: where programs are.
+        reach: which files can be named.
+    """
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("down", "to_list", show=False),
@@ -45,9 +51,10 @@ class OpenScreen(Dialog[Path]):
     }
     """
 
-    def __init__(self, question: ProgramQuestion) -> None:
+    def __init__(self, question: ProgramQuestion, reach: Reach) -> None:
         super().__init__()
         self.question = question
+        self._reach = reach
         self._paths: list[Path] = []
         self._warned: Path | None = None
         self._gone: set[Path] = set()
@@ -73,11 +80,13 @@ class OpenScreen(Dialog[Path]):
         options.clear_options()
         self._paths = []
         folder, part = self.question.folder, wanted
-        typed = typed_path(wanted)
-        if wanted and (wanted.endswith("/") or typed.parent != Path()):
+        typed = self._reach.typed(wanted)
+        if wanted and (wanted.endswith("/") or typed.parent != self._reach.typed("x").parent):
             folder = typed if wanted.endswith("/") else typed.parent
             part = "" if wanted.endswith("/") else typed.name
-        shelves = [*self.question.shelves, Shelf(str(folder), program_files(folder))]
+        shelves = list(self.question.shelves)
+        if not self._reach.refusal(folder, to_write=False):
+            shelves.append(Shelf(str(folder), program_files(folder)))
         for shelf in shelves:
             entries = [entry for entry in shelf.entries(part) if entry[0] not in self._gone]
             if entries:
@@ -144,7 +153,10 @@ class OpenScreen(Dialog[Path]):
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Open what was typed if it is a file, else what is marked in the list."""
-        path = typed_path(event.value)
+        path = self._reach.typed(event.value)
+        if outside := self._reach.refusal(path, to_write=False):
+            self.query_one(".wrong", Static).update(outside)
+            return
         if is_file(path):
             self.dismiss(path)
             return

@@ -14,6 +14,7 @@ from textual.markup import escape
 from textual.widgets import Footer, Input, OptionList, Static
 
 from trs80arm.desk.asking import FileQuestion
+from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.taught_programs import Manner, Written, written
 from trs80arm.desk.teach import Lesson, Position
 from trs80arm.drawing.readings import Readings
@@ -42,6 +43,7 @@ class TeachScreen(Dialog[TeachResult]):
         lesson: the positions; the dialog changes them at once.
         look: reads the rig, for teaching the position in which the arm is.
         save_folder: where programs are written unless the user names another folder.
+        reach: which files can be named.
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -82,8 +84,15 @@ differences make sense only between positions whose registers count from the sam
 `@RESET` or a slip the dialog names those that do not.
 """
 
-    def __init__(self, lesson: Lesson, look: Callable[[], Readings], save_folder: Path) -> None:
+    def __init__(
+        self,
+        lesson: Lesson,
+        look: Callable[[], Readings],
+        save_folder: Path,
+        reach: Reach = ALL_FILES,
+    ) -> None:
         super().__init__()
+        self._reach = reach
         self._lesson = lesson
         self._look = look
         self._folder = save_folder
@@ -238,7 +247,8 @@ differences make sense only between positions whose registers count from the sam
                     "A listing in plain text, which can be loaded here or typed in anywhere.",
                     self._folder / "taught.bas",
                     to_write=True,
-                )
+                ),
+                self._reach,
             ),
             chosen,
         )

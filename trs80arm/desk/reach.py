@@ -1,0 +1,60 @@
+"""Which files of the computer a sitting reaches: all that its user can name, or one folder's.
+
+A visitor of a served terminal has a folder of his own and the programs that come along. Whatever
+he types is looked at here before anything is asked of the system, so that he does not even learn
+which other files there are.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from trs80arm.bundled import programs_folder
+from trs80arm.paths import typed_path
+
+OUTSIDE = "Only the files of your own folder can be reached here."
+
+
+@dataclass(frozen=True)
+class Reach:
+    """What may be named.
+
+    Attributes:
+        folder: the one folder that can be reached, and nothing above it; None for all files.
+    """
+
+    folder: Path | None = None
+
+    @property
+    def home(self) -> Path:
+        """Where names begin that say no folder."""
+        return Path.cwd() if self.folder is None else self.folder
+
+    def typed(self, text: str) -> Path:
+        """The path that was typed."""
+        return typed_path(text) if self.folder is None else self.folder / text.strip()
+
+    def refusal(self, path: Path, *, to_write: bool) -> str:
+        """Why a path cannot be reached; empty if it can. Links are followed."""
+        if self.folder is None:
+            return ""
+        along = None if to_write else programs_folder()
+        try:
+            place = Path(os.path.realpath(path))
+            folders = [Path(os.path.realpath(folder)) for folder in (self.folder, along) if folder]
+        except (OSError, ValueError):
+            return OUTSIDE
+        return "" if any(place.is_relative_to(folder) for folder in folders) else OUTSIDE
+
+    def proposal(self, path: Path | str) -> Path | str:
+        """A name to begin with: of a path that cannot be written, the last part alone."""
+        if self.folder is None or not self.refusal(self.folder / path, to_write=True):
+            return path
+        return Path(path).name
+
+
+ALL_FILES: Final = Reach()
+"""For who sits at the computer itself."""
