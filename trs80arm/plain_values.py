@@ -15,6 +15,7 @@ import typing
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from enum import Enum, IntEnum
+from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
@@ -124,6 +125,12 @@ def keys_of(cls: type) -> set[str]:
     return {field.name for field in fields(cls)}
 
 
+@cache
+def _hints(cls: type) -> dict[str, Any]:
+    """The types of a class's fields, with their ranges."""
+    return typing.get_type_hints(cls, include_extras=True)
+
+
 def from_table(cls: type[T], table: Mapping[str, Any], where: str) -> T:
     """Make a settings class from a table of plain values.
 
@@ -136,7 +143,7 @@ def from_table(cls: type[T], table: Mapping[str, Any], where: str) -> T:
         SettingsError: a key is unknown, or its value cannot be.
     """
     taken = Table(where, "", table)
-    hints = typing.get_type_hints(cls, include_extras=True)
+    hints = _hints(cls)
     values = {key: taken.take(key, hints[key]) for key in table if key in keys_of(cls)}
     taken.done(", ".join(sorted(keys_of(cls))))
     try:

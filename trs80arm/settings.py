@@ -195,6 +195,8 @@ def _from_environment(
     environment: Mapping[str, str] | None,
 ) -> list[tuple[str, str, str, str]]:
     variables = os.environ if environment is None else environment
+    if not any(name.startswith(PREFIX) for name in variables):
+        return []
     found = []
     for table, cls in tables().items():
         for field in fields(cls):

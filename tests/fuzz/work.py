@@ -53,19 +53,20 @@ def fault_of(target: Target, case: Case) -> str | None:
 
 @contextlib.contextmanager
 def _in_time() -> Iterator[None]:
-    def ring(signal_number: int, frame: FrameType | None) -> None:
-        raise HangError("too long")
-
-    clocks = ((signal.SIGPROF, signal.ITIMER_PROF), (signal.SIGALRM, signal.ITIMER_REAL))
-    before = [signal.signal(number, ring) for number, _ in clocks]
+    for number in (signal.SIGPROF, signal.SIGALRM):
+        if signal.getsignal(number) is not _ring:
+            signal.signal(number, _ring)
     signal.setitimer(signal.ITIMER_PROF, LONGEST)
     signal.setitimer(signal.ITIMER_REAL, LONGEST_WAIT)
     try:
         yield
     finally:
-        for (number, clock), handler in zip(clocks, before, strict=True):
-            signal.setitimer(clock, 0)
-            signal.signal(number, handler)
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.setitimer(signal.ITIMER_REAL, 0)
+
+
+def _ring(signal_number: int, frame: FrameType | None) -> None:
+    raise HangError("too long")
 
 
 @contextlib.contextmanager
