@@ -126,7 +126,7 @@ def keys_of(cls: type) -> set[str]:
 
 
 @cache
-def _hints(cls: type) -> dict[str, Any]:
+def _hints(cls: Any) -> dict[str, Any]:
     """The types of a class's fields, with their ranges."""
     return typing.get_type_hints(cls, include_extras=True)
 
@@ -143,7 +143,8 @@ def from_table(cls: type[T], table: Mapping[str, Any], where: str) -> T:
         SettingsError: a key is unknown, or its value cannot be.
     """
     taken = Table(where, "", table)
-    hints = _hints(cls)
+    known: Any = cls
+    hints = _hints(known)
     values = {key: taken.take(key, hints[key]) for key in table if key in keys_of(cls)}
     taken.done(", ".join(sorted(keys_of(cls))))
     try:
