@@ -383,7 +383,7 @@ class Scene:
             or self._something_spins()
         ):
             return None
-        if any(body.still or body.asleep for body in awake):
+        if all(body.still for body in awake) or any(body.asleep for body in awake):
             return None
         levers = [1.0] * 6
         if self.arm is not None:

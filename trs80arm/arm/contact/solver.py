@@ -35,7 +35,7 @@ RECOVERY = 0.2
 """Part of an overlap that is taken back in a tick."""
 FASTEST_RECOVERY = 1.0
 """Inches a second at which overlap is taken back at most."""
-SOLVED = 1e-5
+SOLVED = 1e-3
 """Change of velocity below which Newton's method has arrived, inches a second."""
 MOST_STEPS = 40
 PASSES = 4
@@ -44,7 +44,7 @@ AGREED = 0.05
 """Part of the greatest pressure by which bounds and pressures may differ."""
 DRIFT = 3e-5
 """Inches by which what presses may part or come closer while it goes on as before."""
-SHIFT = 0.03
+SHIFT = 0.1
 """Inches by which it may shift on something that has an end."""
 TILT = 0.005
 """Radians by which it may tilt."""
