@@ -399,35 +399,42 @@ def _link_row(screws: tuple[tuple[Vector, Vector], ...], point: Vector, ways: Fl
 
 
 def eliminate(matrix: Floats, right: Floats) -> Floats:
-    """Solve a symmetric positive definite system by Gauss's elimination.
+    """Solve a symmetric positive definite system by Gauss's elimination, six rows at a time.
 
     Only what lies within the envelope of the matrix is looked at: of a row of bodies each is
     coupled to the next alone.
 
     Args:
-        matrix: square; it is used up.
+        matrix: square, of blocks of six; it is used up.
         right: the right-hand side.
     """
-    count = len(right)
-    lowest = np.where(matrix != 0.0, np.arange(count)[:, None], 0).max(axis=0)
-    ends = (np.maximum.accumulate(lowest) + 1).tolist()
+    size = len(right)
+    count = size // 6
+    coupled = (matrix.reshape(count, 6, count, 6) != 0.0).any(axis=(1, 3))
+    last = np.where(coupled, np.arange(count)[:, None], 0).max(axis=0)
+    ends = (6 * (np.maximum.accumulate(last) + 1)).tolist()
     out = right.copy()
-    pivots = []
-    for k, end in enumerate(ends):
-        pivot = matrix.item(k, k)
-        pivots.append(pivot)
-        after = k + 1
+    gains: list[Floats] = []
+    for k, end in zip(range(0, size, 6), ends, strict=True):
+        after = k + 6
+        # Solve the block for its own six unknowns: what they are without the others, and by them.
+        panel = np.empty((6, end - k + 1))
+        panel[:, :-1] = matrix[k:after, k:end]
+        panel[:, -1] = out[k:after]
+        for j in range(6):
+            row = panel[j]
+            row /= row.item(j)
+            factor = panel[:, j].copy()
+            factor[j] = 0.0
+            panel -= factor[:, None] * row
+        gain = panel[:, 6:]
+        gains.append(gain)
         if end > after:
-            beside = matrix[k, after:end]
-            factor = beside / pivot
-            matrix[after:end, after:end] -= factor[:, None] * beside
-            out[after:end] -= factor * out.item(k)
-    values = out.tolist()
-    for k in range(count - 1, -1, -1):
-        end = ends[k]
-        value = values[k]
-        if end > k + 1:
-            for a, b in zip(matrix[k, k + 1 : end].tolist(), values[k + 1 : end], strict=True):
-                value -= a * b
-        values[k] = value / pivots[k]
-    return np.array(values)
+            beside = matrix[k:after, after:end]
+            change = np.add.reduce(beside[:, :, None] * gain[:, None, :], axis=0)
+            matrix[after:end, after:end] -= change[:, :-1]
+            out[after:end] -= change[:, -1]
+    for k, end, gain in zip(range(size - 6, -1, -6), reversed(ends), reversed(gains), strict=True):
+        by_others = np.ascontiguousarray((gain[:, :-1] * out[k + 6 : end]).T)
+        out[k : k + 6] = gain[:, -1] - np.add.reduce(by_others, axis=0)
+    return out
