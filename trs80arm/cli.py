@@ -131,7 +131,10 @@ _SCREEN_FLAGS = {
     "keys": ("terminal.keys", "auto, events, repeat or latch."),
     "glyphs": ("terminal.glyphs", "auto, sextant, braille, quadrant or ascii."),
     "theme": ("terminal.theme", "green, white, amber, contrast or paper."),
-    "arm-style": ("terminal.arm", "How the arm is drawn: ascii or braille."),
+    "arm-style": (
+        "terminal.arm",
+        "The arm: ascii, half, sextant, braille or outline.",
+    ),
     "cursor": ("terminal.cursor", "blink or steady."),
     "fps": ("terminal.fps", "The most frames a second."),
 }

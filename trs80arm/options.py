@@ -42,7 +42,15 @@ class ArmStyle(StrEnum):
     """With which characters the arm is drawn."""
 
     ASCII = "ascii"
+    """Solid, filled with a ramp of characters."""
+    HALF = "half"
+    """Solid, in half blocks."""
+    SEXTANT = "sextant"
+    """Solid, in blocks of 2x3."""
     BRAILLE = "braille"
+    """Solid, in dots."""
+    OUTLINE = "outline"
+    """In bare lines of ASCII."""
 
 
 class CursorStyle(StrEnum):
@@ -76,7 +84,7 @@ class TerminalSettings:
         keys: "auto", "events", "repeat" or "latch".
         glyphs: "auto", "sextant", "braille", "quadrant" or "ascii".
         theme: "green", "white", "amber", "contrast", "paper", or any theme of Textual.
-        arm: "ascii" or "braille".
+        arm: "ascii", "half", "sextant", "braille" or "outline".
         cursor: "blink" or "steady".
         fps: the most frames a second, 1 to 60.
         tap_ms, repeat_ms: how long the timer holds a key after a press and after a repeat.

@@ -5,15 +5,14 @@ from hypothesis import strategies as st
 
 from tests.drawing.samples import picture
 from tests.goldens import check_golden
-from trs80arm.drawing.canvas_ascii import AsciiCanvas, Canvas
-from trs80arm.drawing.canvas_braille import BrailleCanvas
+from trs80arm.drawing.canvas_ascii import AsciiCanvas
 from trs80arm.drawing.rows import Ink, text_of
 from trs80arm.drawing.scene import along
 
 COORDINATE = st.floats(-60, 120, allow_nan=False)
 
 
-def texts(canvas: Canvas) -> list[str]:
+def texts(canvas: AsciiCanvas) -> list[str]:
     return [text_of(row).rstrip() for row in canvas.rows()]
 
 
@@ -66,25 +65,17 @@ def test_dots_never_cover_what_is_drawn() -> None:
     assert texts(canvas) == ["'o."]
 
 
-def test_braille_has_two_by_four_dots_a_cell() -> None:
-    canvas = BrailleCanvas(1, 1)
-    canvas.line((0, 0), (0, 0.9), Ink.ARM)
-    assert texts(canvas) == ["⡇"]
-    canvas.line((0.5, 0), (0.5, 0.9), Ink.ARM)
-    assert texts(canvas) == ["⣿"]
-
-
 @given(COORDINATE, COORDINATE, COORDINATE, COORDINATE)
 def test_nothing_drawn_outside_disturbs_a_canvas(
     x0: float, y0: float, x1: float, y1: float
 ) -> None:
-    for canvas in (AsciiCanvas(20, 6), BrailleCanvas(20, 6)):
-        canvas.line((x0, y0), (x1, y1), Ink.ARM)
-        canvas.box((x0, y0), (x1, y1), Ink.PART, "#")
-        canvas.box((x0, y0), (x1, y1), Ink.FURNITURE, "_")
-        canvas.dots([(x0, y0), (x1, y1)], Ink.TRAIL, "'.")
-        canvas.joint((x0, y0), Ink.ARM, "o", round_it=True)
-        canvas.write(int(x0), int(y0), "text", Ink.LABEL)
-        rows = canvas.rows()
-        assert len(rows) == 6
-        assert all(len(text_of(row)) == 20 for row in rows)
+    canvas = AsciiCanvas(20, 6)
+    canvas.line((x0, y0), (x1, y1), Ink.ARM)
+    canvas.box((x0, y0), (x1, y1), Ink.PART, "#")
+    canvas.box((x0, y0), (x1, y1), Ink.FURNITURE, "_")
+    canvas.dots([(x0, y0), (x1, y1)], Ink.TRAIL, "'.")
+    canvas.joint((x0, y0), Ink.ARM, "o", round_it=True)
+    canvas.write(int(x0), int(y0), "text", Ink.LABEL)
+    rows = canvas.rows()
+    assert len(rows) == 6
+    assert all(len(text_of(row)) == 20 for row in rows)

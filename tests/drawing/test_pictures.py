@@ -10,13 +10,28 @@ from tests.drawing import samples
 from tests.goldens import check_golden
 from trs80arm.arm.shapes import upright
 from trs80arm.drawing.canvas_ascii import AsciiCanvas
-from trs80arm.drawing.picture import FROM_ABOVE, FROM_THE_SIDE, Picture, Subject, angles_text
+from trs80arm.drawing.picture import (
+    FROM_ABOVE,
+    FROM_THE_SIDE,
+    IN_SPACE,
+    Picture,
+    Subject,
+    angles_text,
+)
 from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
 from trs80arm.drawing.rows import Ink, text_of
 from trs80arm.drawing.scene import Extras, Joint, skeleton
 from trs80arm.drawing.top_scene import top_scene
+from trs80arm.options import ArmStyle
 
 SIZES = [(76, 28), (50, 18), (40, 12), (16, 8), (46, 6)]
+
+
+def outlined(subject: Subject) -> Picture:
+    """A picture in bare lines."""
+    picture = Picture(subject)
+    picture.style = ArmStyle.OUTLINE
+    return picture
 
 
 def drawing(view: Picture, readings: Readings, width: int, height: int) -> str:
@@ -27,7 +42,7 @@ def drawing(view: Picture, readings: Readings, width: int, height: int) -> str:
 def test_side_view_at_its_sizes(width: int, height: int) -> None:
     check_golden(
         f"side-{width}x{height}",
-        drawing(Picture(FROM_THE_SIDE), samples.readings(), width, height),
+        drawing(outlined(FROM_THE_SIDE), samples.readings(), width, height),
     )
 
 
@@ -35,7 +50,7 @@ def test_side_view_at_its_sizes(width: int, height: int) -> None:
 def test_top_view_at_its_sizes(width: int, height: int) -> None:
     check_golden(
         f"top-{width}x{height}",
-        drawing(Picture(FROM_ABOVE), samples.readings(samples.TO_THE_LEFT), width, height),
+        drawing(outlined(FROM_ABOVE), samples.readings(samples.TO_THE_LEFT), width, height),
     )
 
 
@@ -44,35 +59,28 @@ def test_top_view_at_its_sizes(width: int, height: int) -> None:
     [("left", samples.TO_THE_LEFT), ("out", samples.STRETCHED_OUT)],
 )
 def test_side_view_of_other_postures(name: str, stands: Posture) -> None:
-    check_golden(f"side-{name}", drawing(Picture(FROM_THE_SIDE), samples.readings(stands), 50, 18))
-
-
-def test_views_in_braille() -> None:
-    side, top = Picture(FROM_THE_SIDE), Picture(FROM_ABOVE)
-    side.braille = top.braille = True
-    check_golden("side-braille", drawing(side, samples.readings(), 50, 18))
-    check_golden("top-braille", drawing(top, samples.readings(samples.TO_THE_LEFT), 30, 18))
+    check_golden(f"side-{name}", drawing(outlined(FROM_THE_SIDE), samples.readings(stands), 50, 18))
 
 
 def test_a_slipped_arm_has_a_dotted_twin_where_it_was_told_to_be() -> None:
-    check_golden("side-slipped", drawing(Picture(FROM_THE_SIDE), samples.slipped(), 50, 18))
-    check_golden("top-slipped", drawing(Picture(FROM_ABOVE), samples.slipped(), 30, 18))
+    check_golden("side-slipped", drawing(outlined(FROM_THE_SIDE), samples.slipped(), 50, 18))
+    check_golden("top-slipped", drawing(outlined(FROM_ABOVE), samples.slipped(), 30, 18))
 
 
 def test_envelope_and_trail_on_request() -> None:
-    side = Picture(FROM_THE_SIDE)
+    side = outlined(FROM_THE_SIDE)
     side.envelope = True
     side.trail = True
     for shoulder in range(0, 90, 3):
         side.follow(samples.readings(samples.posture(0, shoulder, -70, -90, 0, 1)))
     check_golden("side-envelope-trail", drawing(side, samples.readings(), 60, 24))
-    top = Picture(FROM_ABOVE)
+    top = outlined(FROM_ABOVE)
     top.envelope = True
     check_golden("top-envelope", drawing(top, samples.readings(), 44, 20))
 
 
 def test_the_window_grows_when_the_arm_leaves_it_and_stays() -> None:
-    side = Picture(FROM_THE_SIDE)
+    side = outlined(FROM_THE_SIDE)
     before = drawing(side, samples.readings(), 50, 18)
     raised = samples.readings(samples.posture(0, 90, 80, 60, 0, 1))
     assert drawing(side, raised, 50, 18).count("o") >= 2
@@ -82,7 +90,7 @@ def test_the_window_grows_when_the_arm_leaves_it_and_stays() -> None:
 
 
 def test_a_closer_look_keeps_the_hand_in_the_picture() -> None:
-    side = Picture(FROM_THE_SIDE)
+    side = outlined(FROM_THE_SIDE)
     for _ in range(9):
         side.zoom_in()
     for shoulder in range(20, 60):
@@ -92,7 +100,7 @@ def test_a_closer_look_keeps_the_hand_in_the_picture() -> None:
 
 
 def test_parts_beside_the_plane_are_marked() -> None:
-    rows = Picture(FROM_THE_SIDE).draw(samples.readings(), 50, 18)
+    rows = outlined(FROM_THE_SIDE).draw(samples.readings(), 50, 18)
     inks = {ink for row in rows for text, ink in row if "#" in text}
     assert inks == {Ink.PART}
     assert any(":" in text for row in rows for text, ink in row if ink is Ink.FAINT)
@@ -100,7 +108,7 @@ def test_parts_beside_the_plane_are_marked() -> None:
 
 def test_turning_the_base_brings_the_other_part_into_the_plane() -> None:
     stands = samples.posture(39.8, 60, -60, -60, 0, 1)
-    rows = Picture(FROM_THE_SIDE).draw(samples.readings(stands), 50, 18)
+    rows = outlined(FROM_THE_SIDE).draw(samples.readings(stands), 50, 18)
     row = text_of(rows[15])
     assert row.index(":") < row.rindex("#")
 
@@ -143,14 +151,14 @@ THING = st.builds(
     st.builds(samples.posture, ANGLE, ANGLE, ANGLE, ANGLE, ANGLE, st.floats(0, 3)),
     st.lists(THING, max_size=4),
     st.integers(0, 6),
-    st.booleans(),
+    st.sampled_from(ArmStyle),
 )
 def test_every_posture_on_every_bench_can_be_drawn(
-    stands: Posture, things: list[Thing], closer: int, braille: bool
+    stands: Posture, things: list[Thing], closer: int, style: ArmStyle
 ) -> None:
     readings = samples.readings(stands, things=tuple(things), believed=samples.STRETCHED_OUT)
-    for view in (Picture(FROM_THE_SIDE), Picture(FROM_ABOVE)):
-        view.braille = braille
+    for view in (Picture(FROM_THE_SIDE), Picture(FROM_ABOVE), Picture(IN_SPACE)):
+        view.style = style
         view.envelope = view.trail = True
         for _ in range(closer):
             view.zoom_in()
@@ -159,11 +167,14 @@ def test_every_posture_on_every_bench_can_be_drawn(
         assert [len(text_of(row)) for row in rows] == [50] * 18
 
 
-@pytest.mark.parametrize("subject", [FROM_THE_SIDE, FROM_ABOVE])
-def test_views_can_be_drawn_at_any_size(subject: Subject) -> None:
+@pytest.mark.parametrize("style", ArmStyle)
+@pytest.mark.parametrize("subject", [FROM_THE_SIDE, FROM_ABOVE, IN_SPACE])
+def test_views_can_be_drawn_at_any_size(subject: Subject, style: ArmStyle) -> None:
     for width in (1, 3, 16, 33, 120):
         for height in (1, 2, 5, 9, 40):
-            rows = Picture(subject).draw(samples.slipped(), width, height)
+            picture = Picture(subject)
+            picture.style = style
+            rows = picture.draw(samples.slipped(), width, height)
             assert len(rows) == height
             assert all(len(text_of(row)) == width for row in rows)
 
@@ -175,7 +186,7 @@ def test_a_part_is_on_the_table_while_it_lies_and_above_it_when_lifted(
     def rows_of_the_part(bottom: float) -> set[int]:
         part = Thing(Kind.PART, "it", upright(8.0, 0.0, bottom, (1.0, 1.0, 1.0), 0.0))
         readings = samples.readings(samples.STRETCHED_OUT, things=(part,))
-        picture = Picture(FROM_THE_SIDE)
+        picture = outlined(FROM_THE_SIDE)
         picture.labels = False
         rows = picture.draw(readings, width, height)
         return {y for y, row in enumerate(rows) if any(ink is Ink.PART for _, ink in row)}

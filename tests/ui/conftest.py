@@ -11,7 +11,7 @@ import pytest
 
 from tests.own_places import PROGRAMS, own_places
 from trs80arm.desk.opening import open_session
-from trs80arm.options import TerminalOptions
+from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.ui.app import Trs80Arm
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 
@@ -86,7 +86,8 @@ def sit_down(tmp_path: Path) -> Opener:
         width: int = 80, height: int = 24, panels: Sequence[PanelRow] = PANELS, **options: Any
     ) -> Any:
         wall = Wall()
-        chosen = TerminalOptions(**options)
+        # Screens are compared as text: in bare lines they hang on nothing but themselves.
+        chosen = TerminalOptions(**{"arm": ArmStyle.OUTLINE, **options})
         app = Trs80Arm(
             open_session(chosen),
             chosen,

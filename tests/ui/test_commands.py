@@ -303,16 +303,21 @@ def test_the_dialog_for_hands_is_opened(desk: Desk) -> None:
 def test_choices_of_the_view_are_remembered(desk: Desk) -> None:
     desk.answer("quadrant")
     desk.view.choose_glyphs()
-    desk.view.switch_arm_style()
+    desk.view.next_arm_style()
     desk.view.switch_cursor()
     assert desk.shown.glyph_set is GlyphSet.QUADRANT
-    assert desk.shown.arm_style is ArmStyle.BRAILLE
+    assert desk.shown.arm_style is ArmStyle.HALF
     assert desk.shown.cursor_style is CursorStyle.STEADY
     assert 'glyphs = "quadrant"' in desk.settings
-    assert 'arm = "braille"' in desk.settings
+    assert 'arm = "half"' in desk.settings
     assert 'cursor = "steady"' in desk.settings
-    desk.view.switch_arm_style()
-    assert 'arm = "ascii"' in desk.settings
+    desk.answer("braille")
+    desk.view.choose_arm_style()
+    assert desk.shown.arm_style is ArmStyle.BRAILLE
+    assert 'arm = "braille"' in desk.settings
+    for _ in ArmStyle:
+        desk.view.next_arm_style()
+    assert desk.shown.arm_style is ArmStyle.BRAILLE
 
 
 def test_a_choice_that_cannot_be_remembered_is_told_and_made(desk: Desk) -> None:

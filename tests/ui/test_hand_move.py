@@ -10,6 +10,7 @@ from tests.ui.screen_text import screen_text
 from trs80arm.arm.models import MINIMOVER5
 from trs80arm.desk.hands import MoveJoint, MoveTo
 from trs80arm.drawing.readings import Readings
+from trs80arm.options import ArmStyle
 from trs80arm.ui.screens.hand_move import HandMoveScreen
 
 
@@ -26,7 +27,7 @@ class Desk(App[None]):
         return self.seen
 
     def on_mount(self) -> None:
-        self.push_screen(HandMoveScreen(self.look, self.move))
+        self.push_screen(HandMoveScreen(self.look, self.move, style=ArmStyle.OUTLINE))
 
     def move(self, move: MoveJoint | MoveTo) -> str:
         self.asked.append(move)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from math import floor
-from typing import Protocol, TypeAlias
+from typing import TypeAlias
 
 from trs80arm.drawing.rows import Ink, Row, inked
 
@@ -21,31 +21,6 @@ _COARSE_LEVELS = "'."
 """The same for a line that climbs more than two rows in five columns."""
 _STEEP = 1.4
 """Columns a row from which a line counts as flat and is drawn column by column."""
-
-
-class Canvas(Protocol):
-    """What a scene is drawn on, in cells."""
-
-    width: int
-    height: int
-
-    def line(self, start: Point, end: Point, ink: Ink) -> None:
-        """Draw a straight line."""
-
-    def dots(self, points: Iterable[Point], ink: Ink, glyphs: str) -> None:
-        """Mark single points by one of two glyphs, never over something that is drawn already."""
-
-    def write(self, column: int, row: int, text: str, ink: Ink) -> None:
-        """Write text into cells; blanks of it leave what is there."""
-
-    def box(self, corner: Point, opposite: Point, ink: Ink, fill: str) -> None:
-        """Draw an upright box between two corners, filled where there is room with a glyph."""
-
-    def joint(self, centre: Point, ink: Ink, glyph: str, *, round_it: bool) -> None:
-        """Mark a joint, as a disc if asked to."""
-
-    def rows(self) -> list[Row]:
-        """The drawing, one row for each line of cells."""
 
 
 def _covered(one: float, other: float, least: float) -> tuple[int, int]:

@@ -9,21 +9,36 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import degrees, dist
+from math import degrees, dist, floor, radians, tau
+
+import numpy as np
 
 from trs80arm.drawing.canvas_ascii import AsciiCanvas
-from trs80arm.drawing.canvas_braille import BrailleCanvas
+from trs80arm.drawing.cells import Cells
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, fitted, signed
-from trs80arm.drawing.scene import Extras, Scene, TrailPoint, trail_point
+from trs80arm.drawing.scale import rule_height, rule_table
+from trs80arm.drawing.scene import (
+    Extras,
+    Scene,
+    TrailPoint,
+    differs_from_the_side,
+    trail_point,
+)
 from trs80arm.drawing.side_scene import side_scene
+from trs80arm.drawing.solids import Floats
+from trs80arm.drawing.studio import Orbit, Shot, side_shot, space_shot, take, top_shot
+from trs80arm.drawing.styles import SOLID_STYLES
 from trs80arm.drawing.top_scene import top_scene
-from trs80arm.drawing.viewport import ZOOMS, Viewport, draw
+from trs80arm.drawing.viewport import ASPECT, ZOOMS, Viewport, Window, draw
+from trs80arm.options import ArmStyle
 
 TRAIL_POINTS = 800
 """How many places of the fingertip a trail keeps."""
 TRAIL_STEP = 0.1
 """How far the fingertip must have gone for the next one, inches."""
+LOWEST, HIGHEST = radians(4), radians(89)
+"""How far above the table one looks from in space."""
 WITH_CAPTION = 9
 """Rows from which a picture gives one up for its caption."""
 _LEGENDS = ("  :: where the motors were told to be", "  :: as commanded", " :: told")
@@ -34,12 +49,14 @@ class Subject:
     """What a picture is of.
 
     Attributes:
-        scene: what is to be drawn.
+        shot: what there is to be seen, in solids.
         caption: what is written under it, as wordy as so many cells allow.
+        scene: what is to be drawn in outlines; None where outlines say nothing.
     """
 
-    scene: Callable[[Readings, Extras], Scene]
+    shot: Callable[[Readings, Orbit, Extras], Shot]
     caption: Callable[[Readings, int], str]
+    scene: Callable[[Readings, Extras], Scene] | None = None
 
 
 class Picture:
@@ -49,13 +66,15 @@ class Picture:
         subject: what it is of.
 
     Attributes:
-        braille: whether it is drawn in braille dots instead of plain ASCII.
-        labels: whether the caption is written below.
+        style: with which characters it is drawn.
+        labels: whether the caption is written below, and the scales.
+        orbit: from where the view in space looks.
     """
 
     def __init__(self, subject: Subject) -> None:
-        self.braille = False
+        self.style = ArmStyle.ASCII
         self.labels = True
+        self.orbit = Orbit()
         self._subject = subject
         self._viewport = Viewport()
         self._trail: deque[TrailPoint] = deque(maxlen=TRAIL_POINTS)
@@ -95,6 +114,17 @@ class Picture:
         """Show the arm and all that stands near it, as large as it will go."""
         self._viewport.fit()
 
+    def turn(self, round_it: float, above: float) -> None:
+        """Look from elsewhere in space.
+
+        Args:
+            round_it: radians counter-clockwise round the table.
+            above: radians up, as far as straight above and to just over the table.
+        """
+        tilt = min(max(self.orbit.tilt + above, LOWEST), HIGHEST)
+        self.orbit = Orbit((self.orbit.turn + round_it) % tau, tilt)
+        self._viewport.forget()
+
     def clear_trail(self) -> None:
         """Forget where the fingertip has been."""
         self._trail.clear()
@@ -114,11 +144,49 @@ class Picture:
         caption = self._subject.caption(readings, width) if captioned else ""
         if caption:
             height -= 1
-        scene = self._subject.scene(readings, Extras(self._envelope, tuple(self._trail)))
-        canvas = (BrailleCanvas if self.braille else AsciiCanvas)(width, height)
-        draw(scene, self._viewport.window(scene, width, height), canvas)
-        rows = canvas.rows()
+        extras = Extras(self._envelope, tuple(self._trail))
+        scene = self._subject.scene
+        if self.style is ArmStyle.OUTLINE and scene is not None:
+            rows = self._outlined(scene(readings, extras), width, height)
+        else:
+            rows = self._solid(self._subject.shot(readings, self.orbit, extras), width, height)
         return [*rows, fitted(((caption, Ink.LABEL),), width)] if caption else rows
+
+    def _outlined(self, scene: Scene, width: int, height: int) -> list[Row]:
+        canvas = AsciiCanvas(width, height)
+        draw(scene, self._viewport.window(scene, width, height), canvas)
+        return canvas.rows()
+
+    def _solid(self, shot: Shot, width: int, height: int) -> list[Row]:
+        style = SOLID_STYLES.get(self.style, SOLID_STYLES[ArmStyle.ASCII])
+        window = self._viewport.window(shot, width, height)
+        if shot.resting is not None:
+            window = window.aligned()
+        cells = style.draw(take(shot, width, height, style.samples, window))
+        for mark in shot.marks:
+            cells.mark(*_places(shot, window, mark.places), mark.glyphs, mark.ink)
+        if self.labels:
+            _label(cells, shot, window)
+        return cells.rows()
+
+
+def _places(shot: Shot, window: Window, places: Floats) -> tuple[Floats, Floats]:
+    """Places of the world in cells, across and down."""
+    seen = shot.camera.points(places)
+    return (
+        (seen[:, 0] - window.left) * window.scale * ASPECT,
+        (window.top - seen[:, 1]) * window.scale,
+    )
+
+
+def _label(cells: Cells, shot: Shot, window: Window) -> None:
+    """Scales and figures, where nothing stands."""
+    if shot.resting is not None:
+        rule_table(cells, window)
+        rule_height(cells, window)
+    for label in shot.labels:
+        ([x], [y]) = _places(shot, window, np.array([label.place]))
+        cells.write(floor(x) - len(label.text) // 2, floor(y), label.text, label.ink)
 
 
 def angles_text(readings: Readings, width: int) -> str:
@@ -143,7 +211,7 @@ def angles_text(readings: Readings, width: int) -> str:
 
 def _side_caption(readings: Readings, width: int) -> str:
     """The angles, and what the dots mean while there are any."""
-    if not readings.believed:
+    if not readings.believed or not differs_from_the_side(readings):
         return angles_text(readings, width)
     for legend in _LEGENDS:
         angles = angles_text(readings, width - len(legend))
@@ -160,7 +228,13 @@ def _top_caption(readings: Readings, width: int) -> str:
     return longer if len(longer) <= width else place if len(place) <= width else ""
 
 
-FROM_THE_SIDE = Subject(side_scene, _side_caption)
+FROM_THE_SIDE = Subject(
+    lambda readings, _, extras: side_shot(readings, extras), _side_caption, side_scene
+)
 """The plane in which the arm stands, seen from the arm's right."""
-FROM_ABOVE = Subject(top_scene, _top_caption)
+FROM_ABOVE = Subject(
+    lambda readings, _, extras: top_shot(readings, extras), _top_caption, top_scene
+)
 """The table; the arm's front is to the right."""
+IN_SPACE = Subject(space_shot, _top_caption)
+"""Arm and bench in perspective, from wherever one likes to look."""

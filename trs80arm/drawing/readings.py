@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from math import tau
+from zlib import crc32
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.events import ArmEvent
@@ -24,6 +25,8 @@ from trs80arm.rig import Key, Rig, Waiting
 RING = 8
 """Half-steps of one ring of Figure 8: what a motor loses, it loses in multiples of these."""
 
+COLOURS = 6
+"""How many colours parts can have."""
 _FLAT = 0.1
 """How high what is let into the table is drawn: feeder, tray, turntable, inches."""
 
@@ -41,12 +44,21 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Thing:
-    """A box on the table: what it is, where it is, and whether the hand holds it."""
+    """A box on the table.
+
+    Attributes:
+        kind: what it is.
+        name: of it.
+        box: where it is, and how large.
+        held: whether the hand holds it.
+        colour: of a part, a number; parts of one feeder have one.
+    """
 
     kind: Kind
     name: str
     box: Box
     held: bool = False
+    colour: int = 0
 
 
 @dataclass(frozen=True)
@@ -191,8 +203,32 @@ def things_of(bench: Bench) -> Iterator[Thing]:
             yield Thing(Kind.OBSTACLE, obstacle.name, obstacle.box)
     for sensor in bench.sensors:
         yield Thing(Kind.SENSOR, f"sensor {sensor.bit}", _sensor_box(sensor))
+    colours = _colours(bench)
     for part in bench.parts.values():
-        yield Thing(Kind.PART, part.name, part.box, part.held)
+        yield Thing(Kind.PART, part.name, part.box, part.held, colours[_batch(part.name)])
+
+
+def _batch(name: str) -> str:
+    """What parts are alike: those of a feeder are called by it and a number."""
+    stem, _, number = name.rpartition(" ")
+    return stem if stem and number.rstrip("'").isdigit() else name
+
+
+def _colours(bench: Bench) -> dict[str, int]:
+    """A colour for each batch of parts, whoever of them is on the bench; of few parts no two alike.
+
+    It hangs on the names alone where they do not collide, so that no part changes its colour when
+    another one is taken away.
+    """
+    colours: dict[str, int] = {}
+    for name in [*(feeder.name for feeder in bench.feeders), *map(_batch, bench.parts)]:
+        if name in colours:
+            continue
+        colour = crc32(name.encode()) % COLOURS
+        while colour in colours.values() and len(colours) < COLOURS:
+            colour = (colour + 1) % COLOURS
+        colours[name] = colour
+    return colours
 
 
 def _sensor_box(sensor: Sensor) -> Box:

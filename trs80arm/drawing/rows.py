@@ -7,7 +7,7 @@ knowing the screen; `ui/panel.py` turns an ink into a colour of the theme.
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 
 class Ink(StrEnum):
@@ -26,9 +26,40 @@ class Ink(StrEnum):
     ALARM = "alarm"
     LAMP_ON = "lamp-on"
     LAMP_OFF = "lamp-off"
+    METAL = "metal"
+    TABLE = "table"
+    SHADOW = "shadow"
+    OBSTACLE = "obstacle"
+    PART_2 = "part-2"
+    PART_3 = "part-3"
+    PART_4 = "part-4"
+    PART_5 = "part-5"
+    PART_6 = "part-6"
 
 
-Span: TypeAlias = tuple[str, Ink]
+PARTS = (Ink.PART, Ink.PART_2, Ink.PART_3, Ink.PART_4, Ink.PART_5, Ink.PART_6)
+"""The inks of parts, by the number of their colour."""
+LEVELS = 12
+"""How many steps of brightness a shaded ink has."""
+
+
+class Paint(NamedTuple):
+    """An ink in light or shade, perhaps before another one.
+
+    Attributes:
+        ink: of the character.
+        level: how bright, 0 to `LEVELS` - 1.
+        under: what shows behind the character, None for the panel's own ground.
+        under_level: how bright that is.
+    """
+
+    ink: Ink
+    level: int
+    under: Ink | None = None
+    under_level: int = 0
+
+
+Span: TypeAlias = tuple[str, Ink | Paint]
 Row: TypeAlias = tuple[Span, ...]
 
 

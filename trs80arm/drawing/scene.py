@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from math import cos, radians, sin
+from math import cos, dist, radians, sin
 from typing import TypeAlias
 
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box
 from trs80arm.drawing.canvas_ascii import Point
-from trs80arm.drawing.readings import Kind, Posture
+from trs80arm.drawing.readings import Kind, Posture, Readings
 from trs80arm.drawing.rows import Ink
 
 PALM_HALF_WIDTH = 0.76
@@ -154,6 +154,29 @@ def skeleton(posture: Posture) -> tuple[Point, Point, Point, Point]:
         beside(points.wrist),
         beside(points.fingertip),
     )
+
+
+SHOWS = 0.15
+"""Inches by which the arm must be elsewhere in a picture to be shown where it was told to be."""
+
+
+def differs_from_the_side(readings: Readings) -> bool:
+    """Whether the arm seen from the side is elsewhere than it was told to be."""
+    told, posture = readings.believed, readings.posture
+    return told is not None and (
+        abs(told.opening - posture.opening) > SHOWS
+        or any(
+            dist(one, other) > SHOWS
+            for one, other in zip(skeleton(told), skeleton(posture), strict=True)
+        )
+    )
+
+
+def differs_from_above(readings: Readings) -> bool:
+    """Whether the fingertip seen from above is elsewhere than it was told to be."""
+    told = readings.believed
+    here = readings.posture.points.fingertip
+    return told is not None and dist(told.points.fingertip[:2], here[:2]) > SHOWS
 
 
 def trail_point(posture: Posture) -> TrailPoint:

@@ -31,6 +31,7 @@ from trs80arm.drawing.scene import (
     along,
     around,
     corners_of,
+    differs_from_the_side,
     half_along,
     middle,
     skeleton,
@@ -74,7 +75,7 @@ def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     shapes.append(Stroke((-99.0, 0.0), (99.0, 0.0), Ink.FURNITURE))
     shapes += [_side_block(thing, base) for thing in inside if not thing.held]
     shapes.append(Trace(tuple(point.side for point in extras.trail), Ink.TRAIL, "`,"))
-    if readings.believed:
+    if readings.believed and differs_from_the_side(readings):
         shapes += _side_ghost(readings.believed)
     shapes += [_in_the_hand(thing, posture) for thing in inside if thing.held]
     shapes += _side_arm(posture)

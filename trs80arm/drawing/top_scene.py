@@ -31,6 +31,7 @@ from trs80arm.drawing.scene import (
     along,
     around,
     corners_of,
+    differs_from_above,
     half_along,
     middle,
     solid,
@@ -40,7 +41,7 @@ NARROW = 0.4
 """Opening up to which the fingers, seen from above, are marked by one glyph as well, inches."""
 FINGER_THICKNESS = 0.8
 """How far a finger reaches outwards from its pad, seen from above, inches. Not on record."""
-TOP_LEFT = -3.5
+TOP_LEFT = -1.8
 """How much of the base behind its axis must be seen from above, inches."""
 TURNED = 0.05
 """Sine times cosine of a turn below which a thing is drawn square to the table."""
@@ -52,7 +53,7 @@ def top_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     points = posture.points
     flat = [point[:2] for point in (points.elbow, points.wrist, points.fingertip)]
     corners = [corner for thing in readings.things for corner in _top_corners(thing)]
-    bounds = around([(TOP_LEFT, -4.5), (12.0, 4.5), *flat, *corners])
+    bounds = around([(TOP_LEFT, -3.2), (12.0, 3.2), *flat, *corners])
     shapes: list[Shape] = []
     if extras.envelope:
         outline = top_envelope(posture.model)
@@ -66,7 +67,7 @@ def top_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     for thing in loose:
         shapes += _top_block(thing)
     shapes.append(Trace(tuple(point.top for point in extras.trail), Ink.TRAIL, "`,"))
-    if readings.believed:
+    if readings.believed and differs_from_above(readings):
         ghost = readings.believed.points
         shapes.append(Stroke((0.0, 0.0), ghost.fingertip[:2], Ink.GHOST, dotted=True))
     for thing in readings.things:

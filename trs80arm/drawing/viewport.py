@@ -9,8 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import ceil, floor, hypot
+from typing import Protocol
 
-from trs80arm.drawing.canvas_ascii import Canvas, Point
+from trs80arm.drawing.canvas_ascii import AsciiCanvas, Point
 from trs80arm.drawing.scene import Block, Bounds, Facet, Joint, Scene, Stroke, Trace, around
 
 ASPECT = 2.0
@@ -34,6 +35,22 @@ RAIL_INSET = 0.4
 """How far rails end before the joints, as a share of their distance, so that they do not cross."""
 
 
+class Framed(Protocol):
+    """What a window is put on: `Scene` says what its attributes are."""
+
+    @property
+    def bounds(self) -> Bounds:
+        """What belongs into the picture."""
+
+    @property
+    def focus(self) -> Point:
+        """What a closer look is centred on."""
+
+    @property
+    def resting(self) -> float | None:
+        """The height at which the hand holds what lies on the table, None from above."""
+
+
 @dataclass(frozen=True)
 class Window:
     """A part of the plane, in cells.
@@ -54,6 +71,10 @@ class Window:
             (point[0] - self.left) * self.scale * ASPECT,
             (self.top - point[1]) * self.scale,
         )
+
+    def aligned(self) -> Window:
+        """The same with height 0 at the upper edge of the row in which it is."""
+        return replace(self, top=floor(self.top * self.scale) / self.scale)
 
 
 class Viewport:
@@ -78,7 +99,7 @@ class Viewport:
         self._bounds = None
         self._window = None
 
-    def window(self, scene: Scene, width: int, height: int) -> Window:
+    def window(self, scene: Framed, width: int, height: int) -> Window:
         """The window on a scene for a canvas of `width` x `height` cells."""
         bounds = self._bounds = _union(self._bounds, scene.bounds)
         known = self._window
@@ -157,7 +178,7 @@ def _overshoot(place: float, size: int) -> int:
     return int(place - high + 1) if place > high else 0
 
 
-def draw(scene: Scene, window: Window, canvas: Canvas) -> None:
+def draw(scene: Scene, window: Window, canvas: AsciiCanvas) -> None:
     """Draw a scene's shapes on a canvas, back to front."""
     for shape in scene.shapes:
         match shape:
@@ -174,7 +195,7 @@ def draw(scene: Scene, window: Window, canvas: Canvas) -> None:
                 canvas.dots(map(window.cell, points), ink, glyphs)
 
 
-def _stroke(stroke: Stroke, window: Window, canvas: Canvas) -> None:
+def _stroke(stroke: Stroke, window: Window, canvas: AsciiCanvas) -> None:
     start, end = stroke.start, stroke.end
     if stroke.dotted:
         _dots(window.cell(start), window.cell(end), stroke, canvas)
@@ -196,7 +217,7 @@ def _stroke(stroke: Stroke, window: Window, canvas: Canvas) -> None:
         )
 
 
-def _facet(facet: Facet, window: Window, canvas: Canvas) -> None:
+def _facet(facet: Facet, window: Window, canvas: AsciiCanvas) -> None:
     """A filled outline; one of few cells as the upright box around it."""
     corners = [window.cell(corner) for corner in facet.corners]
     left, top, right, bottom = around(corners)
@@ -216,7 +237,7 @@ def _facet(facet: Facet, window: Window, canvas: Canvas) -> None:
         canvas.line(start, end, facet.ink)
 
 
-def _dots(start: Point, end: Point, stroke: Stroke, canvas: Canvas) -> None:
+def _dots(start: Point, end: Point, stroke: Stroke, canvas: AsciiCanvas) -> None:
     """One mark for each row, or each second column, that the stroke passes."""
     dx, dy = end[0] - start[0], end[1] - start[1]
     count = max(1, round(max(abs(dx) / 2, abs(dy))))

@@ -151,9 +151,7 @@ class Trs80Arm(App[int]):
         reach = Reach(self.options.own_folder)
         dialogs, say = Dialogs(self, reach), self.say
         files = SessionFiles(session, self.recovery, recent, dialogs, say, reach)
-        arm = ArmCommands(
-            session, lesson, files, dialogs, say, dialogs, lambda: desk.side.picture.braille
-        )
+        arm = ArmCommands(session, lesson, files, dialogs, say, dialogs, lambda: desk.arm_style)
         leaving = Leaving(
             session, lesson, self.recovery, files, dialogs, arm.teach, lambda: self.exit(0)
         )

@@ -15,6 +15,7 @@ from trs80arm.desk.teach import Lesson
 from trs80arm.drawing.readings import RING, Readings
 from trs80arm.drawing.rows import clock_text
 from trs80arm.machine.clock import T_STATES_PER_SECOND
+from trs80arm.options import ArmStyle
 from trs80arm.ui.asking import Screens
 from trs80arm.ui.screens.hand_move import HandMoveScreen
 from trs80arm.ui.screens.teach import TeachResult, TeachScreen
@@ -39,7 +40,7 @@ class ArmCommands:
         ask: a way to ask.
         say: a way to say something.
         screens: shows the dialogs of hands and teaching.
-        braille: whether the arm is drawn in braille dots now.
+        style: how the arm is drawn now.
     """
 
     def __init__(
@@ -50,7 +51,7 @@ class ArmCommands:
         ask: Asking,
         say: Say,
         screens: Screens,
-        braille: Callable[[], bool],
+        style: Callable[[], ArmStyle],
     ) -> None:
         self._session = session
         self._lesson = lesson
@@ -58,7 +59,7 @@ class ArmCommands:
         self._ask = ask
         self._say = say
         self._screens = screens
-        self._braille = braille
+        self._style = style
 
     def look(self) -> Readings:
         """What there is to see of arm and machine now."""
@@ -147,7 +148,7 @@ class ArmCommands:
             HandMoveScreen(
                 self.look,
                 lambda move: move_by_hand(self._session, move),
-                braille=self._braille(),
+                style=self._style(),
             )
         )
 

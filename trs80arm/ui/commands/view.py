@@ -15,6 +15,13 @@ GLYPH_NOTES = {
     GlyphSet.QUADRANT: "solid, but two rows for three",
     GlyphSet.ASCII: "anywhere",
 }
+STYLE_NOTES = {
+    ArmStyle.ASCII: "solid, in plain ASCII",
+    ArmStyle.HALF: "solid, in half blocks",
+    ArmStyle.SEXTANT: "solid, in blocks of 2x3",
+    ArmStyle.BRAILLE: "solid, in braille dots",
+    ArmStyle.OUTLINE: "in bare lines, for screen readers and slow lines",
+}
 _SAMPLE = bytes((129, 132, 144, 136, 151, 171, 183, 191))
 
 
@@ -52,6 +59,9 @@ class View(Protocol):
     def zoom_arm(self, way: str) -> None:
         """Closer (`in`), farther (`out`), or all of it (`fit`)."""
 
+    def turn_space(self, round_it: float, above: float) -> None:
+        """Look at the arm in space from elsewhere, by so many degrees round it and up."""
+
 
 class ViewCommands:
     """Changes what is shown, and how.
@@ -83,12 +93,25 @@ class ViewCommands:
 
     # -- the arm ----------------------------------------------------------------------------------
 
-    def switch_arm_style(self) -> None:
-        """Draw the arm in the other style."""
-        now = self._view.arm_style
-        other = ArmStyle.ASCII if now is ArmStyle.BRAILLE else ArmStyle.BRAILLE
-        self._view.use_arm_style(other)
-        self._remembered.choose("arm", other.value)
+    def next_arm_style(self) -> None:
+        """Draw the arm in the next style."""
+        styles = list(ArmStyle)
+        self._use_arm_style(styles[(styles.index(self._view.arm_style) + 1) % len(styles)].value)
+
+    def choose_arm_style(self) -> None:
+        """Choose how the arm is drawn."""
+        choices = tuple(Choice(style.value, style.value, STYLE_NOTES[style]) for style in ArmStyle)
+        question = ListQuestion("How the arm is drawn", choices, self._view.arm_style.value)
+        self._ask.choose(question, self._use_arm_style)
+
+    def _use_arm_style(self, value: str) -> None:
+        self._view.use_arm_style(ArmStyle(value))
+        self._remembered.choose("arm", value)
+        self._say(f"The arm: {STYLE_NOTES[ArmStyle(value)]}.")
+
+    def turn_space(self, round_it: float, above: float) -> None:
+        """Look at the arm in space from elsewhere, by so many degrees."""
+        self._view.turn_space(round_it, above)
 
     def arm_option(self, name: str) -> None:
         """Envelope, trail or labels on or off."""

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from typing import ClassVar
 
+from rich.color import Color
+from rich.color_triplet import ColorTriplet
 from rich.segment import Segment
 from rich.style import Style
 from textual.events import Resize
@@ -17,9 +19,11 @@ from textual.strip import Strip
 from textual.widget import Widget
 
 from trs80arm.drawing.readings import Readings
-from trs80arm.drawing.rows import Ink, Row, fitted
+from trs80arm.drawing.rows import LEVELS, Ink, Paint, Row, fitted
 
 _BLANK: Row = ()
+DARKEST = 0.12
+"""How much of an ink there is in its darkest shade; the rest is the panel's ground."""
 
 
 def _component(ink: Ink) -> str:
@@ -44,6 +48,27 @@ class Panel(Widget, can_focus=False):
         & > .panel--alarm { color: $text-error; text-style: bold; }
         & > .panel--lamp-on { color: $text-warning; text-style: bold; }
         & > .panel--lamp-off { color: $text-muted; }
+        & > .panel--metal { color: $foreground; }
+        & > .panel--table { color: $secondary; }
+        & > .panel--shadow { color: $secondary; }
+        & > .panel--obstacle { color: #cf9166; }
+        & > .panel--part-2 { color: #ff8f6b; }
+        & > .panel--part-3 { color: #6bb8ff; }
+        & > .panel--part-4 { color: #c98bff; }
+        & > .panel--part-5 { color: #ff7bb0; }
+        & > .panel--part-6 { color: #6fd8c0; }
+        &:light > .panel--obstacle { color: #7a4a24; }
+        &:light > .panel--part-2 { color: #a8320c; }
+        &:light > .panel--part-3 { color: #1257a0; }
+        &:light > .panel--part-4 { color: #6a2aa5; }
+        &:light > .panel--part-5 { color: #a01458; }
+        &:light > .panel--part-6 { color: #0c665a; }
+        &:ansi > .panel--obstacle { color: ansi_yellow; }
+        &:ansi > .panel--part-2 { color: ansi_bright_red; }
+        &:ansi > .panel--part-3 { color: ansi_bright_cyan; }
+        &:ansi > .panel--part-4 { color: ansi_bright_magenta; }
+        &:ansi > .panel--part-5 { color: ansi_magenta; }
+        &:ansi > .panel--part-6 { color: ansi_cyan; }
         &:ansi > .panel--arm { color: ansi_bright_blue; }
     }
     """
@@ -55,7 +80,7 @@ class Panel(Widget, can_focus=False):
         self._readings: Readings | None = None
         self._rows: list[Row] = []
         self._strips: dict[Row, Strip] = {}
-        self._known_styles: dict[Ink, Style] = {}
+        self._known_styles: dict[Ink | Paint, Style] = {}
 
     def show(self, readings: Readings) -> None:
         """Show these readings."""
@@ -109,10 +134,34 @@ class Panel(Widget, can_focus=False):
             self._strips[row] = strip
         return strip
 
-    def _style(self, ink: Ink) -> Style:
+    def _style(self, ink: Ink | Paint) -> Style:
         style = self._known_styles.get(ink)
         if style is None:
-            plain = ink is Ink.PLAIN
-            style = self.rich_style if plain else self.get_component_rich_style(_component(ink))
+            style = self._shaded(ink) if isinstance(ink, Paint) else self._plain(ink)
             self._known_styles[ink] = style
         return style
+
+    def _plain(self, ink: Ink) -> Style:
+        plain = ink is Ink.PLAIN
+        return self.rich_style if plain else self.get_component_rich_style(_component(ink))
+
+    def _shaded(self, paint: Paint) -> Style:
+        """An ink in light or shade, mixed with the ground; where it cannot be mixed, as it is."""
+        ground = self.rich_style.bgcolor
+        ink = self._plain(paint.ink).color
+        if ground is None or ground.triplet is None or ink is None or ink.triplet is None:
+            return self._plain(paint.ink)
+        style = Style(color=_mixed(ground.triplet, ink.triplet, paint.level), bgcolor=ground)
+        under = self._plain(paint.under).color if paint.under else None
+        if under is not None and under.triplet is not None:
+            behind = _mixed(ground.triplet, under.triplet, paint.under_level)
+            style += Style(bgcolor=behind)
+        return style
+
+
+def _mixed(ground: ColorTriplet, ink: ColorTriplet, level: int) -> Color:
+    """A colour so bright: from near the ground's to the ink's own."""
+    share = DARKEST + (1 - DARKEST) * level / (LEVELS - 1)
+    return Color.from_triplet(
+        ColorTriplet(*(round(a + (b - a) * share) for a, b in zip(ground, ink, strict=True)))
+    )

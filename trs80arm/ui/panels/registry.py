@@ -18,6 +18,7 @@ from trs80arm.ui.panels.panel import Panel
 from trs80arm.ui.panels.pose import PosePanel
 from trs80arm.ui.panels.registers import RegistersPanel
 from trs80arm.ui.panels.side_view import SideView
+from trs80arm.ui.panels.space_view import SpaceView
 from trs80arm.ui.panels.top_view import TopView
 from trs80arm.ui.panels.tube import Tube
 
@@ -69,6 +70,15 @@ PANELS: tuple[PanelRow, ...] = (
         shows="The arm from the side and from above.",
     ),
     PanelRow("top", "From above", TopView, Cadence.FRAME, layout.ARM),
+    PanelRow(
+        "space",
+        "In space",
+        SpaceView,
+        Cadence.FRAME,
+        "space",
+        shows="The arm in space.",
+        fills="The arm in space fills the screen.",
+    ),
     PanelRow(
         "registers",
         "Registers",

@@ -13,12 +13,19 @@ class SideView(ArmView):
     HELP = """
 ## The arm from the side
 
-You look along the table at the plane in which the arm stands: base plate and body, upper arm from
-the shoulder `O` to the elbow `o`, forearm to the wrist `o`, and the hand with its two fingers. The
-hand is drawn turned towards you, so that its opening shows; how it is rolled is seen from above.
+You look along the table at the plane in which the arm stands: base and body, upper arm, forearm,
+and the hand with its two fingers. The hand, with what it holds, is drawn turned towards you, so
+that its opening shows; how it is rolled is seen from above and in space. Along the table's edge is
+a scale in inches from the axis of the base, at the left one of heights. What is darker on the table
+lies below the arm. Parts have colours of their own, those of one feeder the same; what stands
+farther away is darker.
 
-`[#]` is a part, `[:]` a thing that stands beside the plane, `=` a feeder, `_` a tray, `X` an
-obstacle. When a motor has slipped, dots `::` show where the arm would be if it had not.
+Ctrl+A draws all of it in the next style: solid in ASCII, in half blocks, in blocks of 2x3, in
+braille dots, or in bare lines. In bare lines `O` is the shoulder and `o` a joint, `[#]` a part,
+`[:]` a thing beside the plane, `=` a feeder, `_` a tray, `X` an obstacle.
+
+When a motor has slipped, a dim twin, in bare lines dots `::`, shows where the arm would be if it
+had not, as far as that is elsewhere in the picture.
 
 On request `+` outlines where the fingertip can reach with the hand straight, and `,` marks where it
 has been. A closer look follows the hand.

@@ -13,12 +13,13 @@ class TopView(ArmView):
     HELP = """
 ## The arm from above
 
-The arm's front, the article's x, is to the right, and its left side, y, is up. `O` is the axis of
-the base, and the outline around it the base plate. The two bars at the fingertips are the fingers,
-with the opening between them: they lie as the roll turns them. (The caption counts the roll as
-Table 4 does, with the base's turn taken out.) Small as they are, one of `|` `/` `-` `\\` shows it.
+The arm's front, the article's x, is to the right, and its left side, y, is up. The dots on the
+table are inches, the figures count them from the axis of the base. The fingers lie as the roll
+turns them. (The caption counts the roll as Table 4 does, with the base's turn taken out.)
 
-`[#]` is a part, `=` a feeder, `_` or a frame a tray, `X` an obstacle, `@` a turntable, `?` a
-sensor. Dots `::` lead to where the fingertip would be if no motor had slipped. On request `+`
+In bare lines `O` is the axis of the base, the two bars at the fingertips are the fingers, and,
+small as they are, one of `|` `/` `-` `\\` shows how they lie; `[#]` is a part, `=` a feeder, `_` or
+a frame a tray, `X` an obstacle, `@` a turntable, `?` a sensor. Dots `::` lead to where the
+fingertip would be if no motor had slipped; a solid drawing has a dim twin there. On request `+`
 outlines how far the arm reaches, and `,` marks where the fingertip has been.
 """

@@ -8,6 +8,7 @@ opens.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from math import radians
 
 from textual import events
 from textual.app import ComposeResult
@@ -177,10 +178,10 @@ class DeskScreen(Layer):
                 panel.ascii = chosen is GlyphSet.ASCII
 
     def use_arm_style(self, style: ArmStyle) -> None:
-        """Draw the arm in ASCII or in braille."""
+        """Draw the arm in another style."""
         self.arm_style = style
         for view in self._arm_views:
-            view.picture.braille = style is ArmStyle.BRAILLE
+            view.picture.style = style
             view.redraw()
 
     def toggle_arm_option(self, name: str) -> bool:
@@ -195,6 +196,12 @@ class DeskScreen(Layer):
         """Forget where the fingertip has been."""
         for view in self._arm_views:
             view.picture.clear_trail()
+            view.redraw()
+
+    def turn_space(self, round_it: float, above: float) -> None:
+        """Look at the arm in space from elsewhere, by so many degrees round it and up."""
+        for view in self._arm_views:
+            view.picture.turn(radians(round_it), radians(above))
             view.redraw()
 
     def zoom_arm(self, way: str) -> None:

@@ -19,6 +19,7 @@ from textual.widgets import Input, Static
 from trs80arm.desk.hands import MoveJoint, MoveTo
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import signed
+from trs80arm.options import ArmStyle
 from trs80arm.rig import TURNED_BY_HAND
 from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.side_view import SideView
@@ -40,7 +41,7 @@ class HandMoveScreen(Dialog[None]):
     Args:
         look: reads the rig.
         move: does a move, and says why not; an empty text is that it was made.
-        braille: whether the arm is drawn in braille dots.
+        style: how the arm is drawn.
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -78,12 +79,12 @@ them off.
         look: Callable[[], Readings],
         move: Callable[[MoveJoint | MoveTo], str],
         *,
-        braille: bool = False,
+        style: ArmStyle = ArmStyle.ASCII,
     ) -> None:
         super().__init__()
         self._look = look
         self._move = move
-        self._braille = braille
+        self._style = style
         self._joint = 0
 
     def compose(self) -> ComposeResult:
@@ -108,7 +109,7 @@ them off.
     def on_mount(self) -> None:
         """Look at the arm, again and again."""
         for view in self.query(ArmView):
-            view.picture.braille = self._braille
+            view.picture.style = self._style
         self.set_interval(1 / FRAMES_PER_SECOND, self._show)
         self.call_after_refresh(self._show)
 

@@ -1,0 +1,56 @@
+"""How long a frame of each view takes in each style, at 100 x 50 cells.
+
+    python benchmarks/drawing.py [--frames 60]
+
+The best of many frames, so that what else the computer does counts little; the arm moves from one
+frame to the next. From the readings to the rows of text, without putting them on the screen.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+
+from trs80arm.arm.geometry import Pose
+from trs80arm.drawing.picture import FROM_ABOVE, FROM_THE_SIDE, IN_SPACE, Picture
+from trs80arm.drawing.readings import Readings
+from trs80arm.options import ArmStyle
+from trs80arm.rig import Rig
+
+WIDTH, HEIGHT = 100, 50
+VIEWS = {"side": FROM_THE_SIDE, "top": FROM_ABOVE, "space": IN_SPACE}
+
+
+def frames(count: int) -> list[Readings]:
+    """The arm at so many places above its bench."""
+    rig = Rig()
+    looks = []
+    for number in range(count):
+        rig.move_to(Pose(6.0 + 4 * number / count, 0.0, 2.0, -90.0, 0.0, 1.0))
+        looks.append(Readings.of(rig))
+    return looks
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--frames", type=int, default=60)
+    looks = frames(parser.parse_args().frames)
+    for name, subject in VIEWS.items():
+        for style in ArmStyle:
+            picture = Picture(subject)
+            picture.style = style
+            costs = []
+            for readings in looks:
+                began = time.perf_counter()
+                picture.draw(readings, WIDTH, HEIGHT)
+                costs.append(time.perf_counter() - began)
+            costs.sort()
+            print(
+                f"{name:6}{style:9} best {costs[0] * 1000:5.2f} ms, "
+                f"median {costs[len(costs) // 2] * 1000:5.2f} ms"
+            )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,52 @@
+"""The bench as solids: the table, and everything that stands or lies on it."""
+
+from __future__ import annotations
+
+from trs80arm.arm.shapes import Box
+from trs80arm.drawing.materials import Material, part_material
+from trs80arm.drawing.readings import Kind, Thing
+from trs80arm.drawing.solids import Solids, box, cylinder
+
+FIRST_THING = 10
+"""The body number of the first thing; the arm's own are below."""
+TABLE = ((-10.0, -15.0), (20.0, 15.0))
+"""Two corners of the table, inches: the arm reaches 17.5."""
+THICK = 0.6
+"""Thickness of the table's top, inches."""
+
+_MATERIAL = {
+    Kind.FEEDER: Material.FURNITURE,
+    Kind.TRAY: Material.FURNITURE,
+    Kind.OBSTACLE: Material.OBSTACLE,
+    Kind.TURNTABLE: Material.MOTOR,
+    Kind.SENSOR: Material.SENSOR,
+}
+_FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+"""Of a box, by the corners as `Box.corners` lists them, counter-clockwise from outside."""
+
+
+def table() -> Solids:
+    """The table's top, its upper side at height 0."""
+    (left, right), (front, back) = TABLE
+    return box((left, right, -THICK), (front, back, 0.0), Material.TABLE, 0)
+
+
+def solids_of(thing: Thing, body: int) -> Solids:
+    """The true shape of a thing, where it is: the one place that knows how shapes are kept.
+
+    Args:
+        thing: on the bench.
+        body: the number by which the picture tells it from others.
+    """
+    material = part_material(thing.colour) if thing.kind is Kind.PART else _MATERIAL[thing.kind]
+    if thing.kind is Kind.TURNTABLE:
+        return _plate(thing.box, material, body)
+    return Solids.of(thing.box.corners(), _FACES, material, body)
+
+
+def _plate(shape: Box, material: int, body: int) -> Solids:
+    """A turntable with a bar across it that shows how far it has turned."""
+    (x, y, z), (radius, _, half) = shape.center, shape.half
+    plate = cylinder((x, y), radius, z - half, z + half, material, body, sides=24)
+    bar = box((0.0, -0.1, half), (radius * 0.95, 0.1, half + 0.05), Material.JOINT, body)
+    return Solids.joined((plate, bar.placed(shape.center, shape.axes)))

@@ -1,0 +1,179 @@
+"""From the samples of a picture to cells of characters: what every style of drawing shares.
+
+A style says how many samples a cell has and which character and paints the cells get; here are the
+cells as arrays, and the rows of text that come of them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from trs80arm.drawing.materials import INKS
+from trs80arm.drawing.rows import LEVELS, Ink, Paint, Row
+from trs80arm.drawing.solids import Floats, Ints
+
+NO_INK = -1
+"""The ink of a sample that shows nothing."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Samples:
+    """What a picture shows, sample by sample, gathered by cells: height x width x samples a cell.
+
+    Attributes:
+        across, down: samples a cell; in a cell they go along its rows from the top.
+        ink: index of the ink, or `NO_INK`.
+        light: how bright, 0 to 1.
+        body: the thing that is seen; 0 the table, negative for nothing.
+        nearness: how near it is.
+    """
+
+    across: int
+    down: int
+    ink: npt.NDArray[np.int8]
+    light: npt.NDArray[np.float32]
+    body: npt.NDArray[np.int16]
+    nearness: npt.NDArray[np.float32]
+
+    @classmethod
+    def of(
+        cls,
+        across: int,
+        down: int,
+        ink: npt.NDArray[np.int8],
+        light: npt.NDArray[np.float32],
+        body: npt.NDArray[np.int16],
+        nearness: npt.NDArray[np.float32],
+    ) -> Samples:
+        """Gather samples that lie row by row."""
+        rows, columns = ink.shape
+        shape = (rows // down, down, columns // across, across)
+
+        def gathered(values: npt.NDArray[Any]) -> npt.NDArray[Any]:
+            cells = values.reshape(shape).transpose(0, 2, 1, 3)
+            return cells.reshape(shape[0], shape[2], down * across)
+
+        return cls(across, down, gathered(ink), gathered(light), gathered(body), gathered(nearness))
+
+
+class Cells:
+    """A sheet of characters with their paints, as arrays, height x width.
+
+    Attributes:
+        glyphs: code points.
+        ink, level: of the characters: index of the ink or `NO_INK`, and brightness.
+        under, under_level: the same of what is behind them.
+        free: where nothing stands, so that something may be marked.
+    """
+
+    def __init__(self, height: int, width: int) -> None:
+        shape = (height, width)
+        self.glyphs = np.full(shape, 32, dtype=np.uint32)
+        self.ink = np.full(shape, NO_INK, dtype=np.int64)
+        self.level = np.zeros(shape, dtype=np.int64)
+        self.under = np.full(shape, NO_INK, dtype=np.int64)
+        self.under_level = np.zeros(shape, dtype=np.int64)
+        self.free = np.ones(shape, dtype=np.bool_)
+
+    def mark(self, x: Floats, y: Floats, glyphs: str, ink: Ink) -> None:
+        """Mark places where nothing stands.
+
+        Args:
+            x: of the places, cells from the left edge, fractions and all.
+            y: cells from the upper edge.
+            glyphs: one for the upper half of a cell and one for the lower.
+            ink: theirs.
+        """
+        height, width = self.glyphs.shape
+        inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        columns, rows = x[inside].astype(np.int64), y[inside].astype(np.int64)
+        upper = y[inside] - rows < 0.5
+        free = self.free[rows, columns]
+        columns, rows, upper = columns[free], rows[free], upper[free]
+        self._clear(rows, columns)
+        self.glyphs[rows, columns] = np.where(upper, ord(glyphs[0]), ord(glyphs[1]))
+        self.ink[rows, columns] = INKS.index(ink)
+        self.level[rows, columns] = PLAINLY
+
+    def write(self, column: int, row: int, text: str, ink: Ink) -> None:
+        """Write text where nothing stands."""
+        height, width = self.glyphs.shape
+        if not 0 <= row < height:
+            return
+        for place, glyph in enumerate(text, column):
+            if 0 <= place < width and self.free[row, place]:
+                self._clear(np.array([row]), np.array([place]))
+                self.glyphs[row, place] = ord(glyph)
+                self.ink[row, place] = INKS.index(ink)
+                self.level[row, place] = PLAINLY
+
+    def _clear(self, rows: Ints, columns: Ints) -> None:
+        """Let what cells show be behind a character that is put there."""
+        bare = (self.under[rows, columns] == NO_INK) & (self.glyphs[rows, columns] >= FULL_BLOCK)
+        rows, columns = rows[bare], columns[bare]
+        self.under[rows, columns] = self.ink[rows, columns]
+        self.under_level[rows, columns] = self.level[rows, columns]
+
+    def rows(self) -> list[Row]:
+        """The sheet as rows of spans."""
+        blank = (self.glyphs == 32) & (self.under == NO_INK)
+        ink, under = self.ink.astype(np.int64) + 1, self.under.astype(np.int64) + 1
+        code = ((ink * _STEPS + self.level) * _INKS + under) * _STEPS + self.under_level
+        code *= ~blank
+        # A blank takes the paint of its left neighbour, so that it begins no span of its own.
+        if blank.any():
+            places = np.where(blank, 0, np.arange(blank.shape[1]))
+            np.maximum.accumulate(places, axis=1, out=places)
+            taken = np.take_along_axis(code, places, axis=1)
+            code = np.where(blank & (taken % (_INKS * _STEPS) < _STEPS), taken, code)
+        begins = np.ones(code.shape, dtype=bool)
+        begins[:, 1:] = code[:, 1:] != code[:, :-1]
+        width = code.shape[1]
+        rows: list[Row] = []
+        for glyphs, starts, codes in zip(self.glyphs, begins, code, strict=True):
+            text = glyphs.tobytes().decode("utf-32-le")
+            places = np.flatnonzero(starts)
+            ends = [*places[1:].tolist(), width]
+            rows.append(
+                tuple(
+                    (text[start:end], _paint(number))
+                    for start, end, number in zip(
+                        places.tolist(), ends, codes[places].tolist(), strict=True
+                    )
+                )
+            )
+        return rows
+
+
+FULL_BLOCK = 0x2580
+"""The first code point of the blocks, which leave no ground to write on."""
+PLAINLY = LEVELS
+"""The level of what is written plainly, in an ink that has no shades."""
+_STEPS = LEVELS + 1
+_INKS = len(INKS) + 1
+
+
+@lru_cache(4096)
+def _paint(code: int) -> Ink | Paint:
+    code, under_level = divmod(code, _STEPS)
+    code, under = divmod(code, _INKS)
+    ink, level = divmod(code, _STEPS)
+    if ink == 0 and under == 0:
+        return Ink.PLAIN
+    if level == PLAINLY and under == 0:
+        return INKS[ink - 1]
+    behind = INKS[under - 1] if under else None
+    level = min(level, LEVELS - 1)
+    if ink == 0:
+        return Paint(INKS[under - 1], under_level, behind, under_level)
+    return Paint(INKS[ink - 1], level, behind, under_level)
+
+
+def levels(light: npt.NDArray[Any]) -> npt.NDArray[np.int64]:
+    """Brightness from 0 to 1 as levels."""
+    return np.clip((light * LEVELS).astype(np.int64), 0, LEVELS - 1)

@@ -1,0 +1,150 @@
+"""The rasteriser: from solids seen by a camera to samples finer than a cell, nearest in front.
+
+A `Raster` has so many samples a cell as the style of drawing asks for. Each solid is one operation
+on arrays over the box that it covers: a sample is inside it if the nearest face turned away from
+the eye is behind the farthest one turned towards it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import inf
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from trs80arm.drawing.camera import Projected
+from trs80arm.drawing.solids import Floats, Ints, Solids
+from trs80arm.drawing.viewport import ASPECT, Window
+
+Nearness: TypeAlias = npt.NDArray[np.float32]
+Bits: TypeAlias = npt.NDArray[np.bool_]
+
+FEW = 6
+"""Up to so many faces turned to the eye whole arrays are quicker than the samples that are hit."""
+NOWHERE = -1
+"""The face of a sample that shows nothing."""
+
+
+class Raster:
+    """Samples of a picture of `width` x `height` cells, nothing in them at first.
+
+    Args:
+        width: cells.
+        height: cells.
+        samples: how many samples a cell has across and down.
+        window: which part of the picture plane the cells show.
+
+    Attributes:
+        across, down: samples a cell.
+        x, y: of the middles of the columns and rows of samples, in the picture plane, inches.
+        nearness: of what each sample shows, in the camera's measure.
+        face: which face it is, counted over all solids drawn, or `NOWHERE`.
+    """
+
+    def __init__(self, width: int, height: int, samples: tuple[int, int], window: Window) -> None:
+        self.width, self.height = width, height
+        self.across, self.down = samples
+        columns, rows = width * self.across, height * self.down
+        step = 1 / (window.scale * ASPECT * self.across)
+        self.x = (window.left + (np.arange(columns) + 0.5) * step).astype(np.float32)
+        drop = 1 / (window.scale * self.down)
+        self.y = (window.top - (np.arange(rows) + 0.5) * drop).astype(np.float32)
+        self.nearness: Nearness = np.full((rows, columns), -inf, dtype=np.float32)
+        self.face = np.full((rows, columns), NOWHERE, dtype=np.int32)
+        self._step, self._drop = step, drop
+        self._faces = 0
+
+    def draw(self, solids: Solids, seen: Projected) -> None:
+        """Draw solids, each where nothing nearer is.
+
+        Args:
+            solids: what is drawn; its faces are counted on from those drawn before.
+            seen: them, as the camera has them.
+        """
+        order, parts = _sorted(solids, seen)
+        planes, numbers = seen.nearness[order].astype(np.float32), order + self._faces
+        for solid, rows, columns in self._spans(seen.boxes):
+            first, middle, last = parts[solid]
+            if not first < middle < last:
+                continue
+            fronts, backs = self._planes(planes[first:last], middle - first, rows, columns)
+            held = self.nearness[rows, columns]
+            if middle - first <= FEW:
+                near, which = _nearest(fronts, numbers[first:middle])
+                hit = self._hit(near, backs, held)
+                np.copyto(held, near, where=hit)
+                np.copyto(self.face[rows, columns], which, where=hit)
+                continue
+            near = fronts.min(0)
+            places = self._hit(near, backs, held).nonzero()
+            held[places] = near[places]
+            faces = fronts[:, places[0], places[1]].argmin(0)
+            self.face[rows, columns][places] = numbers[first:middle][faces]
+        self._faces += len(order)
+
+    @staticmethod
+    def _hit(near: Nearness, backs: Nearness, held: Nearness) -> Bits:
+        """Where a solid is, and nearer than what is drawn already."""
+        hit: Bits = near > held
+        hit &= near >= backs.max(0)
+        return hit
+
+    def covered(self, solids: Solids, seen: Projected, chosen: Bits) -> Bits:
+        """Which samples those of the solids that are chosen cover, whatever is drawn."""
+        covered = np.zeros(self.face.shape, dtype=np.bool_)
+        order, parts = _sorted(solids, seen)
+        planes = seen.nearness[order].astype(np.float32)
+        for solid, rows, columns in self._spans(seen.boxes):
+            first, middle, last = parts[solid]
+            if not first < middle < last or not chosen[solid]:
+                continue
+            fronts, backs = self._planes(planes[first:last], middle - first, rows, columns)
+            covered[rows, columns] |= fronts.min(0) >= backs.max(0)
+        return covered
+
+    def _spans(self, boxes: Floats) -> Iterator[tuple[int, slice, slice]]:
+        """The solids that are in the picture, each with the rows and columns that it may cover."""
+        columns, rows = len(self.x), len(self.y)
+        left = np.clip(np.floor((boxes[:, 0] - self.x[0]) / self._step), 0, columns)
+        right = np.clip(np.ceil((boxes[:, 2] - self.x[0]) / self._step) + 1, 0, columns)
+        top = np.clip(np.floor((self.y[0] - boxes[:, 3]) / self._drop), 0, rows)
+        bottom = np.clip(np.ceil((self.y[0] - boxes[:, 1]) / self._drop) + 1, 0, rows)
+        spans = np.stack((top, bottom, left, right), axis=1).astype(np.int64).tolist()
+        for solid, (y0, y1, x0, x1) in enumerate(spans):
+            if y1 > y0 and x1 > x0:
+                yield solid, slice(y0, y1), slice(x0, x1)
+
+    def _planes(
+        self, planes: Nearness, turned: int, rows: slice, columns: slice
+    ) -> tuple[Nearness, Nearness]:
+        """How near faces of a solid are: the first so many, turned to the eye, and the others."""
+        across = planes[:, 0, None] * self.x[columns]
+        down = planes[:, 1, None] * self.y[rows] + planes[:, 2, None]
+        near = down[:, :, None] + across[:, None, :]
+        return near[:turned], near[turned:]
+
+
+def _nearest(fronts: Nearness, numbers: Ints) -> tuple[Nearness, npt.NDArray[np.int32]]:
+    """How near a solid is, and by which of its few faces."""
+    near = fronts[0].copy()
+    which = np.full(near.shape, numbers[0], dtype=np.int32)
+    for face, number in zip(fronts[1:], numbers[1:].tolist(), strict=True):
+        np.copyto(which, number, where=face < near)
+        np.minimum(near, face, out=near)
+    return near, which
+
+
+def _sorted(solids: Solids, seen: Projected) -> tuple[Ints, list[tuple[int, int, int]]]:
+    """The faces of all solids, those turned to the eye first in each; and where the two kinds are.
+
+    The three numbers of a solid are where its faces begin, where those turned away begin, and
+    where they end. Every closed solid has faces of both kinds.
+    """
+    last = np.append(solids.first_face[1:], len(solids.offsets))
+    solid = np.repeat(np.arange(len(last)), last - solids.first_face)
+    order = np.lexsort((~seen.facing, solid))
+    turned = solids.first_face + np.add.reduceat(seen.facing.astype(np.int64), solids.first_face)
+    parts = zip(solids.first_face.tolist(), turned.tolist(), last.tolist(), strict=True)
+    return order, list(parts)

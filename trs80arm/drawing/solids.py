@@ -1,0 +1,251 @@
+"""Convex solids as arrays: what is drawn, before anyone looks at it.
+
+A solid is corners and the planes of its faces. Many are kept in one `Solids`, as arrays over all of
+their corners and planes, so that a frame's work is a few operations on arrays. Inches.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from math import cos, pi, sin
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+Floats: TypeAlias = npt.NDArray[np.float64]
+Ints: TypeAlias = npt.NDArray[np.int64]
+Place: TypeAlias = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Solids:
+    """Some convex solids.
+
+    Attributes:
+        corners: of all solids, one after the other, n x 3.
+        first_corner: where each solid's corners begin.
+        normals: of all faces, outwards, unit vectors, m x 3.
+        offsets: of the faces: their normal times any point of them, m.
+        first_face: where each solid's faces begin.
+        materials: index of each solid's material.
+        bodies: a number for each solid; solids of one number are seen as one thing.
+    """
+
+    corners: Floats
+    first_corner: Ints
+    normals: Floats
+    offsets: Floats
+    first_face: Ints
+    materials: Ints
+    bodies: Ints
+
+    @classmethod
+    def of(
+        cls,
+        corners: Sequence[Sequence[float]],
+        faces: Sequence[Sequence[int]],
+        material: int = 0,
+        body: int = 0,
+    ) -> Solids:
+        """One solid.
+
+        Args:
+            corners: inches.
+            faces: indices of corners, counter-clockwise as seen from outside.
+            material: its index.
+            body: the thing that it is part of.
+        """
+        points = np.asarray(corners, dtype=np.float64)
+        a, b, c = (points[[face[place] for face in faces]] for place in range(3))
+        normals = np.cross(b - a, c - b)
+        normals /= np.sqrt((normals * normals).sum(1))[:, None]
+        first = np.zeros(1, dtype=np.int64)
+        return cls(
+            points,
+            first,
+            normals,
+            (normals * a).sum(1),
+            first,
+            np.array([material]),
+            np.array([body]),
+        )
+
+    @classmethod
+    def joined(cls, groups: Iterable[Solids]) -> Solids:
+        """All solids of some groups, in their order."""
+        all_of = [group for group in groups if len(group.materials)]
+        if not all_of:
+            nothing = np.zeros(0, dtype=np.int64)
+            none = np.zeros((0, 3))
+            return cls(none, nothing, none, np.zeros(0), nothing, nothing, nothing)
+        corners = np.cumsum([0, *(len(group.corners) for group in all_of[:-1])])
+        faces = np.cumsum([0, *(len(group.offsets) for group in all_of[:-1])])
+        return cls(
+            np.concatenate([group.corners for group in all_of]),
+            np.concatenate(
+                [group.first_corner + at for group, at in zip(all_of, corners, strict=True)]
+            ),
+            np.concatenate([group.normals for group in all_of]),
+            np.concatenate([group.offsets for group in all_of]),
+            np.concatenate(
+                [group.first_face + at for group, at in zip(all_of, faces, strict=True)]
+            ),
+            np.concatenate([group.materials for group in all_of]),
+            np.concatenate([group.bodies for group in all_of]),
+        )
+
+    def placed(self, origin: npt.ArrayLike, axes: npt.ArrayLike) -> Solids:
+        """The same in a frame.
+
+        Args:
+            origin: where the frame's origin is.
+            axes: its three unit vectors.
+        """
+        turn, place = np.asarray(axes, dtype=np.float64), np.asarray(origin, dtype=np.float64)
+        normals = self.normals @ turn
+        return Solids(
+            self.corners @ turn + place,
+            self.first_corner,
+            normals,
+            self.offsets + normals @ place,
+            self.first_face,
+            self.materials,
+            self.bodies,
+        )
+
+    def some(self, chosen: Iterable[int]) -> Solids:
+        """Only those solids, by their places."""
+        corner = [*self.first_corner.tolist(), len(self.corners)]
+        face = [*self.first_face.tolist(), len(self.offsets)]
+        first = np.zeros(1, dtype=np.int64)
+        return Solids.joined(
+            Solids(
+                self.corners[corner[place] : corner[place + 1]],
+                first,
+                self.normals[face[place] : face[place + 1]],
+                self.offsets[face[place] : face[place + 1]],
+                first,
+                self.materials[place : place + 1],
+                self.bodies[place : place + 1],
+            )
+            for place in chosen
+        )
+
+    def made_of(self, material: int) -> Solids:
+        """The same of another material."""
+        return Solids(
+            self.corners,
+            self.first_corner,
+            self.normals,
+            self.offsets,
+            self.first_face,
+            np.full_like(self.materials, material),
+            self.bodies,
+        )
+
+
+NOTHING = Solids.joined(())
+"""No solid at all."""
+
+
+def prism(
+    outline: Sequence[tuple[float, float]],
+    low: float,
+    high: float,
+    material: int = 0,
+    body: int = 0,
+    *,
+    along: int = 2,
+    bevel: float = 0.0,
+) -> Solids:
+    """A prism.
+
+    Args:
+        outline: its section, convex, counter-clockwise as seen from the high end, in the two axes
+            after the one along which it lies (x: y and z; y: z and x; z: x and y).
+        low: where it begins on that axis.
+        high: where it ends.
+        material: its index.
+        body: the thing that it is part of.
+        along: the axis: 0 x, 1 y, 2 z.
+        bevel: by how much the edges of both ends are cut off.
+    """
+    count = len(outline)
+    rings = [(low, 0.0), (high, 0.0)]
+    if bevel > 0:
+        rings = [(low, bevel), (low + bevel, 0.0), (high - bevel, 0.0), (high, bevel)]
+    middle = (sum(x for x, _ in outline) / count, sum(y for _, y in outline) / count)
+    corners = []
+    for place, inset in rings:
+        for x, y in _shrunk(outline, middle, inset):
+            point = [0.0, 0.0, 0.0]
+            point[along], point[(along + 1) % 3], point[(along + 2) % 3] = place, x, y
+            corners.append(point)
+    last = (len(rings) - 1) * count
+    faces = [tuple(range(count - 1, -1, -1)), tuple(range(last, last + count))]
+    for ring in range(len(rings) - 1):
+        at = ring * count
+        faces += [
+            (at + i, at + (i + 1) % count, at + count + (i + 1) % count, at + count + i)
+            for i in range(count)
+        ]
+    return Solids.of(corners, faces, material, body)
+
+
+def _shrunk(
+    outline: Sequence[tuple[float, float]], middle: tuple[float, float], inset: float
+) -> list[tuple[float, float]]:
+    """An outline drawn in towards its middle, along each axis by so much at its widest."""
+    if not inset:
+        return list(outline)
+    wide = max(abs(x - middle[0]) for x, _ in outline)
+    high = max(abs(y - middle[1]) for _, y in outline)
+    a, b = max(0.1, 1 - inset / wide), max(0.1, 1 - inset / high)
+    return [(middle[0] + a * (x - middle[0]), middle[1] + b * (y - middle[1])) for x, y in outline]
+
+
+def box(low: Sequence[float], high: Sequence[float], material: int = 0, body: int = 0) -> Solids:
+    """An upright box between two opposite corners."""
+    (a, b, c), (x, y, z) = low, high
+    return prism(((a, b), (x, b), (x, y), (a, y)), c, z, material, body)
+
+
+def cylinder(
+    middle: tuple[float, float],
+    radius: float,
+    low: float,
+    high: float,
+    material: int = 0,
+    body: int = 0,
+    *,
+    along: int = 2,
+    sides: int = 12,
+) -> Solids:
+    """A cylinder along an axis; `middle` is in the two axes after it, as in `prism`."""
+    x, y = middle
+    outline = [
+        (x + radius * cos(angle), y + radius * sin(angle))
+        for angle in (2 * pi * (side + 0.5) / sides for side in range(sides))
+    ]
+    return prism(outline, low, high, material, body, along=along)
+
+
+def rounded(
+    low: tuple[float, float], high: tuple[float, float], radius: float
+) -> list[tuple[float, float]]:
+    """The outline of a rectangle with its corners cut off, counter-clockwise."""
+    (left, bottom), (right, top) = low, high
+    radius = min(radius, (right - left) / 2, (top - bottom) / 2)
+    centres = (
+        (right - radius, top - radius),
+        (left + radius, top - radius),
+        (left + radius, bottom + radius),
+        (right - radius, bottom + radius),
+    )
+    return [
+        (x + radius * cos(angle), y + radius * sin(angle))
+        for quarter, (x, y) in enumerate(centres)
+        for angle in (pi / 2 * quarter, pi / 2 * (quarter + 1))
+    ]

@@ -1,0 +1,346 @@
+"""Shots of the rig: what is to be seen from one side, and the samples that a camera takes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import cos, radians, sin
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from trs80arm.drawing.arm_solids import UPPER_ARM, arm_solids, pedestal
+from trs80arm.drawing.bench_solids import FIRST_THING, TABLE, solids_of, table
+from trs80arm.drawing.camera import Camera
+from trs80arm.drawing.canvas_ascii import Point
+from trs80arm.drawing.cells import NO_INK, Samples
+from trs80arm.drawing.materials import BRIGHT, INK_OF, SHADOW, Material
+from trs80arm.drawing.raster import NOWHERE, Raster
+from trs80arm.drawing.readings import Posture, Readings, Thing
+from trs80arm.drawing.rows import Ink
+from trs80arm.drawing.scene import (
+    PLAINLY,
+    QUARTER,
+    SHOWS,
+    Bounds,
+    Extras,
+    Scene,
+    Trace,
+    around,
+)
+from trs80arm.drawing.side_scene import RESTING, side_envelope, side_scene
+from trs80arm.drawing.solids import NOTHING, Floats, Place, Solids
+from trs80arm.drawing.top_scene import top_envelope, top_scene
+from trs80arm.drawing.viewport import Window
+
+AMBIENT = 0.4
+"""What of its brightness a face has that no light falls on."""
+IN_SHADOW = 0.03
+"""How bright the table is in a shadow."""
+FADES = 14.0
+"""Inches behind the arm's plane at which things in the side view have half their brightness."""
+_WITHIN = (Material.CABLE, Material.JOINT, Material.MOTOR)
+"""What is so small, or so near to larger things, that it throws no shadow of its own."""
+BEHIND = 1000.0
+"""How far away table and ghost are taken to be, that they cover nothing of what is real."""
+_REAL = 2
+_TABLE = table()
+
+
+@dataclass(frozen=True)
+class Mark:
+    """Places marked where nothing stands: by a glyph in a cell's upper half, another in its lower.
+
+    Attributes:
+        places: in the world, n x 3.
+    """
+
+    places: Floats
+    ink: Ink
+    glyphs: str
+
+
+@dataclass(frozen=True)
+class Label:
+    """A text in the picture, its middle at a place of the world."""
+
+    place: Place
+    text: str
+    ink: Ink = Ink.LABEL
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """What a camera is to take.
+
+    Attributes:
+        camera: where one looks from.
+        solids: what there is besides the table.
+        sun: where the light comes from, a unit vector.
+        bounds: what belongs into the picture, in its plane.
+        focus: what a closer look is centred on, in the picture's plane.
+        ghost: where the arm was told to be, as far as that is elsewhere.
+        shadows: whether they are thrown on the table; else it is darker below what is above it.
+        marks: dots on the table and in the air.
+        labels: texts.
+        resting: as `Scene.resting`.
+        fades: whether what is behind the picture's plane is darker.
+    """
+
+    camera: Camera
+    solids: Solids
+    sun: Place
+    bounds: Bounds
+    focus: Point
+    ghost: Solids = NOTHING
+    shadows: bool = True
+    marks: Sequence[Mark] = ()
+    labels: Sequence[Label] = ()
+    resting: float | None = None
+    fades: bool = False
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """From where the view in space looks: radians round the table, and above it."""
+
+    turn: float = radians(-52)
+    tilt: float = radians(24)
+
+
+def side_shot(readings: Readings, extras: Extras = PLAINLY) -> Shot:
+    """The plane in which the arm stands, seen from its right.
+
+    The hand, and what is in it, is turned so that its opening can be seen.
+    """
+    posture = readings.posture
+    base = posture.angles.base
+    c, s = cos(base), sin(base)
+    camera = Camera((0.0, 0.0, 0.0), (c, s, 0.0), (0.0, 0.0, 1.0))
+    scene = side_scene(readings, extras)
+    arm = arm_solids(_opened_to_the_eye(posture, base))
+    turn = QUARTER - posture.angles.roll
+    things = [
+        _in_the_hand(solids, posture, turn) if thing.held else solids
+        for thing, solids in _things(readings)
+    ]
+    ghost = NOTHING
+    if readings.believed:
+        told = arm_solids(_opened_to_the_eye(readings.believed, base))
+        ghost = _elsewhere(camera, told, arm)
+    plane = [
+        Mark(_upright(shape.points, c, s), shape.ink, shape.glyphs) for shape in _traces(scene)
+    ]
+    return Shot(
+        camera,
+        Solids.joined((pedestal(readings.fittings, base), arm, *things)),
+        _light(camera, (-0.4, 0.62, 0.68)),
+        scene.bounds,
+        scene.focus,
+        ghost=ghost,
+        marks=plane,
+        resting=RESTING,
+        shadows=False,
+        fades=True,
+    )
+
+
+def top_shot(readings: Readings, extras: Extras = PLAINLY) -> Shot:
+    """Table, base and arm from above, the arm's front to the right and its left side up."""
+    camera = Camera((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+    scene = top_scene(readings, extras)
+    arm = arm_solids(readings.posture)
+    things = [solids for _, solids in _things(readings)]
+    over = [Mark(_level(shape.points), shape.ink, shape.glyphs) for shape in _traces(scene)]
+    return Shot(
+        camera,
+        Solids.joined((_base(readings), arm, *things)),
+        _light(camera, (-0.42, 0.5, 0.76)),
+        scene.bounds,
+        scene.focus,
+        ghost=_ghost(camera, readings, arm),
+        marks=(_INCHES, *over),
+        labels=_FIVES,
+    )
+
+
+def space_shot(readings: Readings, orbit: Orbit, extras: Extras = PLAINLY) -> Shot:
+    """Arm and bench in perspective."""
+    camera = Camera.around((4.0, 0.0, 5.0), orbit.turn, orbit.tilt, 48.0)
+    arm = arm_solids(readings.posture)
+    things = [solids for _, solids in _things(readings)]
+    base = _base(readings)
+    seen = camera.points(np.concatenate([base.corners, arm.corners, *(t.corners for t in things)]))
+    points = readings.posture.points
+    [focus] = camera.points(np.array([points.fingertip])).tolist()
+    marks = [_INCHES]
+    if extras.envelope:
+        c, s = cos(readings.angles.base), sin(readings.angles.base)
+        marks.append(Mark(_level(top_envelope(readings.model)), Ink.FAINT, "++"))
+        marks.append(Mark(_upright(side_envelope(readings.model), c, s), Ink.FAINT, "++"))
+    if extras.trail:
+        way = [(*point.top, point.side[1]) for point in extras.trail]
+        marks.append(Mark(np.array(way), Ink.TRAIL, "`,"))
+    return Shot(
+        camera,
+        Solids.joined((base, arm, *things)),
+        _SUN,
+        around(seen[:, :2].tolist()),
+        (focus[0], focus[1]),
+        ghost=_ghost(camera, readings, arm),
+        marks=marks,
+        labels=_FIVES,
+    )
+
+
+_SUN: Place = (-0.3, -0.62, 0.725)
+"""From where light comes in space: from behind the arm and its right."""
+
+
+def _light(camera: Camera, towards: Place) -> Place:
+    """A direction given to the right, up and towards the eye, as a unit vector of the world."""
+    right, up = np.array(camera.right), np.array(camera.up)
+    way = right * towards[0] + up * towards[1] - camera.forward * towards[2]
+    x, y, z = (way / np.sqrt((way * way).sum())).tolist()
+    return x, y, z
+
+
+def _base(readings: Readings) -> Solids:
+    return pedestal(readings.fittings, readings.angles.base)
+
+
+def _things(readings: Readings) -> list[tuple[Thing, Solids]]:
+    return [
+        (thing, solids_of(thing, body)) for body, thing in enumerate(readings.things, FIRST_THING)
+    ]
+
+
+def _opened_to_the_eye(posture: Posture, base: float) -> Posture:
+    """A posture with the hand rolled so that its fingers are above and below each other."""
+    return replace(posture, angles=replace(posture.angles, base=base, roll=QUARTER))
+
+
+def _in_the_hand(solids: Solids, posture: Posture, turn: float) -> Solids:
+    """What is in the hand, turned with it."""
+    points = posture.points
+    axis, tip = np.array(points.pointing), np.array(points.fingertip)
+    c, s = cos(turn), sin(turn)
+    x, y, z = axis
+    skew = np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
+    turned = c * np.eye(3) + s * skew + (1 - c) * np.outer(axis, axis)
+    return solids.placed(tip - tip @ turned, turned)
+
+
+def _ghost(camera: Camera, readings: Readings, arm: Solids) -> Solids:
+    if readings.believed is None:
+        return NOTHING
+    return _elsewhere(camera, arm_solids(readings.believed), arm)
+
+
+def _elsewhere(camera: Camera, told: Solids, arm: Solids) -> Solids:
+    """Of the arm where it was told to be, the links that a picture shows elsewhere."""
+    away = np.abs(camera.points(told.corners) - camera.points(arm.corners))[:, :2].max(1)
+    moved = np.maximum.reduceat(away, told.first_corner) > SHOWS
+    return told.some(np.flatnonzero(moved).tolist()).made_of(Material.GHOST)
+
+
+def _traces(scene: Scene) -> list[Trace]:
+    return [shape for shape in scene.shapes if isinstance(shape, Trace) and shape.points]
+
+
+def _upright(points: Sequence[Point], c: float, s: float) -> Floats:
+    """Points of the arm's plane as places of the world."""
+    flat = np.array(points).reshape(-1, 2)
+    return np.stack((flat[:, 0] * c, flat[:, 0] * s, flat[:, 1]), axis=1)
+
+
+def _level(points: Sequence[Point]) -> Floats:
+    """Points of the table as places of the world."""
+    flat = np.array(points).reshape(-1, 2)
+    return np.concatenate((flat, np.zeros((len(flat), 1))), axis=1)
+
+
+def _inches() -> Floats:
+    """An inch apart on lines five inches apart: the scale on the table."""
+    (left, low), (right, high) = TABLE
+    xs, ys = np.arange(left, right + 1), np.arange(low, high + 1)
+    along = [(x, y) for y in ys if y % 5 == 0 for x in xs]
+    across = [(x, y) for x in xs if x % 5 == 0 for y in ys]
+    return _level([*along, *across])
+
+
+_INCHES = Mark(_inches(), Ink.FAINT, ".,")
+_FIVES = tuple(
+    Label((float(x), float(y), 0.0), str(abs(x or y)))
+    for x, y in [*((x, 0) for x in (5, 10, 15)), *((0, y) for y in (-10, -5, 5, 10))]
+)
+
+
+def take(shot: Shot, width: int, height: int, samples: tuple[int, int], window: Window) -> Samples:
+    """The samples of a shot.
+
+    Args:
+        shot: what is taken.
+        width: cells.
+        height: cells.
+        samples: how many a cell has across and down.
+        window: which part of the picture's plane the cells show.
+    """
+    camera = shot.camera
+    raster = Raster(width, height, samples, window)
+    # What the arm was told hides the table only, and is hidden by whatever is really there.
+    for layer, solids in enumerate((_TABLE, shot.ghost, shot.solids)):
+        if len(solids.materials):
+            raster.draw(solids, camera.sees(solids))
+        if layer < _REAL:
+            raster.nearness[raster.face != NOWHERE] = -BEHIND
+    solids = Solids.joined((_TABLE, shot.ghost, shot.solids))
+    faces = np.diff([*solids.first_face.tolist(), len(solids.offsets)])
+    material = np.repeat(solids.materials, faces)
+    shade = AMBIENT + (1 - AMBIENT) * np.maximum(0.0, solids.normals @ np.array(shot.sun))
+    light_of = np.append(BRIGHT[material] * shade, 0.0).astype(np.float32)
+    ink_of = np.append(INK_OF[material], NO_INK).astype(np.int8)
+    body_of = np.append(np.repeat(solids.bodies, faces), -1).astype(np.int16)
+    face = raster.face
+    light, ink, body = light_of[face], ink_of[face], body_of[face]
+    if shot.fades:
+        with np.errstate(invalid="ignore"):
+            far = np.clip(-raster.nearness / FADES, 0.0, 1.0)
+        light *= np.where(body >= FIRST_THING, 1 - 0.5 * far, 1.0)
+        _shade_below(raster, shot, body, ink, light)
+    if shot.shadows:
+        covered = _shadows(shot, width, height, samples, window)
+        dark = covered & (body == 0)
+        ink[dark], light[dark] = SHADOW, IN_SHADOW
+    return Samples.of(raster.across, raster.down, ink, light, body, raster.nearness)
+
+
+def _shadows(
+    shot: Shot, width: int, height: int, samples: tuple[int, int], window: Window
+) -> npt.NDArray[Any]:
+    """Which samples of the table are in the shadow; found for half as many each way."""
+    coarse = max(1, samples[0] // 2), max(1, samples[1] // 2)
+    raster = Raster(width, height, coarse, window)
+    solids = shot.solids
+    casts = ~np.isin(solids.materials, _WITHIN)
+    covered = raster.covered(solids, shot.camera.shades(solids, shot.sun), casts)
+    return covered.repeat(samples[1] // coarse[1], 0).repeat(samples[0] // coarse[0], 1)
+
+
+def _shade_below(
+    raster: Raster,
+    shot: Shot,
+    body: npt.NDArray[Any],
+    ink: npt.NDArray[Any],
+    light: npt.NDArray[Any],
+) -> None:
+    """The table seen edge on is darker below what is above it, as if lit from straight above."""
+    solids = shot.solids
+    boxes = shot.camera.points(solids.corners)[:, 0]
+    left = np.minimum.reduceat(boxes, solids.first_corner)
+    right = np.maximum.reduceat(boxes, solids.first_corner)
+    over = solids.bodies >= UPPER_ARM
+    above = (raster.x >= left[over, None]) & (raster.x <= right[over, None])
+    dark = (body == 0) & above.any(0)
+    ink[dark], light[dark] = SHADOW, IN_SHADOW

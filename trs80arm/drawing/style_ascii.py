@@ -1,0 +1,117 @@
+r"""Solids in plain ASCII: filled with a ramp from `:` to `@`, their edges in strokes that fit.
+
+A cell has 2 x 4 samples. Where what is nearest covers all of it, the brightness chooses the
+character; where it ends within the cell, the shape of what is covered does.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from trs80arm.drawing.cells import NO_INK, Cells, Samples, levels
+from trs80arm.drawing.materials import SHADOW
+from trs80arm.drawing.rows import LEVELS
+
+SAMPLES = (2, 4)
+RAMP = ":;-=+*xo#%&@"
+"""Characters from the darkest to the brightest."""
+SHADE = ":"
+"""What is in the shadow on the table."""
+GROUND = 0.5
+"""How bright what is behind a character is, to what is seen."""
+DIMMEST = 0.45
+"""How bright a character is at least, to be told from what is behind it."""
+
+_SHAPES = {
+    # Flat edges: what is below, and what is above them.
+    "_": "00000011",
+    ".": "00000001 00000010",
+    "-": "00001111 00111100",
+    '"': "11000000 11110000",
+    "'": "01000000 10000000",
+    # Upright ones.
+    "|": "10101010 01010101",
+    # Slopes, what is covered below or above them.
+    "/": "00010111 00010101 01011111 00011111 01010111 "
+    "11101000 10101000 11111010 11111000 11101010",
+    "\\": "00101011 00101010 10101111 00101111 10101011 "
+    "11010100 01010100 11110101 11110100 11010101",
+    ",": "00000101 00000110 00001010",
+    "`": "01010000 10100000",
+}
+
+
+def _table() -> npt.NDArray[Any]:
+    """The character of each pattern of eight samples; 0 where the ramp is to fill the cell."""
+    shapes = [
+        (ord(glyph), np.array([int(bit) for bit in pattern]))
+        for glyph, patterns in _SHAPES.items()
+        for pattern in patterns.split()
+    ]
+    table = np.zeros(256, dtype=np.uint32)
+    for pattern in range(1, 255):
+        bits = np.array([pattern >> (7 - place) & 1 for place in range(8)])
+        if bits.sum() >= 7:
+            continue
+        distances = [_apart(bits, shape) for _, shape in shapes]
+        table[pattern] = shapes[int(np.argmin(distances))][0]
+    return table
+
+
+def _apart(one: npt.NDArray[Any], other: npt.NDArray[Any]) -> float:
+    """How unlike two patterns are: where they differ, and how far their middles are apart."""
+    return float(np.abs(one - other).sum() + 1.5 * np.abs(_middle(one) - _middle(other)).sum())
+
+
+_PLACES = np.array([(place % 2, place // 2 / 1.5) for place in range(8)])
+
+
+def _middle(bits: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    middle: npt.NDArray[Any] = (_PLACES * bits[:, None]).sum(0) / bits.sum()
+    return middle
+
+
+_GLYPHS = _table()
+_RAMP = np.array([ord(glyph) for glyph in RAMP], dtype=np.uint32)
+_ORDER = np.array([3, 4, 2, 5, 1, 6, 0, 7])
+"""Samples of a cell from its middle outwards."""
+
+
+def draw(samples: Samples) -> Cells:
+    """The cells of a picture."""
+    height, width, _ = samples.ink.shape
+    cells = Cells(height, width)
+    nearest = samples.nearness.argmax(2)[..., None]
+    body = np.take_along_axis(samples.body, nearest, 2)
+    same = samples.body == body
+    body = body[..., 0]
+    count = same.sum(2)
+    light = (samples.light * same).sum(2) / count
+    inner = _ORDER[same[..., _ORDER].argmax(2)][..., None]
+    ink = np.take_along_axis(samples.ink, inner, 2)[..., 0]
+    level = levels(light)
+    solid = body > 0
+    shape = _GLYPHS[np.packbits(same, axis=2)[..., 0]]
+    glyph = np.where(shape == 0, _RAMP[level], shape)
+    cells.glyphs = np.where(solid, glyph, np.uint32(32))
+    cells.ink = np.where(solid, ink, NO_INK)
+    cells.level = np.where(solid, levels(DIMMEST + (1 - DIMMEST) * light), 0)
+    # Behind the character: the same thing, darker, or what is next behind it.
+    partly = solid & (shape != 0)
+    behind = np.where(same, -np.inf, samples.nearness).argmax(2)[..., None]
+    under = np.take_along_axis(samples.ink, behind, 2)[..., 0]
+    dim = np.take_along_axis(samples.light, behind, 2)[..., 0]
+    under_body = np.take_along_axis(samples.body, behind, 2)[..., 0]
+    cells.under = np.where(partly, under, ink)
+    lit = np.where(partly, np.where(under_body == 0, dim, dim * GROUND), light * GROUND)
+    lit = np.where(body == 0, light, lit)
+    cells.under_level = np.where(cells.under == NO_INK, 0, levels(lit))
+    cells.free = ~solid
+    shaded = ~solid & (ink == SHADOW)
+    cells.glyphs[shaded] = ord(SHADE)
+    cells.ink[shaded] = SHADOW
+    cells.level[shaded] = LEVELS // 2
+    return cells

@@ -1,0 +1,58 @@
+"""Solids in blocks: half a cell, or a sixth, a colour; two colours a cell."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from trs80arm.drawing.cells import NO_INK, Cells, Samples, levels
+from trs80arm.machine.video import sextant
+
+LIKE = 0.13
+"""How much two samples of one ink may differ in brightness to be drawn as one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Blocks:
+    """A set of blocks.
+
+    Attributes:
+        samples: how many blocks a cell has across and down.
+        glyphs: the character of each pattern, the first block of a row as the lowest bit.
+    """
+
+    samples: tuple[int, int]
+    glyphs: npt.NDArray[np.uint32]
+
+    def draw(self, samples: Samples) -> Cells:
+        """The cells of a picture: what is nearest, before what is next behind it."""
+        height, width, count = samples.ink.shape
+        cells = Cells(height, width)
+        nearest = samples.nearness.argmax(2)[..., None]
+        ink = np.take_along_axis(samples.ink, nearest, 2)
+        light = np.take_along_axis(samples.light, nearest, 2)
+        same = (samples.ink == ink) & (np.abs(samples.light - light) < LIKE)
+        pattern = (same << np.arange(count)).sum(2)
+        full = pattern == (1 << count) - 1
+        shown = ink[..., 0] != NO_INK
+        cells.glyphs = np.where(shown, self.glyphs[pattern], np.uint32(32))
+        cells.ink = np.where(shown, ink[..., 0], NO_INK)
+        cells.level = np.where(shown, levels((samples.light * same).sum(2) / same.sum(2)), 0)
+        others = np.where(same, -np.inf, samples.nearness).argmax(2)[..., None]
+        behind = np.take_along_axis(samples.ink, others, 2)
+        alike = ~same & (samples.ink == behind)
+        light = (samples.light * alike).sum(2) / np.maximum(alike.sum(2), 1)
+        cells.under = np.where(full | ~shown, NO_INK, behind[..., 0])
+        cells.under_level = np.where(cells.under == NO_INK, 0, levels(light))
+        cells.free = ~shown | (np.take_along_axis(samples.body, nearest, 2)[..., 0] == 0)
+        return cells
+
+
+def _codes(glyphs: str) -> npt.NDArray[np.uint32]:
+    return np.array([ord(glyph) for glyph in glyphs], dtype=np.uint32)
+
+
+HALVES = Blocks((1, 2), _codes(" ▀▄█"))
+SEXTANTS = Blocks((2, 3), _codes("".join(map(sextant, range(64)))))
