@@ -18,6 +18,8 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO
 
+from trs80arm.locks import hold, remove_unheld
+
 _BEGINNING, _ENDING = ".trs80arm-", ".saving"
 _UNFINISHED = re.compile(r"\.trs80arm-[a-z0-9_]{8}\.saving")
 """A file that has not got its name yet; its writer holds a lock on it."""
@@ -111,7 +113,7 @@ def _begin(folder: Path) -> tuple[Path, BinaryIO]:
         # Its name has nothing of the target's, which may be as long as names can be.
         descriptor, name = tempfile.mkstemp(_ENDING, _BEGINNING, folder)
         file = os.fdopen(descriptor, "wb")
-        _lock(file)
+        hold(file)
         if os.fstat(descriptor).st_nlink:
             return Path(name), file
         file.close()  # Another writer cleared it away before it was locked.
@@ -122,17 +124,7 @@ def _clear(folder: Path) -> None:
     with suppress(OSError):
         for name in os.listdir(folder):
             if _UNFINISHED.fullmatch(name):
-                with suppress(OSError), (folder / name).open("rb+") as file:
-                    _lock(file)
-                    os.unlink(folder / name)
-
-
-def _lock(file: BinaryIO) -> None:
-    """Hold a file for this process, as long as it is open; OSError if another holds it."""
-    if sys.platform != "win32":
-        import fcntl
-
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                remove_unheld(folder / name)
 
 
 def _dress(descriptor: int, like: os.stat_result | None) -> None:

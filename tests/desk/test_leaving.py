@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from tests.desk.sitting import NOTHING, Sitting
 from trs80arm.desk.leaving import LESSON_UNWRITTEN, PROGRAM_UNSAVED
+from trs80arm.desk.recovery import Recovery
+from trs80arm.desk.session import Session
+from trs80arm.desk.teach import Lesson
 from trs80arm.drawing.readings import Readings
 from trs80arm.files import load_program
 
@@ -124,3 +129,47 @@ def test_only_copies_of_other_sittings_are_left_over(sitting: Sitting, name: str
     other = sitting.state / f"{name}.bas"
     other.write_text("10 REM LOST\n")
     assert sitting.recovery.left_over() == [other]
+
+
+def test_copies_of_a_sitting_that_goes_on_are_nobody_elses(sitting: Sitting) -> None:
+    sitting.type("10 REM MINE")
+    teach(sitting)
+    sitting.recovery.keep()
+    kept = {sitting.recovery.program_copy, sitting.recovery.lesson_copy}
+    other = Recovery(Session(), Lesson(), sitting.state, "20260101-120000-12", sitting.person.say)
+    assert other.left_over() == []
+    for path in kept:
+        other.discard(path)
+        assert path.is_file()
+    # Its number begins like this sitting's, which ends now without a word.
+    sitting.recovery.let_go()
+    assert set(other.left_over()) == kept
+    for path in kept:
+        other.discard(path)
+    assert list(sitting.state.iterdir()) == []
+
+
+KILLED = """
+import sys, time
+from pathlib import Path
+from trs80arm.desk.recovery import Recovery
+from trs80arm.desk.session import Session
+from trs80arm.desk.teach import Lesson
+session = Session()
+session.rig.load_text("10 REM KEPT")
+recovery = Recovery(session, Lesson(), Path(sys.argv[1]), "20260101-000000-5", print)
+print(recovery.keep(), flush=True)
+time.sleep(600)
+"""
+
+
+def test_a_killed_sitting_leaves_its_copy_to_the_next(sitting: Sitting) -> None:
+    with subprocess.Popen(
+        [sys.executable, "-c", KILLED, str(sitting.state)], stdout=subprocess.PIPE
+    ) as running:
+        assert running.stdout is not None
+        assert running.stdout.readline() == b"True\n"
+        assert sitting.recovery.left_over() == []
+        running.kill()
+    (left,) = sitting.recovery.left_over()
+    assert left.name == "recovered-20260101-000000-5.bas"

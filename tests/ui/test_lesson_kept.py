@@ -44,6 +44,8 @@ async def test_a_bad_end_leaves_a_program_of_the_positions(sit_down: Opener) -> 
     kept = sitting.app.recovery.lesson_copy
     assert "@READ K1" in kept.read_text()
     assert sitting.app.recovery.left_over() == []
+    # The process would end here.
+    sitting.app.recovery.let_go()
     later = Recovery(Session(), Lesson(), kept.parent, "20990101-000000", lambda *_, **__: None)
     assert later.left_over() == [kept]
 

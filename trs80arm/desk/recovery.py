@@ -2,7 +2,8 @@
 
 A sitting keeps one of the program in memory, one of the positions taught, and a folder of cassettes
 and paper that no file holds. They go when their owner has saved the thing or given it up; programs
-that a sitting that ended badly has left are offered again.
+that a sitting that ended badly has left are offered again. As long as a sitting lasts it holds a
+file of its own in the state folder, so that no other takes its copies for left ones.
 """
 
 from __future__ import annotations
@@ -11,15 +12,20 @@ import contextlib
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import BinaryIO
 
 from trs80arm.desk.asking import Say
 from trs80arm.desk.session import Session
 from trs80arm.desk.taught_programs import Manner, in_steps
 from trs80arm.desk.teach import Lesson
 from trs80arm.files import FileFormatError, Kind, save_program
+from trs80arm.locks import hold, is_held, remove_unheld
 from trs80arm.reasons import reason
 from trs80arm.saving import write_whole
 
+_LOCK = ".sitting"
+"""The ending of the file that a sitting holds."""
+_TAUGHT = "-taught"
 _NAME = re.compile(r"recovered-(\d{4})(\d\d)(\d\d)-(\d\d)(\d\d)\d\d(.*)")
 
 
@@ -45,8 +51,10 @@ class Recovery:
         self._folder = folder
         self._say = say
         self._told = False
+        self._lock = folder / f"recovered-{name}{_LOCK}"
+        self._held: BinaryIO | None = None
         self.program_copy = folder / f"recovered-{name}.bas"
-        self.lesson_copy = folder / f"recovered-{name}-taught.bas"
+        self.lesson_copy = folder / f"recovered-{name}{_TAUGHT}.bas"
         self.keepsakes_copy = folder / f"recovered-{name}-tapes"
         self._kept_tapes: dict[str, bytes] = {}
 
@@ -75,14 +83,14 @@ class Recovery:
 
     def _keep_program(self) -> None:
         if self._session.unsaved:
-            self._folder.mkdir(parents=True, exist_ok=True)
+            self._hold()
             save_program(self.program_copy, self._session.program, Kind.CRUNCHED)
         else:
             _remove(self.program_copy)
 
     def _keep_lesson(self) -> None:
         if self._lesson.unwritten:
-            self._folder.mkdir(parents=True, exist_ok=True)
+            self._hold()
             text = in_steps(self._lesson.positions, Manner())
             write_whole(self.lesson_copy, text.encode("ascii"))
         else:
@@ -97,11 +105,27 @@ class Recovery:
             _remove(self.keepsakes_copy / name)
         for name, content in wanted.items():
             if self._kept_tapes.get(name) != content:
+                self._hold()
                 self.keepsakes_copy.mkdir(parents=True, exist_ok=True)
                 write_whole(self.keepsakes_copy / name, content)
         self._kept_tapes = wanted
         if not wanted:
             _remove_folder(self.keepsakes_copy)
+
+    def _hold(self) -> None:
+        """Make the state folder, and hold this sitting's file in it from now on."""
+        self._folder.mkdir(parents=True, exist_ok=True)
+        if self._held is None:
+            self._held = self._lock.open("wb")
+            hold(self._held)
+
+    def let_go(self) -> None:
+        """The sitting is over: what it leaves is for the next."""
+        if self._held is not None:
+            self._held.close()
+            self._held = None
+            if not any(path.exists() for _, path in self.kept()):
+                _remove(self._lock)
 
     def drop(self) -> None:
         """Remove all copies: their owner gave them up."""
@@ -111,6 +135,7 @@ class Recovery:
             _remove(self.keepsakes_copy / name)
         _remove_folder(self.keepsakes_copy)
         self._kept_tapes = {}
+        self.let_go()
 
     def kept(self) -> Iterator[tuple[str, Path]]:
         """What is kept now: what it is, in words, and where."""
@@ -124,21 +149,29 @@ class Recovery:
 
     def left_over(self) -> list[Path]:
         """Copies that sittings that ended badly have left, newest first."""
-        own = self.program_copy.stem
+        in_use = {lock.stem for lock in self._folder.glob(f"recovered-*{_LOCK}") if is_held(lock)}
+        in_use.add(self.program_copy.stem)
         copies = [
-            path for path in self._folder.glob("recovered-*.bas") if not path.stem.startswith(own)
+            path
+            for path in self._folder.glob("recovered-*.bas")
+            if path.stem.removesuffix(_TAUGHT) not in in_use
         ]
         return sorted(copies, key=lambda path: path.name, reverse=True)
 
     def discard(self, path: Path) -> None:
         """Remove a copy that was left, for its owner does not want it."""
         if path in self.left_over():
-            _remove(path)
+            self._remove_left(path)
 
     def take_over(self, path: Path) -> None:
         """The program of an older copy is in memory now: remove it once an own copy is kept."""
         if self.keep() and self.program_copy.is_file():
-            _remove(path)
+            self._remove_left(path)
+
+    def _remove_left(self, path: Path) -> None:
+        """Remove a copy that was left, and the file that its sitting held."""
+        _remove(path)
+        remove_unheld(path.with_name(path.stem.removesuffix(_TAUGHT) + _LOCK))
 
 
 def copy_label(path: Path) -> str:
@@ -147,7 +180,7 @@ def copy_label(path: Path) -> str:
     if match is None:
         return path.name
     year, month, day, hour, minute, rest = match.groups()
-    what = "recovered positions" if rest.endswith("-taught") else "recovered program"
+    what = "recovered positions" if rest.endswith(_TAUGHT) else "recovered program"
     return f"{year}-{month}-{day} {hour}:{minute}  {what}"
 
 

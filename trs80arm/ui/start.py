@@ -57,6 +57,7 @@ def run_terminal(options: TerminalOptions) -> int:
         if app.fault is not None:
             words = last_words(app.fault, state_folder(), session)
             print(f"trs80arm: {words}", file=sys.stderr)
+    app.recovery.let_go()
     # The terminal may have been closed.
     with contextlib.suppress(OSError):
         _tell_of_copies(app)

@@ -1,0 +1,43 @@
+"""Files that a process holds while it lives, so that others know that they are in use.
+
+The system lets go when the process ends, however it ends. Windows has no such locks; there nothing
+is ever held.
+"""
+
+from __future__ import annotations
+
+import sys
+from contextlib import suppress
+from pathlib import Path
+from typing import BinaryIO
+
+
+def hold(file: BinaryIO) -> None:
+    """Hold a file for as long as it is open.
+
+    Raises:
+        OSError: somebody else holds it.
+    """
+    if sys.platform != "win32":
+        import fcntl
+
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+def is_held(path: Path) -> bool:
+    """Whether somebody holds the file of that name now."""
+    try:
+        with path.open("rb") as file:
+            hold(file)
+    except BlockingIOError:
+        return True
+    except OSError:
+        return False
+    return False
+
+
+def remove_unheld(path: Path) -> None:
+    """Remove a file unless somebody holds it."""
+    with suppress(OSError), path.open("rb") as file:
+        hold(file)
+        path.unlink()
