@@ -56,6 +56,7 @@ _MISSING = object()
 _KINDS = {cls: name for name, (cls, _) in NAMED.items()}
 _VALUE_NAMES = {cls: name for name, cls in VALUES.items()}
 _OBJECT_NAMES = {cls: name for name, cls in OBJECTS.items()}
+_MADE = _VALUE_NAMES.keys() | _OBJECT_NAMES.keys()
 _PLAIN = (type(None), bool, int, float, str, bytes)
 _CONTAINERS = (list, deque, dict, set, bytearray)
 
@@ -331,7 +332,9 @@ class _Reader:
         thing = self._things[name]
         if isinstance(thing, _CONTAINERS):
             content = self.value(written, thing)
-            if type(content) is not type(thing):
+            if type(content) is not type(thing) or (
+                _sorts(thing) and not _sorts(content) <= _sorts(thing)
+            ):
                 raise SnapshotError("no snapshot: another kind of content than the machine's")
             _refill(thing, content)
             return
@@ -501,6 +504,14 @@ def _like(was: Any, now: Any) -> Any:
     if type(was) in _OBJECT_NAMES and type(now) in _OBJECT_NAMES:
         return now
     raise SnapshotError("no snapshot: another kind of value than the machine's")
+
+
+def _sorts(container: Any) -> set[type | None]:
+    """What sorts of thing are in a container: types, None for all that may be made anew."""
+    if isinstance(container, bytearray):
+        return {int}
+    items = container.values() if isinstance(container, dict) else container
+    return {None if type(item) in _MADE else type(item) for item in items}
 
 
 def _refill(thing: Any, content: Any) -> None:
