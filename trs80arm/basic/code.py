@@ -10,7 +10,9 @@ text stays the same, and used again as long as what they assumed about the varia
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from types import CellType, FunctionType
 from typing import Any, Final, NamedTuple
 
@@ -35,6 +37,8 @@ _LONGEST = 40
 _LOWEST = 0x4000
 _LINE_HEAD = 5
 """A line's final zero, link and number; where these do not fit there is no statement."""
+_DEEPEST = 200_000
+"""Calls in one another while an expression is compiled whose nesting takes all of 48K."""
 _VARIANTS = 4
 """Compiled forms of one statement that are kept for different pictures of the variables."""
 
@@ -158,6 +162,17 @@ class Table(dict[int, Function]):
         return Mark(address, 0)
 
 
+@contextmanager
+def _deep() -> Iterator[None]:
+    """Let the compiler go into itself as deeply as the Z-80's stack allows in the most memory."""
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(before, _DEEPEST))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(before)
+
+
 class CompiledCode:
     """Both tables.
 
@@ -266,16 +281,19 @@ class CompiledCode:
         tight = self._state.room.tight
         return Scope(self.variables, self._array_cells, types, tight)
 
-    def _compile_statement(self, address: int, types: bytes, *, flat: bool = False) -> Compiled:
-        out = Emitter(flat=flat)
+    def _compile_statement(self, address: int, types: bytes) -> Compiled:
+        try:
+            return self._compile_alone(address, types, Emitter())
+        except TooDeep:
+            with _deep():
+                return self._compile_alone(address, types, Emitter(flat=True))
+
+    def _compile_alone(self, address: int, types: bytes, out: Emitter) -> Compiled:
         scope = self._scope(types)
         goes_on = self._write(address, out, scope, self._loops()).goes_on
         if goes_on is not None:
             out.go(goes_on)
-        try:
-            return self._built(out, scope)
-        except TooDeep:
-            return self._compile_statement(address, types, flat=True)
+        return self._built(out, scope)
 
     def _compile_block(self, address: int, types: bytes) -> Compiled:
         """The statements from an address on, as far as they can be run in one go."""
@@ -287,7 +305,12 @@ class CompiledCode:
         total = count = 0
         while here is not None:
             trial_scope = self._scope(types)
-            trial = self._write(here, Emitter(), trial_scope, list(loops))
+            try:
+                trial = self._write(here, Emitter(), trial_scope, list(loops))
+            except TooDeep:
+                if count:
+                    break
+                return self._compile_statement(address, types)
             solid = trial.plain and not trial_scope.assumptions().fragile
             total += trial.cost
             if count and (not solid or total > MARGIN or count == _LONGEST):
@@ -361,7 +384,8 @@ class CompiledCode:
         try:
             return self._find_target(address, Emitter())
         except TooDeep:
-            return self._find_target(address, Emitter(flat=True))
+            with _deep():
+                return self._find_target(address, Emitter(flat=True))
 
     def _find_target(self, address: int, out: Emitter) -> tuple[Any, int]:
         state = self._state

@@ -47,7 +47,7 @@ LINE: Final = 62
 """Free bytes that must remain when a line was stored."""
 FEW: Final = 50
 _PLENTY: Final = 2000
-_TIGHT: Final = 400
+TIGHT: Final = 400
 """With less than this the compiled statements look for room in every expression."""
 
 
@@ -75,7 +75,7 @@ class Room:
         """OM unless so many bytes are free."""
         free = self.free()
         self._look(size)
-        if free - size < _TIGHT:
+        if free - size < TIGHT:
             self.tight = True
         if free < size:
             raise BasicError(Code.OM)
@@ -83,7 +83,7 @@ class Room:
     def relax(self) -> None:
         """Everything was cleared: look again."""
         self._look(0)
-        self.tight = self.free() < _TIGHT
+        self.tight = self.free() < TIGHT
 
     def _look(self, size: int) -> None:
         self.plenty = self._strings.bottom - self._variables.end - size >= _PLENTY

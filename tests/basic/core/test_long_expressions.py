@@ -68,3 +68,46 @@ def test_a_long_expression_is_evaluated_in_the_order_of_a_short_one() -> None:
     assert long == Machine().run(*short, "500 PRINT X")
     got = answers("PRINT " + "+".join("A" * 90) + "+1/0+LEN(A)", "A=1")
     assert got == ["?/0 ERROR IN 20"] or got == ["?TM ERROR IN 20"]
+
+
+@pytest.mark.parametrize(
+    ("elements", "expression"),
+    [
+        (948, "-" * 220 + "1"),
+        (1278, "(" * 110 + "1" + ")" * 110),
+        (1383, "ABS(" * 45 + "1" + ")" * 45),
+        (1144, "1+(" * 58 + "1" + ")" * 58),
+        (1443, "NOT " * 55 + "1"),
+    ],
+    ids=lambda value: str(value)[:4],
+)
+def test_nesting_ends_where_the_stack_meets_the_variables(elements: int, expression: str) -> None:
+    """How large an array may be beside each was found out on the ROM, to the byte."""
+    for more, fits in ((0, True), (1, False)):
+        rig = Rig(RigSettings(ram_kib=4))
+        rig.type(f"DIM A%({elements + more})\r")
+        rig.run_until_waiting()
+        rig.type("CLS\r")
+        rig.type(f"PRINT {expression}\r")
+        rig.run_until_waiting()
+        assert ("?OM ERROR" not in rig.screen()) == fits
+
+
+@pytest.mark.parametrize("blocks", [True, False])
+@pytest.mark.parametrize(
+    ("ram", "levels", "shown"),
+    [
+        (16, 2000, " 1"),
+        (48, 6000, " 1"),
+        (16, 6000, "?OM ERROR IN 10"),
+        (48, 9000, "?OM ERROR IN 10"),
+    ],
+)
+def test_a_line_longer_than_any_typed_one_is_nested_as_deeply_as_memory_allows(
+    ram: int, levels: int, shown: str, blocks: bool
+) -> None:
+    rig = Rig(RigSettings(ram_kib=ram, blocks=blocks))
+    rig.load_lines([(10, b"\xb2" + b"\xce" * levels + b"1")])
+    rig.type("CLS:RUN\r")
+    rig.run_until_waiting()
+    assert rig.screen()[0].rstrip() == shown or rig.screen()[1].rstrip() == shown

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Final
 
+from trs80arm.basic import room
 from trs80arm.basic.compiler.emitter import Emitter
 from trs80arm.basic.compiler.reader import Reader
 from trs80arm.basic.compiler.scope import Scope
 from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.errors import Code
+
+MOST_RAM: Final = 0xC000
+"""Bytes of RAM of the largest machine."""
 
 
 class Mistake(Exception):  # noqa: N818 - a way of leaving, not a failure of ours
@@ -86,14 +91,19 @@ class Draft:
 
     @contextmanager
     def deeper(self, size: int) -> Iterator[None]:
-        """What is read meanwhile finds so many bytes more of the Z-80's stack taken."""
+        """What is read meanwhile finds so many bytes more of the Z-80's stack taken.
+
+        OM if no machine has so much memory; whether this one has is seen when it runs.
+        """
         self.stack_bytes += size
+        if self.stack_bytes > MOST_RAM:
+            raise Mistake(Code.OM)
         self._deepest = max(self._deepest, self.stack_bytes)
         yield
         self.stack_bytes -= size
 
     def need_room(self, size: int) -> None:
-        """An expression is complete: with hardly any memory left it looks for room on the stack."""
-        if self.scope.tight:
+        """An expression is complete: it looks for room on the stack, where that may be missing."""
+        if self.scope.tight or size + self._deepest > room.TIGHT:
             self.out.emit(f"room({size + self._deepest})")
-            self._deepest = 0
+        self._deepest = 0

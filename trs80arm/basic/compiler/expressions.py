@@ -45,9 +45,6 @@ _SIGNS: Final = {
     characters.NUMBER_SIGN: DOUBLE,
 }
 """The signs behind a name that say its type."""
-_MAX_DEPTH: Final = 180
-"""Nesting beyond which an expression is ?OM: the compiler goes into itself with it. A line that is
-typed hardly gets there; on the ROM the stack is full at some point, too."""
 
 
 class ExpressionCompiler:
@@ -116,8 +113,6 @@ class ExpressionCompiler:
     def _evaluate(self, precedence: int) -> Expression:
         draft = self._draft
         draft.depth += 1
-        if draft.depth > _MAX_DEPTH:
-            raise Mistake(Code.OM)
         left = self._operand()
         reader = self._reader
         self._operand_end = reader.position

@@ -15,7 +15,7 @@ from trs80arm.basic.compiler.arm import ArmCompiler
 from trs80arm.basic.compiler.assignments import AssignmentCompiler
 from trs80arm.basic.compiler.commands import CommandCompiler
 from trs80arm.basic.compiler.draft import Draft, Mistake
-from trs80arm.basic.compiler.emitter import Emitter
+from trs80arm.basic.compiler.emitter import Emitter, TooDeep
 from trs80arm.basic.compiler.expressions import ExpressionCompiler
 from trs80arm.basic.compiler.flow import FlowCompiler
 from trs80arm.basic.compiler.functions import FunctionCompiler
@@ -131,15 +131,21 @@ class StatementCompiler:
         return self._draft.observes
 
     def compile(self) -> bool:
-        """Write the statement at the reader; whether control goes on behind it."""
+        """Write the statement at the reader; whether control goes on behind it.
+
+        Raises:
+            TooDeep: the compiler cannot go so deeply into itself.
+        """
         draft = self._draft
         try:
             self._out.cost += costs.STATEMENT
             goes_on = self._reader.at_end or self._statement()
-        except (Mistake, RecursionError) as mistake:
-            draft.fail(mistake if isinstance(mistake, Mistake) else Mistake(Code.OM))
+        except Mistake as mistake:
+            draft.fail(mistake)
             goes_on = False
             draft.plain = False
+        except RecursionError:
+            raise TooDeep from None
         self._out.note_cost()
         return goes_on
 
@@ -150,6 +156,8 @@ class StatementCompiler:
         except Mistake as mistake:
             self._draft.fail(mistake)
             return
+        except RecursionError:
+            raise TooDeep from None
         self._out.charge()
         self._out.emit(f"return {reference}")
 
