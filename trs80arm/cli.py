@@ -11,6 +11,7 @@ import difflib
 import io
 import math
 import os
+import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -138,6 +139,9 @@ _SCREEN_FLAGS = {
     "cursor": ("terminal.cursor", "blink or steady."),
     "fps": ("terminal.fps", "The most frames a second."),
 }
+_FILM_FLAGS = ("glyphs", "theme", "arm-style", "cursor")
+LONGEST_FILM = 600.0
+"""Virtual seconds of a film at most."""
 
 
 def _settings_options(flags: dict[str, tuple[str, str]]) -> Callable[[Command], Command]:
@@ -295,6 +299,68 @@ def run(**given: Any) -> None:
 
     settings = _take_settings(given)
     sys.exit(run_program(BatchOptions(rig=settings.rig(), **given)))
+
+
+@cli.command()
+@click.argument("program", type=A_PROGRAM)
+@click.option("-o", "--output", type=A_PATH, required=True, help="A .svg, .gif or .cast file.")
+@click.option(
+    "--seconds",
+    type=Finite(min=0, max=LONGEST_FILM, min_open=True),
+    default=60.0,
+    show_default=True,
+    help="End after so many virtual seconds from RUN.",
+)
+@click.option(
+    "--speed",
+    "pace",
+    type=Finite(min=0.01, max=100),
+    default=1.0,
+    show_default=True,
+    help="Virtual seconds a second of the film.",
+)
+@click.option(
+    "--fps",
+    "pictures",
+    type=Finite(min=0.5, max=50),
+    default=10.0,
+    show_default=True,
+    help="Pictures a second of the film.",
+)
+@click.option("--size", default="100x30", show_default=True, help="Columns x rows.")
+@click.option("--input", "inputs", multiple=True, help="The answer to the next INPUT.")
+@click.option("--set", "sets", multiple=True, help='The next @SET, as in "6:1.0 1+W:0.5 0".')
+@click.option("--do", "commands", multiple=True, help="A command before RUN, as fill_space.")
+@click.option("--font", type=A_PATH, help="A monospaced font for a GIF.")
+@_settings_options({name: _SCREEN_FLAGS[name] for name in _FILM_FLAGS})
+@_machine_options
+def film(**given: Any) -> None:
+    """Film a run of PROGRAM in the terminal: animated SVG, GIF or asciinema cast.
+
+    RUN is typed, and the film goes on for a moment after the program has ended, or until it waits
+    for what the options do not answer. The file's suffix says which kind it is to be.
+    """
+    from trs80arm.ui.filming import FilmError, Shooting, make_film
+
+    size = re.fullmatch(r"(\d{1,3})x(\d{1,3})", given.pop("size"))
+    if size is None:
+        fail("--size is COLUMNSxROWS, as 100x30")
+    shooting = Shooting(
+        columns=int(size[1]),
+        rows=int(size[2]),
+        fps=given.pop("pictures"),
+        speed=given.pop("pace"),
+        seconds=given.pop("seconds"),
+        inputs=given.pop("inputs"),
+        sets=given.pop("sets"),
+        do=given.pop("commands"),
+        font=given.pop("font"),
+    )
+    output = given.pop("output")
+    try:
+        make_film(_terminal_options(given), shooting, output)
+    except FilmError as error:
+        fail(error)
 
 
 @cli.command()

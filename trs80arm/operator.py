@@ -76,6 +76,8 @@ class Operator:
         self.rig = rig
         self._inputs = deque(inputs)
         self._sets = deque(list(holds) for holds in sets)
+        self._holds: deque[Hold] = deque()
+        self._busy_until = 0.0
 
     def run(self, seconds: float) -> Waiting:
         """Let the program run, with the operator's help.
@@ -97,6 +99,29 @@ class Operator:
             else:
                 return waiting
         return Waiting.NOTHING
+
+    def attend(self) -> bool:
+        """Do what is due now, for whoever lets time pass himself.
+
+        Returns:
+            Whether anything is still to come: the program runs, or waits for what the script has.
+        """
+        rig = self.rig
+        if rig.time < self._busy_until or rig.typing:
+            return True
+        waiting = rig.waiting
+        if waiting is Waiting.INPUT and self._inputs:
+            rig.type(self._inputs.popleft() + "\r")
+        elif waiting is Waiting.SET and (self._holds or self._sets):
+            if not self._holds:
+                self._holds.extend(self._sets.popleft())
+            hold = self._holds.popleft()
+            rig.hold(hold.keys, hold.seconds)
+            self._busy_until = rig.time + hold.seconds + HAND_PAUSE
+        else:
+            self._holds.clear()
+            return waiting is Waiting.NOTHING
+        return True
 
     def _jog(self, holds: list[Hold], end: float) -> None:
         """Do all the holds of one manual mode, while it lasts."""

@@ -539,6 +539,20 @@ class MiniMover:
 
     # Looking at it
 
+    def borne(self) -> tuple[float, ...]:
+        """What the motors bear now, by latch: ounce-inches at the joint, ounces at the fingers.
+
+        Positive pulls a joint's angle down, or the fingers together. Weight, what is in the hand,
+        what pushes and presses.
+        """
+        burdens = self._world.burdens()
+        return tuple(
+            -16 * self._world.grip.force
+            if turns is Motor.HAND
+            else self._weight(turns, burdens, self._rotors) - self._pushed(turns)
+            for turns in self._motor_kinds[:6]
+        )
+
     def state(self) -> ArmState:
         """A snapshot for display."""
         angles = self._world.angles

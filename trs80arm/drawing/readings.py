@@ -21,6 +21,7 @@ from trs80arm.arm.shapes import Box, upright
 from trs80arm.machine.driver import Mode
 from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.rig import Key, Rig, Waiting
+from trs80arm.trace.history import History
 
 RING = 8
 """Half-steps of one ring of Figure 8: what a motor loses, it loses in multiples of these."""
@@ -108,6 +109,7 @@ class Readings:
         fittings: the measures of base and body.
         keys_down: the keys that are down in the matrix.
         jog: the keys of manual mode.
+        history: what latches and arm did lately, for the scope.
     """
 
     posture: Posture = field(default_factory=_switched_on)
@@ -130,6 +132,7 @@ class Readings:
     fittings: ArmSettings = field(default_factory=ArmSettings)
     keys_down: frozenset[Key] = frozenset()
     jog: JogKeys = field(default_factory=JogKeys)
+    history: History | None = field(default=None, compare=False)
 
     @property
     def model(self) -> ArmModel:
@@ -147,8 +150,8 @@ class Readings:
         return not self.inputs & 1
 
     @classmethod
-    def of(cls, rig: Rig) -> Readings:
-        """Read the rig."""
+    def of(cls, rig: Rig, history: History | None = None) -> Readings:
+        """Read the rig, and hand on what is known of its past."""
         state = rig.state
         arm = rig.arm
         believed = None
@@ -177,6 +180,7 @@ class Readings:
             fittings=arm.settings,
             keys_down=rig.held,
             jog=rig.settings.driver.keys,
+            history=history,
         )
 
 

@@ -39,6 +39,7 @@ from trs80arm.desk.teach import Lesson
 from trs80arm.drawing.glyphs import choose
 from trs80arm.options import TerminalOptions
 from trs80arm.shown import shown
+from trs80arm.trace.history import History
 from trs80arm.ui.asking import Dialogs
 from trs80arm.ui.commands.arm import ArmCommands
 from trs80arm.ui.commands.bar import CommandBar
@@ -133,6 +134,7 @@ class Trs80Arm(App[int]):
         self.keyboard = Keyboard(session, held, options.keys, wall)
         bar = CommandBar(COMMANDS, id="commands")
         self.desk = DeskScreen(panels, bar, self.keyboard.let_go)
+        self.desk.history = History(session.rig)
         self.lesson = Lesson()
         name = f"{datetime.now():%Y%m%d-%H%M%S}-{os.getpid()}"
         self.recovery = Recovery(session, self.lesson, state, name, self.say)

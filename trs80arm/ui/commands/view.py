@@ -62,6 +62,15 @@ class View(Protocol):
     def turn_space(self, round_it: float, above: float) -> None:
         """Look at the arm in space from elsewhere, by so many degrees round it and up."""
 
+    def scroll_scope(self, columns: int) -> None:
+        """Go back in time in the scope, or on, by so many columns."""
+
+    def zoom_scope(self, way: int) -> None:
+        """More (1) or less (-1) detail in the scope."""
+
+    def next_joint(self, way: int) -> None:
+        """All latches in the scope, or one joint after the other."""
+
 
 class ViewCommands:
     """Changes what is shown, and how.
@@ -112,6 +121,20 @@ class ViewCommands:
     def turn_space(self, round_it: float, above: float) -> None:
         """Look at the arm in space from elsewhere, by so many degrees."""
         self._view.turn_space(round_it, above)
+
+    # -- the scope --------------------------------------------------------------------------------
+
+    def scroll_scope(self, columns: int) -> None:
+        """Go back in time in the scope, or on, by so many columns."""
+        self._view.scroll_scope(columns)
+
+    def zoom_scope(self, way: int) -> None:
+        """More or less detail in the scope."""
+        self._view.zoom_scope(way)
+
+    def next_joint(self, way: int) -> None:
+        """All latches in the scope, or one joint after the other."""
+        self._view.next_joint(way)
 
     def arm_option(self, name: str) -> None:
         """Envelope, trail or labels on or off."""

@@ -17,6 +17,7 @@ from trs80arm.ui.panels.matrix import MatrixView
 from trs80arm.ui.panels.panel import Panel
 from trs80arm.ui.panels.pose import PosePanel
 from trs80arm.ui.panels.registers import RegistersPanel
+from trs80arm.ui.panels.scope_panel import ScopePanel
 from trs80arm.ui.panels.side_view import SideView
 from trs80arm.ui.panels.space_view import SpaceView
 from trs80arm.ui.panels.top_view import TopView
@@ -103,6 +104,15 @@ PANELS: tuple[PanelRow, ...] = (
         layout.MOTORS,
         shows="The coils of the motors, and the inputs.",
         fills="The coils fill the screen.",
+    ),
+    PanelRow(
+        "scope",
+        "Scope",
+        ScopePanel,
+        Cadence.NUMBERS,
+        "scope",
+        shows="The latches over time, and what the joints did.",
+        fills="The scope fills the screen.",
     ),
     PanelRow(
         "events",

@@ -20,10 +20,12 @@ from textual.widgets import Static
 from trs80arm.drawing.readings import Readings
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet
 from trs80arm.rig import Rig
+from trs80arm.trace.history import History
 from trs80arm.ui import layout
 from trs80arm.ui.keys.host_keys import trs80_keys
 from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.registry import Cadence, PanelRow, groups
+from trs80arm.ui.panels.scope_panel import ScopePanel
 from trs80arm.ui.panels.status import Pace, StatusLine
 from trs80arm.ui.panels.tube import Tube
 from trs80arm.ui.terminal.layers import Layer
@@ -60,6 +62,7 @@ class DeskScreen(Layer):
         status: the line under everything.
         bottom: the group that is shown under the tube.
         zoomed: the panel or group that fills the screen, or None.
+        history: what latches and arm did lately, for the scope.
         arm_style: how the arm is drawn.
         cursor_style: whether the cursor blinks.
         numbers_due: the wall's time at which numbers are to be drawn again.
@@ -77,6 +80,7 @@ class DeskScreen(Layer):
         self._groups = groups(rows)
         self._let_go = let_go
         self.panels = {row.id: row.make(id=row.id) for row in rows}
+        self._scopes = [panel for panel in self.panels.values() if isinstance(panel, ScopePanel)]
         [self.tube] = (panel for panel in self.panels.values() if isinstance(panel, Tube))
         self._arm_views = [panel for panel in self.panels.values() if isinstance(panel, ArmView)]
         self.side = self._arm_views[0]
@@ -85,6 +89,7 @@ class DeskScreen(Layer):
         self._too_small = Static(id="too-small")
         self.bottom = layout.ARM
         self.zoomed: str | None = None
+        self.history: History | None = None
         self.arm_style = ArmStyle.ASCII
         self.cursor_style = CursorStyle.BLINK
         self.numbers_due = 0.0
@@ -204,6 +209,23 @@ class DeskScreen(Layer):
             view.picture.turn(radians(round_it), radians(above))
             view.redraw()
 
+    def scroll_scope(self, columns: int) -> None:
+        """Go back in time in the scope, or on, by so many columns."""
+        for scope in self._scopes:
+            scope.scroll(columns)
+
+    def zoom_scope(self, way: int) -> None:
+        """More (1) or less (-1) detail in the scope."""
+        for scope in self._scopes:
+            scope.scope.zoom(way)
+            scope.redraw()
+
+    def next_joint(self, way: int) -> None:
+        """All latches in the scope, or one joint after the other."""
+        for scope in self._scopes:
+            scope.scope.next_joint(way)
+            scope.redraw()
+
     def zoom_arm(self, way: str) -> None:
         """Closer (`in`), farther (`out`), or all of it (`fit`)."""
         for view in self._arm_views:
@@ -228,7 +250,7 @@ class DeskScreen(Layer):
         self.tube.show(rig.video, cursor, cursor_hidden=hidden)
         if cursor is not None and self.tube.display:
             self._point_terminal_at(cursor)
-        readings = Readings.of(rig)
+        readings = Readings.of(rig, self.history)
         stands = (readings.posture, readings.things, readings.coils, len(readings.events))
         self.still, self._stood = stands == self._stood, stands
         numbers = now >= self.numbers_due
