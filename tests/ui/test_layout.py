@@ -57,7 +57,7 @@ def test_80_columns_have_registers_beside_the_tube_and_a_switched_panel() -> Non
         set(plan(GROUPS, 80, 24, bottom)) - {"tube", "registers", "pose"}
         for bottom in bottoms(GROUPS, 80, 24)
     ]
-    assert shown == [{"side", "top"}, {"space"}, {"coils"}, {"events"}, {"matrix"}]
+    assert shown == [{"side", "top"}, {"space"}, {"coils"}, {"scope"}, {"events"}, {"matrix"}]
     assert {"registers", "pose"} <= set(plan(GROUPS, 80, 24, ARM))
 
 

@@ -80,15 +80,16 @@ async def test_a_row_brings_a_panel_to_the_screen(
 def test_every_group_can_be_brought_under_the_tube_where_not_all_is_shown() -> None:
     names = groups((*PANELS, PAPER))
     assert layout.bottoms(names, 64, 24) == [
-        *("arm", "space", "numbers", "motors", "log", "keyboard", "paper")
+        *("arm", "space", "numbers", "motors", "scope", "log", "keyboard", "paper")
     ]
-    assert layout.bottoms(names, 120, 40) == ["arm", "space", "keyboard", "paper"]
+    assert layout.bottoms(names, 120, 40) == ["arm", "space", "scope", "keyboard", "paper"]
 
 
 def test_the_palette_names_what_the_rows_want() -> None:
     titles = [command.title for command in panel_commands((*PANELS, PAPER))]
     assert titles == [
-        *("View: arm", "View: space", "View: motors", "View: log", "View: keyboard", "View: paper"),
+        *("View: arm", "View: space", "View: motors", "View: scope", "View: log"),
+        *("View: keyboard", "View: paper"),
         *("View: in space large", "View: registers large", "View: pose large"),
-        *("View: motors large", "View: log large", "View: paper large"),
+        *("View: motors large", "View: scope large", "View: log large", "View: paper large"),
     ]
