@@ -74,7 +74,7 @@ def test_a_motor_goes_in_half_steps_and_what_it_pushes_evenly(period: int, step:
     ahead = [body.place[0] - scene.joints[0] for body in scene.bodies.values()]
     assert ahead == pytest.approx([0.8, 1.8, 2.8], abs=0.005)
     # Three parts of two ounces at a friction of a half.
-    assert scene.torques[0] == pytest.approx(-3, rel=0.1)
+    assert scene.torques[0] == pytest.approx(-3, rel=0.25)
     assert scene.solved - solved < 60
 
 

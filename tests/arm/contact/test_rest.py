@@ -210,3 +210,36 @@ def test_what_is_carried_goes_with_the_hand_without_work() -> None:
     go(5, 3, 1.0, 0.4515, 300)
     assert scene.solved == solved
     assert part.place == pytest.approx((5, 0, 3), abs=0.01)
+
+
+def test_a_strained_arm_that_loses_touch_eases_off_and_does_not_jump() -> None:
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm((6.5, 0.0, 0.3, 0.0, 0.0, 0.1))
+    scene.add(Body("anvil", Shape.of([box((2.0, 2.0, 1.0))], 500.0), 0.9, (7.8, 0.0, 0.5)))
+    scene.command((6.58, 0.0, 0.3, 0.0, 0.0, 0.1))
+    scene.advance(T_STATES_PER_SECOND // 4)
+    strain = scene.torques[0]
+    assert strain < -100
+    scene.remove("anvil")
+    seen = []
+    for _ in range(60):
+        before = scene.joints[0]
+        scene.tick()
+        seen.append((scene.joints[0] - before, scene.torques[0]))
+    assert max(way for way, _ in seen) < 0.02
+    assert seen[0][1] < strain / 2
+    assert seen[-1] == (0.0, 0.0)
+    assert scene.joints[0] == 6.58
+
+
+def test_what_is_woken_by_what_comes_upon_it_moves_at_once() -> None:
+    scene = Scene()
+    rolling = scene.add(block("first", 0.5))
+    scene.add(block("second", 0.5)).put((9.005, 0.0, 0.5), rolling.turn)
+    scene.advance(T_STATES_PER_SECOND)
+    assert scene.quiet
+    scene.wake("first")
+    rolling.velocity = (5.0, 0.0, 0.0)
+    scene.tick()
+    assert scene.bodies["second"].place[0] > 9.005
+    assert scene.bodies["second"].place[0] - rolling.place[0] > 0.999

@@ -193,18 +193,24 @@ def join(links: Sequence[Mover], bodies: Sequence[Mover], touching: set[tuple[st
 
 
 def apart(
-    movers: Sequence[Mover], others: Sequence[Mover], touching: set[tuple[str, str]], most: float
+    bodies: Sequence[Mover],
+    links: Sequence[Mover],
+    others: Sequence[Mover],
+    heedless: set[tuple[str, str]],
+    most: float,
 ) -> float:
     """Seconds for which nothing comes upon anything new.
 
     Args:
-        movers: what moves.
+        bodies: that move.
+        links: of the arm, that do not meet each other.
         others: what stands.
-        touching: names of what is looked at as touching; how that stays the solver knows.
+        heedless: names of what is looked at as touching (how that stays the solver knows), and
+            of what never touches.
         most: more than so much does not matter.
     """
-    for one, other in _pairs(movers, others):
-        if (one.name, other.name) in touching or (other.name, one.name) in touching:
+    for one, other in _pairs(bodies, links, others):
+        if (one.name, other.name) in heedless or (other.name, one.name) in heedless:
             continue
         way = minus(one.velocity, other.velocity)
         speed = math.sqrt(dot(way, way)) + one.turning + other.turning
@@ -215,9 +221,12 @@ def apart(
     return most
 
 
-def _pairs(movers: Sequence[Mover], others: Sequence[Mover]) -> Iterator[tuple[Mover, Mover]]:
-    for i, one in enumerate(movers):
-        for other in movers[:i]:
-            yield one, other
+def _pairs(
+    bodies: Sequence[Mover], links: Sequence[Mover], others: Sequence[Mover]
+) -> Iterator[tuple[Mover, Mover]]:
+    for i, body in enumerate(bodies):
+        for other in (*bodies[:i], *links, *others):
+            yield body, other
+    for link in links:
         for other in others:
-            yield one, other
+            yield link, other

@@ -51,6 +51,8 @@ CALM_TICKS = 10
 """Ticks for which everything that leans on each other must be still to fall asleep."""
 EASE = 0.02
 """Seconds in which the friction of the cables lets a strain ease off: nothing is shot away."""
+EASED = 5e-5
+"""Radians, and inches of the opening, by which a coordinate may lag that nothing holds back."""
 HELD_FAST = 1e3
 """How many times as inert the fingers are while something rests between them."""
 DRAG = 0.5
@@ -291,20 +293,21 @@ class Scene:
         self._arm_moved = False
         self._arm_still = 0 if moved else self._arm_still + self._stride
         before, after = self._reached, self._commands
-        share = self._coast.share(after) if self._coast is not None else None
-        if self._coast is not None and share is not None:
-            self._go_on(self._coast, share)
+        coast = None if self._something_spins() else self._coast
+        share = None if coast is None else coast.share(after)
+        if coast is not None and share is not None:
+            self._go_on(coast, share)
             self._reached = after
             return
         self._coast = None
         self._steady, self._fastest = True, 0.0
         self._part(before, after, 0, self._stride * FINEST, moved)
         self._commands = self._reached = after
-        stride = 1
-        if self._steady and not self.quiet:
-            stride = max((ticks for ticks, fast in STRIDES if self._fastest <= fast), default=1)
-        if stride != self._stride:
-            self._stride, self._coast = stride, None
+        if self._coast is None:
+            self._stride = 1
+            if self._steady and not self.quiet:
+                fitting = (ticks for ticks, fast in STRIDES if self._fastest <= fast)
+                self._stride = max(fitting, default=1)
 
     def _part(
         self, before: list[float], after: list[float], start: int, end: int, moved: bool
@@ -338,6 +341,8 @@ class Scene:
         arm = self._arm_mobile(rates)
         look = moved or bool(awake) or any(self.torques)
         contacts = self._contacts(awake, mobiles, arm, rates, look)
+        # Some may have been woken by what comes upon them.
+        awake = [self.bodies[name] for name in mobiles]
         problems = [Problem(group, self._seconds) for group in _islands(contacts)]
         for problem in problems:
             self.solved += 1
@@ -353,8 +358,9 @@ class Scene:
         self._rest(awake, mobiles, contacts, before)
         if moved:
             self._carry()
-        way, self._way = self._way, [a - b for a, b in zip(self.joints, joints, strict=True)]
-        self._coast = self._coasting(problems, mobiles, arm, way) if self._steady else None
+        before_that, h = self._way, self._seconds
+        self._way = [(a - b) / h for a, b in zip(self.joints, joints, strict=True)]
+        self._coast = self._coasting(problems, mobiles, arm, before_that) if self._steady else None
         return True
 
     # Going on as before
@@ -372,16 +378,13 @@ class Scene:
             problems: as solved.
             mobiles: what was awake.
             arm: as solved.
-            way: of the arm's coordinates in the step before.
+            way: rates of the arm's coordinates in the step before.
         """
         h = self._seconds
         awake = [self.bodies[name] for name in mobiles]
-        if (
-            self._stride == 1
-            or h != self._stride * TICK
-            or self._roster.carried
-            or self._something_spins()
-        ):
+        if self._stride == 1 or h != self._stride * TICK:
+            return None
+        if self._roster.carried or self._something_spins():
             return None
         if all(body.still for body in awake) or any(body.asleep for body in awake):
             return None
@@ -399,19 +402,27 @@ class Scene:
             own = faster if body.name in driven else 1.0
             if not even(mobiles[body.name], body.shape.radius, own):
                 return None
-        lasting = MOST_STEPS * h
-        for problem in problems:
-            lasting = min(lasting, problem.lasting({TABLE}))
-        if lasting < h:
+        if not all(problem.settled for problem in problems):
             return None
         links, bodies = self._movers(awake)
         join(links, bodies, touching := {contact.key[:2] for contact in self.contacts})
-        lasting = self._apart([*links, *bodies], touching, lasting)
+        moves = [body.move(body.name in driven) for body in bodies]
+        speeds = {id(mobiles[move.name]): (*move.velocity, *move.spin) for move in moves}
+        if arm is not None:
+            a, b, c, d, e, f = self._way
+            speeds[id(arm)] = (a, b, c, d, e, f)
+        spans = {id(mobiles[body.name]): 2 * body.shape.radius for body in awake}
+        lasting = MOST_STEPS * h
+        for problem in problems:
+            lasting = min(lasting, problem.lasting(speeds, spans, {TABLE}))
+        if lasting >= h:
+            passing = {(thing.name, link) for thing in self.fixed.values() for link in thing.passes}
+            lasting = self._apart(bodies, links, touching | passing, lasting)
         if lasting < h:
             return None
         gives = [a - b for a, b in zip(self._commands, self.joints, strict=True)]
-        moves = [body.move(body.name in driven) for body in bodies]
-        return Coast(self._way, list(self._commands), levers, gives, moves, lasting / h)
+        course = [rate * h for rate in self._way]
+        return Coast(course, list(self._commands), levers, gives, moves, lasting / h)
 
     def _something_spins(self) -> bool:
         """Whether any surface turns that stands fast itself."""
@@ -422,11 +433,10 @@ class Scene:
         """The arm's links and what is awake, as they went in the last step."""
         links = []
         if self.arm is not None:
-            rates = [each / self._seconds for each in self._way]
             for name, link, solid in zip(
                 self.arm.names, self._links, self._link_solids, strict=True
             ):
-                spin, velocity = total(link.screws, rates)
+                spin, velocity = total(link.screws, self._way)
                 middle, radius = _sphere(solid)
                 velocity = plus(velocity, cross(spin, middle))
                 links.append(Mover(name, [solid], middle, radius, velocity, spin))
@@ -435,19 +445,25 @@ class Scene:
             for body in awake
         ]
 
-    def _apart(self, movers: list[Mover], touching: set[tuple[str, str]], seconds: float) -> float:
+    def _apart(
+        self,
+        bodies: list[Mover],
+        links: list[Mover],
+        heedless: set[tuple[str, str]],
+        seconds: float,
+    ) -> float:
         """For how much of some time nothing comes upon anything new, as all moves now."""
         others = [Mover(thing.name, thing.placed) for thing in self.fixed.values()]
         near: dict[str, Body] = {}
-        for mover in movers:
-            if (TABLE, mover.name) not in touching:
+        for mover in (*bodies, *links):
+            if (TABLE, mover.name) not in heedless:
                 seconds = min(seconds, mover.above())
             seconds = min(seconds, mover.straight())
             speed = math.sqrt(dot(mover.velocity, mover.velocity)) + mover.turning
             for body in self._roster.near(*_around(mover.solids, speed * seconds)):
                 near[body.name] = body
         others += [Mover(body.name, body.placed) for body in self._roster.ordered(near.values())]
-        return apart(movers, others, touching, seconds)
+        return apart(bodies, links, others, heedless, seconds)
 
     def _go_on(self, coast: Coast, share: float) -> None:
         """A step in which everything goes on as it went in the one before."""
@@ -754,24 +770,21 @@ class Scene:
         """Move the arm for a tick; find what contact does to its motors."""
         assert self.arm is not None
         touched = any(
-            contact.pressure > 0 and arm in (contact.first.mobile, contact.second.mobile)
+            contact.pressure > 0 and (contact.first.mobile is arm or contact.second.mobile is arm)
             for contact in contacts
         )
         if not touched and not moved and not any(self.torques):
             return
-        if touched:
-            for k in range(6):
-                self.joints[k] += arm.speed[k] * self._seconds
-                give = self._commands[k] - self.joints[k]
-                self.torques[k] = -give * self.arm.stiffness[k]
-        elif not self._roster.carried:
-            self.joints = list(self._commands)
-            self.torques = [0.0] * 6
-        else:
-            # The hand keeps the opening at which it holds its load.
-            give = self.joints[5] - self._commands[5]
-            self.joints = [*self._commands[:5], self.joints[5]]
-            self.torques = [0.0] * 5 + [give * self.arm.stiffness[5]]
+        for k in range(6):
+            self.joints[k] += arm.speed[k] * self._seconds
+        held = 1 if self._roster.carried else 0
+        gives = [a - b for a, b in zip(self._commands, self.joints, strict=True)]
+        if not touched and all(abs(give) < EASED for give in gives[: 6 - held]):
+            # What holds a load keeps the opening at which it does.
+            self.joints[: 6 - held] = self._commands[: 6 - held]
+            gives[: 6 - held] = [0.0] * (6 - held)
+        for k in range(6):
+            self.torques[k] = -gives[k] * self.arm.stiffness[k]
         self._place_links()
 
     def _place_links(self) -> None:

@@ -42,12 +42,16 @@ PASSES = 4
 """Times that friction's bounds are brought in line with the pressure, at most."""
 AGREED = 0.05
 """Part of the greatest pressure by which bounds and pressures may differ."""
-DRIFT = 3e-5
-"""Inches by which what presses may part or come closer while it goes on as before."""
+SETTLED = 3e-3
+"""Inches a second below which what presses neither parts nor comes closer."""
+DRIFT = 2e-4
+"""Inches by which it may do so while it goes on as before."""
 SHIFT = 0.1
 """Inches by which it may shift on something that has an end."""
-TILT = 0.005
-"""Radians by which it may tilt."""
+ARM_SPAN = 4.0
+"""Inches across the area in which a link touches what stands fast, at most."""
+TILT = 0.015
+"""Inches by which one end of it may come closer than the other."""
 
 _SLOWEST = 1e-9
 _SIX = np.arange(6)
@@ -253,26 +257,39 @@ class Problem:
             mobile.speed[:] = found
         return steps
 
-    def lasting(self, endless: set[str]) -> float:
-        """Seconds for which these contacts stay as they are while everything goes on as found.
+    @property
+    def settled(self) -> bool:
+        """Whether what presses has settled, of the little that contacts give."""
+        opening = self.relative[:, 0][self.pressure > 0]
+        return opening.size == 0 or float(np.abs(opening).max()) < SETTLED
+
+    def lasting(self, speeds: dict[int, Six], spans: dict[int, float], endless: set[str]) -> float:
+        """Seconds for which these contacts stay as they are while everything goes on.
 
         Args:
+            speeds: with which it does, by the `id` of each mobile.
+            spans: inches across the bodies among them, likewise.
             endless: names of things that are the same wherever they are touched.
         """
-        opening, u, v = self.relative[:, 0], self.relative[:, 1], self.relative[:, 2]
-        pressing = self.pressure > 0
-        closing = ~pressing & (opening < 0)
-        room = np.where(pressing, DRIFT, np.where(closing, np.maximum(self.gaps, 0.0), np.inf))
-        lasting = float((room / np.maximum(np.abs(opening), _SLOWEST)).min())
+        for mobile in self.mobiles:
+            mobile.speed[:] = speeds[id(mobile)]
+        relative = self._relative(np.array([mobile.speed for mobile in self.mobiles]).reshape(-1))
+        opening, u, v = relative[:, 0], relative[:, 1], relative[:, 2]
+        gone = np.where((self.pressure > 0) | (opening < 0), np.abs(opening), 0.0)
+        room = np.where(self.pressure > 0, DRIFT, np.maximum(self.gaps, 0.0) + DRIFT)
+        lasting = float((room / np.maximum(gone, _SLOWEST)).min())
         ends = np.array([contact.key[0] not in endless for contact in self.contacts])
         if ends.any():
             shift = np.sqrt(u * u + v * v)[ends]
             lasting = min(lasting, SHIFT / max(float(shift.max()), _SLOWEST))
         tilting = 0.0
         for contact in self.contacts:
-            x, y, z = minus(contact.second.spin, contact.first.spin)
-            a, b, c = cross((x, y, z), contact.normal)
-            tilting = max(tilting, a * a + b * b + c * c)
+            a, b, c = cross(minus(contact.second.spin, contact.first.spin), contact.normal)
+            span = min(
+                spans.get(id(contact.first.mobile), math.inf),
+                spans.get(id(contact.second.mobile), ARM_SPAN),
+            )
+            tilting = max(tilting, span * span * (a * a + b * b + c * c))
         return min(lasting, TILT / max(math.sqrt(tilting), _SLOWEST))
 
     def _relative(self, speed: Floats) -> Floats:
