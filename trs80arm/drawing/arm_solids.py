@@ -86,7 +86,7 @@ def _plate(settings: ArmSettings) -> Solids:
         height,
         Material.BASE,
         BASE,
-        bevel=min(0.2, height / 3),
+        bevel=(0.0, min(0.2, height / 3)),
     )
 
 
@@ -122,8 +122,8 @@ def _link(model: ArmModel, link: Link, body: int) -> Solids:
     outline = rounded((down, near), (up, far), (up - down) * 0.45)
     inner = outer - _PLATE
     plates = [
-        prism(outline, low, high, Material.ARM, body, along=1, bevel=_BEVEL)
-        for low, high in ((right, -inner), (inner, outer))
+        prism(outline, low, high, Material.ARM, body, along=1, bevel=bevel)
+        for low, high, bevel in ((right, -inner, (_BEVEL, 0.0)), (inner, outer, (0.0, _BEVEL)))
     ]
     web = box((1.0, -inner, down * 0.6), (model.link - 1.0, inner, down * 0.3), Material.ARM, body)
     axle = cylinder((0.0, 0.0), _AXLE, right - 0.08, outer + 0.08, Material.JOINT, body, along=1)
@@ -153,7 +153,7 @@ def _palm(model: ArmModel) -> Solids:
         Material.HAND,
         HAND,
         along=0,
-        bevel=0.12,
+        bevel=(0.0, 0.12),
     )
     wheel = cylinder((0.0, 0.0), high[2] * 1.1, 0.2, 0.5, Material.JOINT, HAND, along=0)
     axle = cylinder((0.0, 0.0), _AXLE, -gear, gear, Material.JOINT, HAND, along=1)

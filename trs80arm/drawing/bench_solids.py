@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from trs80arm.arm.shapes import Box
 from trs80arm.drawing.materials import Material, part_material
 from trs80arm.drawing.readings import Kind, Thing
@@ -31,6 +33,7 @@ def table() -> Solids:
     return box((left, right, -THICK), (front, back, 0.0), Material.TABLE, 0)
 
 
+@lru_cache(256)
 def solids_of(thing: Thing, body: int) -> Solids:
     """The true shape of a thing, where it is: the one place that knows how shapes are kept.
 

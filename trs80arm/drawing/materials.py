@@ -70,6 +70,8 @@ INK_OF = np.array([INKS.index(finish.ink) for finish in FINISHES], dtype=np.int6
 """The index of each material's ink."""
 SHADOW = INKS.index(Ink.SHADOW)
 """The index of the ink of shadows on the table."""
+GHOST = INKS.index(Ink.GHOST)
+"""The index of the ink of where the arm was told to be."""
 BRIGHT = np.array([finish.bright for finish in FINISHES])
 """How bright each material is."""
 

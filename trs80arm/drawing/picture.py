@@ -164,7 +164,8 @@ class Picture:
             window = window.aligned()
         cells = style.draw(take(shot, width, height, style.samples, window))
         for mark in shot.marks:
-            cells.mark(*_places(shot, window, mark.places), mark.glyphs, mark.ink)
+            if window.scale >= mark.least:
+                cells.mark(*_places(shot, window, mark.places), mark.glyphs, mark.ink)
         if self.labels:
             _label(cells, shot, window)
         return cells.rows()

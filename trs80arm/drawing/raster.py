@@ -56,18 +56,19 @@ class Raster:
         self._step, self._drop = step, drop
         self._faces = 0
 
-    def draw(self, solids: Solids, seen: Projected) -> None:
+    def draw(self, solids: Solids, seen: Projected, chosen: Bits | None = None) -> None:
         """Draw solids, each where nothing nearer is.
 
         Args:
             solids: what is drawn; its faces are counted on from those drawn before.
             seen: them, as the camera has them.
+            chosen: which of them, None for all.
         """
         order, parts = _sorted(solids, seen)
         planes, numbers = seen.nearness[order].astype(np.float32), order + self._faces
         for solid, rows, columns in self._spans(seen.boxes):
             first, middle, last = parts[solid]
-            if not first < middle < last:
+            if not first < middle < last or (chosen is not None and not chosen[solid]):
                 continue
             fronts, backs = self._planes(planes[first:last], middle - first, rows, columns)
             held = self.nearness[rows, columns]

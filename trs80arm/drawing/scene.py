@@ -240,11 +240,6 @@ def around(points: Iterable[Point]) -> Bounds:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def corners_of(bounds: Bounds) -> tuple[Point, Point]:
-    """The lower left and the upper right corner of bounds."""
-    return bounds[:2], bounds[2:]
-
-
 def middle(a: Point, b: Point) -> Point:
     """The point half way between two."""
     return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2

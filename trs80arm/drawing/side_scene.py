@@ -22,6 +22,7 @@ from trs80arm.drawing.scene import (
     PLAINLY,
     QUARTER,
     Block,
+    Bounds,
     Extras,
     Joint,
     Scene,
@@ -30,7 +31,6 @@ from trs80arm.drawing.scene import (
     Trace,
     along,
     around,
-    corners_of,
     differs_from_the_side,
     half_along,
     middle,
@@ -56,20 +56,14 @@ def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     """
     posture, fittings = readings.posture, readings.fittings
     base = posture.angles.base
-    points = skeleton(posture)
     inside = [thing for thing in readings.things if _in_the_plane(thing, base)]
     beside = [thing for thing in readings.things if not _in_the_plane(thing, base)]
     # What stands further away, on the arm's left, is drawn first.
     beside.sort(key=lambda thing: -turned(thing.box.center, base)[1])
-    bounds = around(
-        [(-fittings.base_rear - 0.4, -0.5), (12.5, 12.5), *points]
-        + [corner for thing in inside for corner in _side_corners(thing, base)]
-    )
+    bounds, focus = side_frame(readings, extras)
     shapes: list[Shape] = []
     if extras.envelope:
-        outline = side_envelope(posture.model)
-        bounds = around([*corners_of(bounds), *outline])
-        shapes.append(Trace(outline, Ink.FAINT, "++"))
+        shapes.append(Trace(side_envelope(posture.model), Ink.FAINT, "++"))
     shapes += [Block(*_side_corners(thing, base), Ink.FAINT, ":") for thing in beside]
     shapes += _pedestal(base, fittings)
     shapes.append(Stroke((-99.0, 0.0), (99.0, 0.0), Ink.FURNITURE))
@@ -85,7 +79,24 @@ def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
         for thing in inside
         if thing.held
     ]
-    return Scene(tuple(shapes), bounds, middle(points[2], points[3]), RESTING)
+    return Scene(tuple(shapes), bounds, focus, RESTING)
+
+
+def side_frame(readings: Readings, extras: Extras = PLAINLY) -> tuple[Bounds, Point]:
+    """What belongs into the picture from the side, and what a closer look is centred on."""
+    posture, fittings = readings.posture, readings.fittings
+    base = posture.angles.base
+    points = skeleton(posture)
+    corners = [
+        corner
+        for thing in readings.things
+        if _in_the_plane(thing, base)
+        for corner in _side_corners(thing, base)
+    ]
+    if extras.envelope:
+        corners += side_envelope(posture.model)
+    bounds = around([(-fittings.base_rear - 0.4, -0.5), (12.5, 12.5), *points, *corners])
+    return bounds, middle(points[2], points[3])
 
 
 def _pedestal(base: float, fittings: ArmSettings) -> list[Shape]:

@@ -158,7 +158,7 @@ def prism(
     body: int = 0,
     *,
     along: int = 2,
-    bevel: float = 0.0,
+    bevel: tuple[float, float] = (0.0, 0.0),
 ) -> Solids:
     """A prism.
 
@@ -170,12 +170,12 @@ def prism(
         material: its index.
         body: the thing that it is part of.
         along: the axis: 0 x, 1 y, 2 z.
-        bevel: by how much the edges of both ends are cut off.
+        bevel: by how much the edges of the low and of the high end are cut off.
     """
     count = len(outline)
-    rings = [(low, 0.0), (high, 0.0)]
-    if bevel > 0:
-        rings = [(low, bevel), (low + bevel, 0.0), (high - bevel, 0.0), (high, bevel)]
+    lower, upper = bevel
+    rings = [(low, lower), *([(low + lower, 0.0)] if lower else [])]
+    rings += [*([(high - upper, 0.0)] if upper else []), (high, upper)]
     middle = (sum(x for x, _ in outline) / count, sum(y for _, y in outline) / count)
     corners = []
     for place, inset in rings:

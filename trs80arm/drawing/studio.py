@@ -25,13 +25,11 @@ from trs80arm.drawing.scene import (
     SHOWS,
     Bounds,
     Extras,
-    Scene,
-    Trace,
     around,
 )
-from trs80arm.drawing.side_scene import RESTING, side_envelope, side_scene
+from trs80arm.drawing.side_scene import RESTING, side_envelope, side_frame
 from trs80arm.drawing.solids import NOTHING, Floats, Place, Solids
-from trs80arm.drawing.top_scene import top_envelope, top_scene
+from trs80arm.drawing.top_scene import top_envelope, top_frame
 from trs80arm.drawing.viewport import Window
 
 AMBIENT = 0.4
@@ -40,6 +38,9 @@ IN_SHADOW = 0.03
 """How bright the table is in a shadow."""
 FADES = 14.0
 """Inches behind the arm's plane at which things in the side view have half their brightness."""
+FINE = 6.0
+"""Samples an inch below which details are left out: they would be specks."""
+_DETAILS = (Material.CABLE, Material.MOTOR)
 _WITHIN = (Material.CABLE, Material.JOINT, Material.MOTOR)
 """What is so small, or so near to larger things, that it throws no shadow of its own."""
 BEHIND = 1000.0
@@ -54,11 +55,15 @@ class Mark:
 
     Attributes:
         places: in the world, n x 3.
+        ink: of the marks.
+        glyphs: the two.
+        least: rows an inch below which they would be too many to be looked at.
     """
 
     places: Floats
     ink: Ink
     glyphs: str
+    least: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -118,7 +123,7 @@ def side_shot(readings: Readings, extras: Extras = PLAINLY) -> Shot:
     base = posture.angles.base
     c, s = cos(base), sin(base)
     camera = Camera((0.0, 0.0, 0.0), (c, s, 0.0), (0.0, 0.0, 1.0))
-    scene = side_scene(readings, extras)
+    bounds, focus = side_frame(readings, extras)
     arm = arm_solids(_opened_to_the_eye(posture, base))
     turn = QUARTER - posture.angles.roll
     things = [
@@ -129,17 +134,19 @@ def side_shot(readings: Readings, extras: Extras = PLAINLY) -> Shot:
     if readings.believed:
         told = arm_solids(_opened_to_the_eye(readings.believed, base))
         ghost = _elsewhere(camera, told, arm)
-    plane = [
-        Mark(_upright(shape.points, c, s), shape.ink, shape.glyphs) for shape in _traces(scene)
-    ]
+    marks = []
+    if extras.envelope:
+        marks.append(Mark(_upright(side_envelope(posture.model), c, s), Ink.FAINT, "++"))
+    if extras.trail:
+        marks.append(Mark(_upright([at.side for at in extras.trail], c, s), Ink.TRAIL, "`,"))
     return Shot(
         camera,
         Solids.joined((pedestal(readings.fittings, base), arm, *things)),
         _light(camera, (-0.4, 0.62, 0.68)),
-        scene.bounds,
-        scene.focus,
+        bounds,
+        focus,
         ghost=ghost,
-        marks=plane,
+        marks=marks,
         resting=RESTING,
         shadows=False,
         fades=True,
@@ -149,18 +156,22 @@ def side_shot(readings: Readings, extras: Extras = PLAINLY) -> Shot:
 def top_shot(readings: Readings, extras: Extras = PLAINLY) -> Shot:
     """Table, base and arm from above, the arm's front to the right and its left side up."""
     camera = Camera((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
-    scene = top_scene(readings, extras)
+    bounds, focus = top_frame(readings, extras)
     arm = arm_solids(readings.posture)
     things = [solids for _, solids in _things(readings)]
-    over = [Mark(_level(shape.points), shape.ink, shape.glyphs) for shape in _traces(scene)]
+    marks = [_INCHES]
+    if extras.envelope:
+        marks.append(Mark(_level(top_envelope(readings.model)), Ink.FAINT, "++"))
+    if extras.trail:
+        marks.append(Mark(_level([at.top for at in extras.trail]), Ink.TRAIL, "`,"))
     return Shot(
         camera,
         Solids.joined((_base(readings), arm, *things)),
         _light(camera, (-0.42, 0.5, 0.76)),
-        scene.bounds,
-        scene.focus,
+        bounds,
+        focus,
         ghost=_ghost(camera, readings, arm),
-        marks=(_INCHES, *over),
+        marks=marks,
         labels=_FIVES,
     )
 
@@ -245,10 +256,6 @@ def _elsewhere(camera: Camera, told: Solids, arm: Solids) -> Solids:
     return told.some(np.flatnonzero(moved).tolist()).made_of(Material.GHOST)
 
 
-def _traces(scene: Scene) -> list[Trace]:
-    return [shape for shape in scene.shapes if isinstance(shape, Trace) and shape.points]
-
-
 def _upright(points: Sequence[Point], c: float, s: float) -> Floats:
     """Points of the arm's plane as places of the world."""
     flat = np.array(points).reshape(-1, 2)
@@ -270,7 +277,7 @@ def _inches() -> Floats:
     return _level([*along, *across])
 
 
-_INCHES = Mark(_inches(), Ink.FAINT, ".,")
+_INCHES = Mark(_inches(), Ink.FAINT, ".,", least=0.9)
 _FIVES = tuple(
     Label((float(x), float(y), 0.0), str(abs(x or y)))
     for x, y in [*((x, 0) for x in (5, 10, 15)), *((0, y) for y in (-10, -5, 5, 10))]
@@ -290,9 +297,11 @@ def take(shot: Shot, width: int, height: int, samples: tuple[int, int], window: 
     camera = shot.camera
     raster = Raster(width, height, samples, window)
     # What the arm was told hides the table only, and is hidden by whatever is really there.
+    coarse = window.scale * raster.down < FINE
     for layer, solids in enumerate((_TABLE, shot.ghost, shot.solids)):
         if len(solids.materials):
-            raster.draw(solids, camera.sees(solids))
+            chosen = ~np.isin(solids.materials, _DETAILS) if coarse else None
+            raster.draw(solids, camera.sees(solids), chosen)
         if layer < _REAL:
             raster.nearness[raster.face != NOWHERE] = -BEHIND
     solids = Solids.joined((_TABLE, shot.ghost, shot.solids))

@@ -12,14 +12,14 @@ import numpy as np
 import numpy.typing as npt
 
 from trs80arm.drawing.cells import NO_INK, Cells, Samples, levels
-from trs80arm.drawing.materials import SHADOW
+from trs80arm.drawing.materials import GHOST, SHADOW
 from trs80arm.drawing.rows import LEVELS
 
 SAMPLES = (2, 4)
 RAMP = ":;-=+*xo#%&@"
 """Characters from the darkest to the brightest."""
 SHADE = ":"
-"""What is in the shadow on the table."""
+"""What is in the shadow on the table, and what is not there but was told to be."""
 GROUND = 0.5
 """How bright what is behind a character is, to what is seen."""
 DIMMEST = 0.45
@@ -95,7 +95,8 @@ def draw(samples: Samples) -> Cells:
     level = levels(light)
     solid = body > 0
     shape = _GLYPHS[np.packbits(same, axis=2)[..., 0]]
-    glyph = np.where(shape == 0, _RAMP[level], shape)
+    fill = np.where(ink == GHOST, np.uint32(ord(SHADE)), _RAMP[level])
+    glyph = np.where(shape == 0, fill, shape)
     cells.glyphs = np.where(solid, glyph, np.uint32(32))
     cells.ink = np.where(solid, ink, NO_INK)
     cells.level = np.where(solid, levels(DIMMEST + (1 - DIMMEST) * light), 0)
@@ -105,7 +106,7 @@ def draw(samples: Samples) -> Cells:
     under = np.take_along_axis(samples.ink, behind, 2)[..., 0]
     dim = np.take_along_axis(samples.light, behind, 2)[..., 0]
     under_body = np.take_along_axis(samples.body, behind, 2)[..., 0]
-    cells.under = np.where(partly, under, ink)
+    cells.under = np.where(partly, under, np.where(ink == GHOST, NO_INK, ink))
     lit = np.where(partly, np.where(under_body == 0, dim, dim * GROUND), light * GROUND)
     lit = np.where(body == 0, light, lit)
     cells.under_level = np.where(cells.under == NO_INK, 0, levels(lit))

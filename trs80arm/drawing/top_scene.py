@@ -22,6 +22,7 @@ from trs80arm.drawing.scene import (
     PLAINLY,
     QUARTER,
     Block,
+    Bounds,
     Extras,
     Joint,
     Scene,
@@ -30,7 +31,6 @@ from trs80arm.drawing.scene import (
     Trace,
     along,
     around,
-    corners_of,
     differs_from_above,
     half_along,
     middle,
@@ -50,15 +50,10 @@ TURNED = 0.05
 def top_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     """Table, base and arm from above, the arm's front to the right and its left side up."""
     posture, fittings = readings.posture, readings.fittings
-    points = posture.points
-    flat = [point[:2] for point in (points.elbow, points.wrist, points.fingertip)]
-    corners = [corner for thing in readings.things for corner in _top_corners(thing)]
-    bounds = around([(TOP_LEFT, -3.2), (12.0, 3.2), *flat, *corners])
+    bounds, focus = top_frame(readings, extras)
     shapes: list[Shape] = []
     if extras.envelope:
-        outline = top_envelope(posture.model)
-        bounds = around([*corners_of(bounds), *outline])
-        shapes.append(Trace(outline, Ink.FAINT, "++"))
+        shapes.append(Trace(top_envelope(posture.model), Ink.FAINT, "++"))
     loose = sorted((thing for thing in readings.things if not thing.held), key=_upper_side)
     shapes += _rectangle(
         (-fittings.base_rear, -fittings.base_width / 2),
@@ -79,7 +74,19 @@ def top_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
         for thing in readings.things
         if thing.held
     ]
-    return Scene(tuple(shapes), bounds, middle(flat[1], flat[2]))
+    return Scene(tuple(shapes), bounds, focus)
+
+
+def top_frame(readings: Readings, extras: Extras = PLAINLY) -> tuple[Bounds, Point]:
+    """What belongs into the picture from above, and what a closer look is centred on."""
+    posture = readings.posture
+    points = posture.points
+    flat = [point[:2] for point in (points.elbow, points.wrist, points.fingertip)]
+    corners = [corner for thing in readings.things for corner in _top_corners(thing)]
+    if extras.envelope:
+        corners += top_envelope(posture.model)
+    bounds = around([(TOP_LEFT, -3.2), (12.0, 3.2), *flat, *corners])
+    return bounds, middle(flat[1], flat[2])
 
 
 def _upper_side(thing: Thing) -> float:

@@ -22,6 +22,8 @@ from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import LEVELS, Ink, Paint, Row, fitted
 
 _BLANK: Row = ()
+_LIGHT = 3 * 128
+"""Red, green and blue of a ground, together, from which on a shadow has more ink, and not less."""
 DARKEST = 0.12
 """How much of an ink there is in its darkest shade; the rest is the panel's ground."""
 
@@ -154,7 +156,10 @@ class Panel(Widget, can_focus=False):
         style = Style(color=_mixed(ground.triplet, ink.triplet, paint.level), bgcolor=ground)
         under = self._plain(paint.under).color if paint.under else None
         if under is not None and under.triplet is not None:
-            behind = _mixed(ground.triplet, under.triplet, paint.under_level)
+            dark = paint.under is Ink.SHADOW and sum(ground.triplet) > _LIGHT
+            behind = _mixed(
+                ground.triplet, under.triplet, LEVELS // 3 if dark else paint.under_level
+            )
             style += Style(bgcolor=behind)
         return style
 
