@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ import numpy.typing as npt
 
 from trs80arm.drawing.materials import INKS
 from trs80arm.drawing.rows import LEVELS, Ink, Paint, Row
-from trs80arm.drawing.solids import Floats, Ints
+from trs80arm.drawing.solids import Ints
 
 NO_INK = -1
 """The ink of a sample that shows nothing."""
@@ -80,7 +81,7 @@ class Cells:
         self.under_level = np.zeros(shape, dtype=np.int64)
         self.free = np.ones(shape, dtype=np.bool_)
 
-    def mark(self, x: Floats, y: Floats, glyphs: str, ink: Ink) -> None:
+    def mark(self, x: npt.NDArray[Any], y: npt.NDArray[Any], glyphs: str, ink: Ink) -> None:
         """Mark places where nothing stands.
 
         Args:
@@ -95,22 +96,25 @@ class Cells:
         upper = y[inside] - rows < 0.5
         free = self.free[rows, columns]
         columns, rows, upper = columns[free], rows[free], upper[free]
-        self._clear(rows, columns)
-        self.glyphs[rows, columns] = np.where(upper, ord(glyphs[0]), ord(glyphs[1]))
-        self.ink[rows, columns] = INKS.index(ink)
-        self.level[rows, columns] = PLAINLY
+        self._put(rows, columns, np.where(upper, ord(glyphs[0]), ord(glyphs[1])), ink)
 
     def write(self, column: int, row: int, text: str, ink: Ink) -> None:
-        """Write text where nothing stands."""
-        height, width = self.glyphs.shape
-        if not 0 <= row < height:
+        """Write text where nothing stands; blanks of it leave what is there."""
+        if not 0 <= row < len(self.glyphs):
             return
-        for place, glyph in enumerate(text, column):
-            if 0 <= place < width and self.free[row, place]:
-                self._clear(np.array([row]), np.array([place]))
-                self.glyphs[row, place] = ord(glyph)
-                self.ink[row, place] = INKS.index(ink)
-                self.level[row, place] = PLAINLY
+        skipped = max(0, -column)
+        text, column = text[skipped:], column + skipped
+        codes = np.array([ord(sign) for sign in text[: max(0, self.free.shape[1] - column)]])
+        wanted = self.free[row, column : column + len(codes)] & (codes != ord(" "))
+        places = np.flatnonzero(wanted)
+        self._put(np.full(len(places), row), column + places, codes[places], ink)
+
+    def _put(self, rows: Ints, columns: Ints, glyphs: npt.NDArray[Any], ink: Ink) -> None:
+        """Put characters into cells; what a cell shows is behind them from then on."""
+        self._clear(rows, columns)
+        self.glyphs[rows, columns] = glyphs
+        self.ink[rows, columns] = INKS.index(ink)
+        self.level[rows, columns] = PLAINLY
 
     def _clear(self, rows: Ints, columns: Ints) -> None:
         """Let what cells show be behind a character that is put there."""
@@ -133,21 +137,19 @@ class Cells:
             code = np.where(blank & (taken % (_INKS * _STEPS) < _STEPS), taken, code)
         begins = np.ones(code.shape, dtype=bool)
         begins[:, 1:] = code[:, 1:] != code[:, :-1]
-        width = code.shape[1]
-        rows: list[Row] = []
-        for glyphs, starts, codes in zip(self.glyphs, begins, code, strict=True):
-            text = glyphs.tobytes().decode("utf-32-le")
-            places = np.flatnonzero(starts)
-            ends = [*places[1:].tolist(), width]
-            rows.append(
-                tuple(
-                    (text[start:end], _paint(number))
-                    for start, end, number in zip(
-                        places.tolist(), ends, codes[places].tolist(), strict=True
-                    )
-                )
+        height, width = code.shape
+        starts = np.flatnonzero(begins)
+        paints = map(_paint, code.ravel()[starts].tolist())
+        text = self.glyphs.astype("<u4").tobytes().decode("utf-32-le")
+        begins_at = starts.tolist()
+        spans = [
+            (text[start:end], paint)
+            for start, end, paint in zip(
+                begins_at, [*begins_at[1:], height * width], paints, strict=True
             )
-        return rows
+        ]
+        first = np.searchsorted(starts, width * np.arange(height + 1)).tolist()
+        return [tuple(spans[begin:end]) for begin, end in pairwise(first)]
 
 
 FULL_BLOCK = 0x2580

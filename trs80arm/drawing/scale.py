@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from math import ceil, floor
 
+import numpy as np
+
 from trs80arm.drawing.cells import Cells
 from trs80arm.drawing.materials import SHADOW
 from trs80arm.drawing.rows import Ink
@@ -25,20 +27,20 @@ def rule_table(cells: Cells, window: Window) -> None:
     row = floor(window.cell((0.0, -_BELOW))[1])
     if not 0 <= row < height:
         return
-    for column in range(width):
-        glyph = cells.glyphs[row, column]
-        if glyph in (ord(" "), ord(":")):
-            dark = cells.under[row, column] == SHADOW
-            cells.write(column, row, "=" if dark else "-", Ink.SHADOW if dark else Ink.TABLE)
+    plain = cells.free[row] & np.isin(cells.glyphs[row], (ord(" "), ord(":")))
+    dark = cells.under[row] == SHADOW
+    for glyph, ink, where in (("-", Ink.TABLE, plain & ~dark), ("=", Ink.SHADOW, plain & dark)):
+        places = np.flatnonzero(where) + 0.5
+        cells.mark(places, np.full(len(places), row + 0.5), 2 * glyph, ink)
     columns = window.scale * ASPECT
     first, last = ceil(window.left), floor(window.left + width / columns)
+    text = [" "] * width
     for inch in range(first, last + 1):
-        column = floor(window.cell((inch, 0.0))[0])
-        if inch % _EVERY == 0 or columns >= _ROOM:
-            text = str(abs(inch))
-            cells.write(column - (len(text) - 1) // 2, row, text, Ink.LABEL)
-        elif columns >= _LEAST:
-            cells.write(column, row, "+", Ink.LABEL)
+        figure = str(abs(inch)) if inch % _EVERY == 0 or columns >= _ROOM else "+"
+        begin = floor(window.cell((inch, 0.0))[0]) - (len(figure) - 1) // 2
+        if begin >= 0 and (figure != "+" or columns >= _LEAST):
+            text[begin : begin + len(figure)] = figure
+    cells.write(0, row, "".join(text[:width]), Ink.LABEL)
 
 
 def rule_height(cells: Cells, window: Window) -> None:

@@ -6,8 +6,6 @@ character; where it ends within the cell, the shape of what is covered does.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import numpy.typing as npt
 
@@ -44,34 +42,33 @@ _SHAPES = {
 }
 
 
-def _table() -> npt.NDArray[Any]:
-    """The character of each pattern of eight samples; 0 where the ramp is to fill the cell."""
-    shapes = [
-        (ord(glyph), np.array([int(bit) for bit in pattern]))
-        for glyph, patterns in _SHAPES.items()
-        for pattern in patterns.split()
-    ]
-    table = np.zeros(256, dtype=np.uint32)
-    for pattern in range(1, 255):
-        bits = np.array([pattern >> (7 - place) & 1 for place in range(8)])
-        if bits.sum() >= 7:
-            continue
-        distances = [_apart(bits, shape) for _, shape in shapes]
-        table[pattern] = shapes[int(np.argmin(distances))][0]
+def _table() -> npt.NDArray[np.uint32]:
+    """The character of each pattern of eight samples; 0 where the ramp is to fill the cell.
+
+    It is the one whose shape differs least: where they differ, and how far their middles are apart.
+    """
+    pairs = [(glyph, shape) for glyph, shapes in _SHAPES.items() for shape in shapes.split()]
+    codes = np.array([ord(glyph) for glyph, _ in pairs], dtype=np.uint32)
+    shapes = np.array([[int(bit) for bit in shape] for _, shape in pairs])
+    bits = np.unpackbits(np.arange(256, dtype=np.uint8)[:, None], axis=1).astype(np.int64)
+    differ = np.abs(bits[:, None] - shapes).sum(2)
+    apart = np.abs(_middles(bits)[:, None] - _middles(shapes)).sum(2)
+    table: npt.NDArray[np.uint32] = codes[(differ + _APART * apart).argmin(1)]
+    table[bits.sum(1) >= _NEARLY_ALL] = 0
+    table[0] = 0
     return table
 
 
-def _apart(one: npt.NDArray[Any], other: npt.NDArray[Any]) -> float:
-    """How unlike two patterns are: where they differ, and how far their middles are apart."""
-    return float(np.abs(one - other).sum() + 1.5 * np.abs(_middle(one) - _middle(other)).sum())
-
-
 _PLACES = np.array([(place % 2, place // 2 / 1.5) for place in range(8)])
+_APART = 1.5
+"""How much the distance of the middles counts, to a sample that differs."""
+_NEARLY_ALL = 7
 
 
-def _middle(bits: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    middle: npt.NDArray[Any] = (_PLACES * bits[:, None]).sum(0) / bits.sum()
-    return middle
+def _middles(bits: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
+    """Where the middles of patterns are."""
+    middles: npt.NDArray[np.float64] = bits @ _PLACES / np.maximum(bits.sum(1), 1)[:, None]
+    return middles
 
 
 _GLYPHS = _table()

@@ -23,11 +23,15 @@ class ArmView(Panel):
     def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
         super().__init__(id=id, classes=classes)
         self.picture = Picture(self.SUBJECT)
+        self._drawn: object = None
 
     def show(self, readings: Readings) -> None:
-        """Show these readings, and lengthen the trail."""
+        """Show these readings, and lengthen the trail; a picture in which nothing moved stands."""
         self.picture.follow(readings)
-        super().show(readings)
+        seen = (readings.posture, readings.believed, readings.things, readings.fittings)
+        if seen != self._drawn:
+            super().show(readings)
+        self._drawn, self._readings = seen, readings
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
         """The picture with its words."""

@@ -31,6 +31,8 @@ class Cadence(Enum):
 
     FRAME = "each frame"
     """What moves."""
+    PICTURE = "twenty times a second"
+    """What moves, and takes time to draw."""
     NUMBERS = "ten times a second"
     """What is to be read."""
 
@@ -66,16 +68,16 @@ PANELS: tuple[PanelRow, ...] = (
         "side",
         "Arm from the side",
         SideView,
-        Cadence.FRAME,
+        Cadence.PICTURE,
         layout.ARM,
         shows="The arm from the side and from above.",
     ),
-    PanelRow("top", "From above", TopView, Cadence.FRAME, layout.ARM),
+    PanelRow("top", "From above", TopView, Cadence.PICTURE, layout.ARM),
     PanelRow(
         "space",
         "In space",
         SpaceView,
-        Cadence.FRAME,
+        Cadence.PICTURE,
         "space",
         shows="The arm in space.",
         fills="The arm in space fills the screen.",

@@ -33,6 +33,8 @@ from trs80arm.ui.terminal.layers import Layer
 BLINK_SECONDS = 0.5
 NUMBERS_EVERY = 0.1
 """Seconds of the wall between two looks of the panels with numbers."""
+PICTURES_EVERY = 0.045
+"""The same of the pictures of the arm."""
 TOO_SMALL = (
     "trs80arm needs {0} columns and {1} rows.\nThis terminal has {2} and {3}.\nCtrl+Q leaves."
 )
@@ -93,6 +95,7 @@ class DeskScreen(Layer):
         self.arm_style = ArmStyle.ASCII
         self.cursor_style = CursorStyle.BLINK
         self.numbers_due = 0.0
+        self._pictures_due = 0.0
         self.still = False
         self._stood: tuple[object, ...] = ()
 
@@ -256,10 +259,14 @@ class DeskScreen(Layer):
         numbers = now >= self.numbers_due
         if numbers:
             self.numbers_due = now + NUMBERS_EVERY
+        # The last of a motion is not to be missed.
+        pictures = self.still or now >= self._pictures_due
+        if pictures:
+            self._pictures_due = now + PICTURES_EVERY
+        due = {Cadence.FRAME: True, Cadence.PICTURE: pictures, Cadence.NUMBERS: numbers}
         for row in self._rows:
             panel = self.panels[row.id]
-            due = row.cadence is Cadence.FRAME or (row.cadence is Cadence.NUMBERS and numbers)
-            if due and panel.display and not isinstance(panel, Tube):
+            if due[row.cadence] and panel.display and not isinstance(panel, Tube):
                 panel.show(readings)
         if numbers:
             self.status.show(readings, pace, keys=keys, notice=notice)
