@@ -40,7 +40,8 @@ def svg(film: Film) -> bytes:
         for look, number in looks.items()
     ]
     head = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" '
+        '<svg xmlns="http://www.w3.org/2000/svg" xml:space="preserve" '
+        f'viewBox="0 0 {width} {height}" '
         f'width="{width}" height="{height}" font-family="{escape(FONT)}" font-size="{_LETTERS}">'
         f"<title>{escape(film.title)}</title>"
         f"<style>text{{white-space:pre}}{''.join(styles)}</style>"
