@@ -315,9 +315,27 @@ def test_choices_of_the_view_are_remembered(desk: Desk) -> None:
     desk.view.choose_arm_style()
     assert desk.shown.arm_style is ArmStyle.BRAILLE
     assert 'arm = "braille"' in desk.settings
+    desk.view.next_arm_style()
+    assert desk.shown.arm_style is ArmStyle.OUTLINE
+
+
+@pytest.mark.parametrize(
+    ("glyphs", "styles"),
+    [
+        ("sextant", {"ascii", "half", "sextant", "braille", "outline"}),
+        ("quadrant", {"ascii", "half", "braille", "outline"}),
+        ("ascii", {"ascii", "outline"}),
+    ],
+)
+def test_styles_that_the_terminal_has_not_are_passed_over(
+    desk: Desk, glyphs: str, styles: set[str]
+) -> None:
+    desk.shown.glyph_set = GlyphSet(glyphs)
+    seen = set()
     for _ in ArmStyle:
         desk.view.next_arm_style()
-    assert desk.shown.arm_style is ArmStyle.BRAILLE
+        seen.add(desk.shown.arm_style.value)
+    assert seen == styles
 
 
 def test_a_choice_that_cannot_be_remembered_is_told_and_made(desk: Desk) -> None:

@@ -22,6 +22,11 @@ STYLE_NOTES = {
     ArmStyle.BRAILLE: "solid, in braille dots",
     ArmStyle.OUTLINE: "in bare lines, for screen readers and slow lines",
 }
+LACKING = {
+    GlyphSet.ASCII: (ArmStyle.HALF, ArmStyle.SEXTANT, ArmStyle.BRAILLE),
+    GlyphSet.QUADRANT: (ArmStyle.SEXTANT,),
+}
+"""The styles whose characters a terminal with such glyphs is taken not to have."""
 _SAMPLE = bytes((129, 132, 144, 136, 151, 171, 183, 191))
 
 
@@ -103,9 +108,15 @@ class ViewCommands:
     # -- the arm ----------------------------------------------------------------------------------
 
     def next_arm_style(self) -> None:
-        """Draw the arm in the next style."""
+        """Draw the arm in the next style of those whose characters the terminal has.
+
+        Which these are is known from the glyphs of the tube's graphics.
+        """
         styles = list(ArmStyle)
-        self._use_arm_style(styles[(styles.index(self._view.arm_style) + 1) % len(styles)].value)
+        now = styles.index(self._view.arm_style)
+        lacking = LACKING.get(self._view.glyph_set, ())
+        following = (*styles[now + 1 :], *styles[: now + 1])
+        self._use_arm_style(next(style for style in following if style not in lacking).value)
 
     def choose_arm_style(self) -> None:
         """Choose how the arm is drawn."""
