@@ -120,7 +120,40 @@ def action(name: str) -> Scene:
     return scene
 
 
-async def shoot(name: str, size: tuple[int, int], scene: Scene, **options: Any) -> None:
+def filling(panel: str, scene: Scene) -> Scene:
+    """A scene, seen in one panel on all of the screen."""
+
+    async def large(sitting: Sitting) -> None:
+        await scene(sitting)
+        await sitting.app.run_action(f"do('fill_{panel}')")
+        await sitting.pass_time(0.1)
+
+    return large
+
+
+def framed(app: Any) -> str:
+    """The window as Textual has it, with a frame around."""
+    return str(app.export_screenshot(title="trs80arm"))
+
+
+def drawn(app: Any) -> str:
+    """The window with blocks drawn as shapes, which few fonts have without gaps."""
+    from trs80arm.film.frames import Film
+    from trs80arm.film.svg import svg
+    from trs80arm.ui.filming import picture
+
+    still = Film(app.size.width, app.size.height, "trs80arm")
+    still.add(0.0, picture(app))
+    return svg(still).decode("utf-8")
+
+
+async def shoot(
+    name: str,
+    size: tuple[int, int],
+    scene: Scene,
+    take: Callable[[Any], str] = framed,
+    **options: Any,
+) -> None:
     """Make one picture."""
     from trs80arm.desk.opening import open_session
     from trs80arm.options import TerminalOptions
@@ -134,7 +167,7 @@ async def shoot(name: str, size: tuple[int, int], scene: Scene, **options: Any) 
         async with app.run_test(size=size) as pilot:
             await pilot.pause()
             await scene(Sitting(app, pilot, wall))
-            picture = app.export_screenshot(title="trs80arm")
+            picture = take(app)
     (FOLDER / f"{name}.svg").write_text(picture, encoding="utf-8")
     print(FOLDER / f"{name}.svg")
 
@@ -149,6 +182,10 @@ async def main() -> None:
     await shoot("small", (80, 24), start)
     await shoot("table4", (120, 40), table4, program=program)
     await shoot("braille", (120, 40), table4, program=program, arm=ArmStyle.BRAILLE)
+    space = filling("space", table4)
+    await shoot("space", (100, 32), space, drawn, program=program)
+    await shoot("space-blocks", (100, 32), space, drawn, program=program, arm=ArmStyle.SEXTANT)
+    await shoot("scope", (110, 34), filling("scope", table4), drawn, program=program)
     await shoot("manual", (120, 40), manual)
     await shoot("slipped", (120, 40), slipped, theme="amber")
     await shoot("by-hand", (100, 30), by_hand)

@@ -46,7 +46,9 @@ class Blocks:
         light = (samples.light * alike).sum(2) / np.maximum(alike.sum(2), 1)
         cells.under = np.where(full | ~shown, NO_INK, behind[..., 0])
         cells.under_level = np.where(cells.under == NO_INK, 0, levels(light))
-        cells.free = ~shown | (np.take_along_axis(samples.body, nearest, 2)[..., 0] == 0)
+        # A mark takes all of its cell, so that at the table's edge there is no room for one.
+        table = np.take_along_axis(samples.body, nearest, 2)[..., 0] == 0
+        cells.free = ~shown | (full & table)
         return cells
 
 

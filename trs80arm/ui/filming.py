@@ -11,8 +11,10 @@ import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from rich.segment import Segment
+from textual.app import App
 from textual.strip import Strip
 
 from trs80arm.desk.opening import UNUSABLE, open_session
@@ -145,7 +147,7 @@ async def _shoot(
                 app.draw()
                 await pilot.pause()
                 time = frame / shooting.fps
-                made.add(time, tuple(map(_line, on_screen(app))))
+                made.add(time, picture(app))
                 if rig.outcome is not None or not operator.attend():
                     ended = time if ended is None else ended
                 if ended is not None and time >= ended + LINGERS:
@@ -162,6 +164,11 @@ async def _shoot(
 def _let_pass(app: Trs80Arm, wall: _Wall, seconds: float) -> None:
     wall.now += seconds
     app.tick()
+
+
+def picture(app: App[Any]) -> tuple[Line, ...]:
+    """What stands on the screen, as a picture of a film."""
+    return tuple(map(_line, on_screen(app)))
 
 
 def _line(strip: Strip) -> Line:
