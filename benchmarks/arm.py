@@ -2,12 +2,14 @@
 
 Prints, for some ways of driving it, nanoseconds per latch write, virtual seconds per second, and
 how many rounds of an empty Python loop fit into the time of a write, which says more than either
-where the computer is slow or busy. Each figure is the median of several rounds, with the best
-behind it; times are those of the processor.
+where the computer is slow or busy; then the same of rigid parts in contact, for a tick of 4.6 ms.
+Each figure is the median of several rounds, with the best behind it; times are those of the
+processor.
 """
 
 from __future__ import annotations
 
+import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -16,9 +18,16 @@ import numpy as np
 
 from trs80arm import Rig
 from trs80arm.arm import Bench, MiniMover, benchfile
+from trs80arm.arm.contact.bodies import Body, Shape
+from trs80arm.arm.contact.rotations import oriented
+from trs80arm.arm.contact.scene import TICK, TICK_STATES, Scene
+from trs80arm.arm.contact.solids import box
 from trs80arm.arm.motors import PHASES, T_STATES_PER_SECOND
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 from trs80arm.operator import Operator, parse_holds
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from tests.arm.contact.hand import SlidingHand
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 ROUNDS = 5
@@ -142,6 +151,77 @@ def on_the_rig(program: str, seconds: float) -> float:
     return time.process_time() - begin
 
 
+CUBE = Shape.of([box((1.0, 1.0, 1.0))], 2.0)
+START = (4.0, 0.0, 0.3, 0.0, 0.0, 0.1)
+
+
+def row(count: int) -> Scene:
+    """Cubes in a row, touching, and a hand beside the first."""
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm(START)
+    for k in range(count):
+        scene.add(Body(str(k), CUBE, 0.5, (5.0 + k, 0.0, 0.5)))
+    scene.advance(200 * TICK_STATES)
+    return scene
+
+
+def crowd(count: int) -> Scene:
+    """Cubes side by side in rows of three, a little aslant, and a hand before them."""
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm(START)
+    for k in range(count):
+        place = (5.2 + 1.05 * (k // 3), 1.1 * (k % 3 - 1), 0.5)
+        scene.add(Body(str(k), CUBE, 0.5, place, oriented((k * 37) % 11 - 5.0)))
+    scene.advance(200 * TICK_STATES)
+    return scene
+
+
+def field(count: int) -> Scene:
+    """Cubes at rest, far apart, and a hand over them."""
+    scene = Scene(arm=SlidingHand())
+    scene.put_arm((4.0, 0.0, 6.0, 0.0, 0.0, 0.1))
+    for k in range(count):
+        body = Body(str(k), CUBE, 0.5, (2.0 * (k % 40), 2.0 * (k // 40), 0.5))
+        scene.add(body)
+        body.asleep = True
+    return scene
+
+
+def push(scene: Scene, ticks: int) -> None:
+    """Push on at 2.6 inches a second, in half-steps of a motor as far out as that."""
+    start = scene.time
+    for k in range(ticks * TICK_STATES // D50):
+        scene.advance(start + k * D50)
+        scene.command((START[0] + 0.0071 * k, *START[1:]))
+    scene.advance(start + ticks * TICK_STATES)
+
+
+def work_aside(scene: Scene, ticks: int) -> None:
+    """Open and close the hand above what rests."""
+    start = scene.time
+    for k in range(1, ticks + 1):
+        scene.command((4.0, 0.0, 6.0, 0.0, 0.0, 0.1 + 0.005 * (k % 100)))
+        scene.advance(start + k * TICK_STATES)
+
+
+def contact(
+    name: str, make: Callable[[], Scene], act: Callable[[Scene, int], None], ticks: int
+) -> None:
+    """Time contact for some ticks in a fresh scene each round."""
+    times = []
+    for _ in range(ROUNDS):
+        scene = make()
+        begin = time.process_time()
+        act(scene, ticks)
+        times.append(time.process_time() - begin)
+    middle, best = sorted(times)[ROUNDS // 2], min(times)
+    print(
+        f"{name:44} {ticks:6} ticks  {middle / ticks * 1e6:8.0f} us/tick "
+        f" {middle / ticks / loop():7.0f} loops {ticks * TICK / middle:9.1f} x real time"
+        f"  (best {ticks * TICK / best:.1f})"
+    )
+
+
 def main() -> None:
     """Print the table."""
     up = burst((0, -207, 290))
@@ -163,6 +243,13 @@ def main() -> None:
     report(f"Table 4, {taken} cycles of pick and place", times, taken * 4600, virtual)
     times = [on_the_rig("table4", 60) for _ in range(5)]
     report("Table 4 with BASIC, driver, card and bench", times, 60 * 650, 60)
+    for count in (1, 3, 10):
+        contact(f"{count} in a row, pushed on and on", lambda count=count: row(count), push, 2400)
+    contact("10 in a crowd, pushed apart", lambda: crowd(10), push, 400)
+    for count in (2, 200, 2000):
+        contact(
+            f"{count} at rest, the hand above", lambda count=count: field(count), work_aside, 400
+        )
 
 
 if __name__ == "__main__":

@@ -50,7 +50,7 @@ def test_a_row_that_is_pushed_on_and_on_is_seldom_solved_and_goes_as_far(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     found = []
-    for most in (16, 0):
+    for most in (scenes.MOST_STEPS, 0):
         monkeypatch.setattr(scenes, "MOST_STEPS", most)
         scene = row(3)
         before = scene.solved

@@ -75,7 +75,7 @@ def random_scene(chance: random.Random, count: int, arm: bool = False) -> Scene:
     shelf = box((2.0, 2.0, 1.0)).moved((7.0, 0.0, 0.5), oriented(chance.uniform(0, 90)))
     scene.fixed["shelf"] = Fixed("shelf", (shelf,), 0.5)
     for k in range(count):
-        place = (chance.uniform(6, 9), chance.uniform(-1, 1), 2.0 + 2.0 * k)
+        place = (chance.uniform(6, 9), chance.uniform(-1, 1), 2.4 + 2.7 * k)
         turn = oriented(*(chance.choice([0.0, chance.uniform(-90, 90)]) for _ in range(3)))
         shape = Shape.of([random_solid(chance)], chance.choice([0.5, 2.0, 10.0]))
         scene.add(Body(str(k), shape, chance.choice([0.3, 0.5, 1.0]), place, turn))

@@ -16,7 +16,7 @@ from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.solver import CREEP, Mobile
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
-MOST_STEPS = 16
+MOST_STEPS = 32
 """Steps done with the same velocities, at most."""
 ASTRAY = 0.01
 """Inches by which a point of the arm may leave the course that it had when it was looked at."""
