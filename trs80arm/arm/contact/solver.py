@@ -38,6 +38,8 @@ FASTEST_RECOVERY = 1.0
 SOLVED = 1e-3
 """Change of velocity below which Newton's method has arrived, inches a second."""
 MOST_STEPS = 40
+BOLD_STEPS = 3
+"""Of them those that go all the way at first, to find at once all that touches."""
 PASSES = 4
 """Times that friction's bounds are brought in line with the pressure, at most."""
 AGREED = 0.05
@@ -313,12 +315,11 @@ class Problem:
         for step in range(MOST_STEPS):
             relative = self._relative(speed)
             slope = self._slope(speed, relative, bound)
-            change = eliminate(self._curvature(relative, bound), -slope)
+            bold = step < BOLD_STEPS
+            change = eliminate(self._curvature(relative, bound, bold), -slope)
             if float(np.abs(change).max()) < SOLVED:
                 return speed + change, step + 1
-            by = np.add.reduce(self.rows * np.append(change, 0.0)[self.columns][:, None, :], axis=2)
-            far = self._far(speed, change, relative, by, bound)
-            speed = speed + far * change
+            speed = speed + (1.0 if bold else self._far(speed, change, relative, bound)) * change
         return speed, MOST_STEPS
 
     def _slope(self, speed: Floats, relative: Floats, bound: Floats) -> Floats:
@@ -332,16 +333,25 @@ class Problem:
         inert -= total[: self.size]
         return inert
 
-    def _curvature(self, relative: Floats, bound: Floats) -> Floats:
-        """How that growth itself grows: a symmetric matrix."""
+    def _curvature(self, relative: Floats, bound: Floats, most: bool) -> Floats:
+        """How that growth itself grows: a symmetric matrix.
+
+        Args:
+            relative: velocities.
+            bound: of friction.
+            most: of friction, how it grows square to the motion: along it that is less.
+        """
         u, v = relative[:, 1], relative[:, 2]
         square = u * u + v * v + CREEP * CREEP
         stiff = bound / np.sqrt(square)
         local = np.zeros((len(bound), 3, 3))
         local[:, 0, 0] = np.where(relative[:, 0] < self.least, self.stiffness, 0.0)
-        local[:, 1, 1] = stiff * (1 - u * u / square)
-        local[:, 2, 2] = stiff * (1 - v * v / square)
-        local[:, 1, 2] = local[:, 2, 1] = -stiff * u * v / square
+        if most:
+            local[:, 1, 1] = local[:, 2, 2] = stiff
+        else:
+            local[:, 1, 1] = stiff * (1 - u * u / square)
+            local[:, 2, 2] = stiff * (1 - v * v / square)
+            local[:, 1, 2] = local[:, 2, 1] = -stiff * u * v / square
         half = np.add.reduce(local[:, :, :, None] * self.rows[:, None, :, :], axis=2)
         whole = np.add.reduce(self.rows[:, :, :, None] * half[:, :, None, :], axis=1)
         size = self.size
@@ -352,10 +362,9 @@ class Problem:
             matrix[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] += self.mass[i]
         return matrix
 
-    def _far(
-        self, speed: Floats, change: Floats, relative: Floats, by: Floats, bound: Floats
-    ) -> float:
+    def _far(self, speed: Floats, change: Floats, relative: Floats, bound: Floats) -> float:
         """How far along a step the function still falls: a root of its slope there."""
+        by = np.add.reduce(self.rows * np.append(change, 0.0)[self.columns][:, None, :], axis=2)
         inert = np.add.reduce(self.mass * change.reshape(-1, 1, 6), axis=2).reshape(-1)
         constant = float((inert * (speed - self.wanted)).sum())
         growing = float((inert * change).sum())
