@@ -44,7 +44,7 @@ PASSES = 4
 """Times that friction's bounds are brought in line with the pressure, at most."""
 AGREED = 0.05
 """Part of the greatest pressure by which bounds and pressures may differ."""
-SETTLED = 3e-3
+SETTLED = 1e-2
 """Inches a second below which what presses neither parts nor comes closer."""
 DRIFT = 2e-4
 """Inches by which it may do so while it goes on as before."""
