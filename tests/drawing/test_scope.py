@@ -33,7 +33,7 @@ def drawing(scope: Scope, history: History, width: int, height: int) -> str:
     return samples.picture(scope.draw(history, NAMES, width, height), width, height)
 
 
-@pytest.mark.parametrize(("width", "height"), [(100, 37), (80, 10), (48, 6)])
+@pytest.mark.parametrize(("width", "height"), [(160, 44), (100, 37), (80, 10), (48, 6)])
 def test_all_latches(history: History, width: int, height: int) -> None:
     check_golden(f"scope-{width}x{height}", drawing(Scope(), history, width, height))
 

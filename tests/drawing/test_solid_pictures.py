@@ -52,6 +52,12 @@ def test_every_view_in_every_style(view: str, style: ArmStyle) -> None:
     check_golden(f"solid-{view}-{style}", samples.picture(rows, 60, 22))
 
 
+@pytest.mark.parametrize(("width", "height"), [(30, 10), (48, 14), (100, 30), (160, 48)])
+def test_the_arm_in_space_at_its_sizes(width: int, height: int) -> None:
+    rows = picture(IN_SPACE).draw(samples.readings(), width, height)
+    check_golden(f"space-{width}x{height}", samples.picture(rows, width, height))
+
+
 @pytest.mark.parametrize("view", VIEWS)
 def test_a_slipped_arm_has_a_dim_twin_where_it_was_told_to_be(view: str) -> None:
     rows = picture(VIEWS[view]).draw(samples.slipped(), 60, 22)

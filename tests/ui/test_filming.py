@@ -11,6 +11,7 @@ import pytest
 from click.testing import CliRunner
 from PIL import Image, ImageChops
 
+from tests.goldens import check_golden
 from tests.own_places import own_places
 from trs80arm.cli import cli
 from trs80arm.film.blocks import blocks_of
@@ -59,6 +60,10 @@ def test_an_svg_has_every_run_once_and_the_times_of_those_that_change() -> None:
         "ONE": [("none", "f.begin+1s")],
         "TWO": [("inline", "f.begin+1s")],
     }
+
+
+def test_the_svg_of_a_short_film() -> None:
+    check_golden("film-svg", svg(short_film()).decode())
 
 
 def test_a_cast_sends_the_lines_that_differ() -> None:
