@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf, pi, radians
 
 import numpy as np
@@ -9,9 +10,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from trs80arm.drawing import style_ascii
 from trs80arm.drawing.camera import Camera
+from trs80arm.drawing.cells import NO_INK, Cells, Samples
 from trs80arm.drawing.raster import NOWHERE, Raster
 from trs80arm.drawing.solids import Solids, box, cylinder, prism, rounded
+from trs80arm.drawing.style_blocks import HALVES, SEXTANTS
 from trs80arm.drawing.viewport import Window
 
 WINDOW = Window(-4.0, 4.0, 4.0)
@@ -95,3 +99,21 @@ def test_a_turned_prism_shows_no_holes(turn: float, tilt: float, distance: float
     for row in shown[shown.any(1)]:
         columns = np.flatnonzero(row)
         assert len(columns) == columns[-1] - columns[0] + 1
+
+
+@pytest.mark.parametrize("draw", [style_ascii.draw, HALVES.draw, SEXTANTS.draw])
+@pytest.mark.parametrize("upper", [True, False])
+def test_a_cell_that_a_thing_half_covers_shows_nothing_behind_it(
+    draw: Callable[[Samples], Cells], upper: bool
+) -> None:
+    count = {style_ascii.draw: 8, HALVES.draw: 2, SEXTANTS.draw: 6}[draw]
+    there = (np.arange(count) < count // 2) == upper
+    cell = Samples(
+        np.where(there, 4, NO_INK).astype(np.int8)[None, None],
+        np.where(there, 0.7, 0.0).astype(np.float32)[None, None],
+        np.where(there, 3, -1).astype(np.int16)[None, None],
+        np.where(there, -5.0, -inf).astype(np.float32)[None, None],
+    )
+    drawn = draw(cell)
+    assert drawn.ink.tolist() == [[4]]
+    assert drawn.under.tolist() == [[NO_INK]]

@@ -27,10 +27,10 @@ _FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), 
 """Of a box, by the corners as `Box.corners` lists them, counter-clockwise from outside."""
 
 
-def table() -> Solids:
-    """The table's top, its upper side at height 0."""
+def table(thick: float = THICK) -> Solids:
+    """The table's top, its upper side at height 0, so many inches thick."""
     (left, right), (front, back) = TABLE
-    return box((left, right, -THICK), (front, back, 0.0), Material.TABLE, 0)
+    return box((left, right, -thick), (front, back, 0.0), Material.TABLE, 0)
 
 
 @lru_cache(256)

@@ -26,40 +26,19 @@ NO_INK = -1
 class Samples:
     """What a picture shows, sample by sample, gathered by cells: height x width x samples a cell.
 
+    In a cell they go along its rows from the top.
+
     Attributes:
-        across, down: samples a cell; in a cell they go along its rows from the top.
         ink: index of the ink, or `NO_INK`.
         light: how bright, 0 to 1.
         body: the thing that is seen; 0 the table, negative for nothing.
         nearness: how near it is.
     """
 
-    across: int
-    down: int
     ink: npt.NDArray[np.int8]
     light: npt.NDArray[np.float32]
     body: npt.NDArray[np.int16]
     nearness: npt.NDArray[np.float32]
-
-    @classmethod
-    def of(
-        cls,
-        across: int,
-        down: int,
-        ink: npt.NDArray[np.int8],
-        light: npt.NDArray[np.float32],
-        body: npt.NDArray[np.int16],
-        nearness: npt.NDArray[np.float32],
-    ) -> Samples:
-        """Gather samples that lie row by row."""
-        rows, columns = ink.shape
-        shape = (rows // down, down, columns // across, across)
-
-        def gathered(values: npt.NDArray[Any]) -> npt.NDArray[Any]:
-            cells = values.reshape(shape).transpose(0, 2, 1, 3)
-            return cells.reshape(shape[0], shape[2], down * across)
-
-        return cls(across, down, gathered(ink), gathered(light), gathered(body), gathered(nearness))
 
 
 class Cells:
@@ -174,6 +153,18 @@ def _paint(code: int) -> Ink | Paint:
     if ink == 0:
         return Paint(INKS[under - 1], under_level, behind, under_level)
     return Paint(INKS[ink - 1], level, behind, under_level)
+
+
+def nearest_but(nearness: npt.NDArray[np.float32], but: npt.NDArray[np.bool_]) -> Ints:
+    """The place of the nearest of some samples, one row a cell, but for those that do not count.
+
+    At least one of each row must count; where nothing is seen in any of them it is one of those.
+    """
+    rest = np.where(but, -np.inf, np.maximum(nearness, _FARTHEST))
+    return np.asarray(rest.argmax(1)[:, None], dtype=np.int64)
+
+
+_FARTHEST = np.float32(-1e9)
 
 
 def levels(light: npt.NDArray[Any]) -> npt.NDArray[np.int64]:

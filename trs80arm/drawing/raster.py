@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import inf
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -104,6 +104,11 @@ class Raster:
             fronts, backs = self._planes(planes[first:last], middle - first, rows, columns)
             covered[rows, columns] |= fronts.min(0) >= backs.max(0)
         return covered
+
+    def gathered(self, values: npt.NDArray[Any]) -> npt.NDArray[Any]:
+        """Values of the samples gathered by cells: height x width x samples a cell."""
+        cells = values.reshape(self.height, self.down, self.width, self.across)
+        return cells.transpose(0, 2, 1, 3).reshape(self.height, self.width, -1)
 
     def _spans(self, boxes: Floats) -> Iterator[tuple[int, slice, slice]]:
         """The solids that are in the picture, each with the rows and columns that it may cover."""

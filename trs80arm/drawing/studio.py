@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import cos, radians, sin
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -45,8 +44,6 @@ _WITHIN = (Material.CABLE, Material.JOINT, Material.MOTOR)
 """What is so small, or so near to larger things, that it throws no shadow of its own."""
 BEHIND = 1000.0
 """How far away table and ghost are taken to be, that they cover nothing of what is real."""
-_REAL = 2
-_TABLE = table()
 
 
 @dataclass(frozen=True)
@@ -75,6 +72,11 @@ class Label:
     ink: Ink = Ink.LABEL
 
 
+_TABLE = table()
+_TABLE_FROM_THE_SIDE = table(thick=40.0)
+"""Its edge, which is as thick as the row that has the scale."""
+
+
 @dataclass(frozen=True, eq=False)
 class Shot:
     """What a camera is to take.
@@ -85,6 +87,7 @@ class Shot:
         sun: where the light comes from, a unit vector.
         bounds: what belongs into the picture, in its plane.
         focus: what a closer look is centred on, in the picture's plane.
+        table: it.
         ghost: where the arm was told to be, as far as that is elsewhere.
         shadows: whether they are thrown on the table; else it is darker below what is above it.
         marks: dots on the table and in the air.
@@ -98,6 +101,7 @@ class Shot:
     sun: Place
     bounds: Bounds
     focus: Point
+    table: Solids = _TABLE
     ghost: Solids = NOTHING
     shadows: bool = True
     marks: Sequence[Mark] = ()
@@ -147,6 +151,7 @@ def side_shot(readings: Readings, extras: Extras = PLAINLY) -> Shot:
         focus,
         ghost=ghost,
         marks=marks,
+        table=_TABLE_FROM_THE_SIDE,
         resting=RESTING,
         shadows=False,
         fades=True,
@@ -298,58 +303,49 @@ def take(shot: Shot, width: int, height: int, samples: tuple[int, int], window: 
     raster = Raster(width, height, samples, window)
     # What the arm was told hides the table only, and is hidden by whatever is really there.
     coarse = window.scale * raster.down < FINE
-    for layer, solids in enumerate((_TABLE, shot.ghost, shot.solids)):
-        if len(solids.materials):
-            chosen = ~np.isin(solids.materials, _DETAILS) if coarse else None
-            raster.draw(solids, camera.sees(solids), chosen)
-        if layer < _REAL:
-            raster.nearness[raster.face != NOWHERE] = -BEHIND
-    solids = Solids.joined((_TABLE, shot.ghost, shot.solids))
+    raster.draw(shot.table, camera.sees(shot.table))
+    raster.nearness[raster.face != NOWHERE] = -BEHIND
+    if len(shot.ghost.materials):
+        raster.draw(shot.ghost, camera.sees(shot.ghost))
+        raster.nearness[raster.face != NOWHERE] = -BEHIND
+    chosen = ~np.isin(shot.solids.materials, _DETAILS) if coarse else None
+    raster.draw(shot.solids, camera.sees(shot.solids), chosen)
+    solids = Solids.joined((shot.table, shot.ghost, shot.solids))
     faces = np.diff([*solids.first_face.tolist(), len(solids.offsets)])
     material = np.repeat(solids.materials, faces)
     shade = AMBIENT + (1 - AMBIENT) * np.maximum(0.0, solids.normals @ np.array(shot.sun))
     light_of = np.append(BRIGHT[material] * shade, 0.0).astype(np.float32)
     ink_of = np.append(INK_OF[material], NO_INK).astype(np.int8)
     body_of = np.append(np.repeat(solids.bodies, faces), -1).astype(np.int16)
-    face = raster.face
+    face, nearness = raster.gathered(raster.face), raster.gathered(raster.nearness)
     light, ink, body = light_of[face], ink_of[face], body_of[face]
     if shot.fades:
-        with np.errstate(invalid="ignore"):
-            far = np.clip(-raster.nearness / FADES, 0.0, 1.0)
-        light *= np.where(body >= FIRST_THING, 1 - 0.5 * far, 1.0)
-        _shade_below(raster, shot, body, ink, light)
-    if shot.shadows:
-        covered = _shadows(shot, width, height, samples, window)
-        dark = covered & (body == 0)
-        ink[dark], light[dark] = SHADOW, IN_SHADOW
-    return Samples.of(raster.across, raster.down, ink, light, body, raster.nearness)
+        far = body >= FIRST_THING
+        light[far] *= 1 - 0.5 * np.clip(-nearness[far] / FADES, 0.0, 1.0)
+    covered = _shadows(raster, shot, window) if shot.shadows else _below(raster, shot)
+    dark = covered & (body == 0)
+    ink[dark], light[dark] = SHADOW, IN_SHADOW
+    return Samples(ink, light, body, nearness)
 
 
-def _shadows(
-    shot: Shot, width: int, height: int, samples: tuple[int, int], window: Window
-) -> npt.NDArray[Any]:
+def _shadows(raster: Raster, shot: Shot, window: Window) -> npt.NDArray[np.bool_]:
     """Which samples of the table are in the shadow; found for half as many each way."""
-    coarse = max(1, samples[0] // 2), max(1, samples[1] // 2)
-    raster = Raster(width, height, coarse, window)
+    across, down = max(1, raster.across // 2), max(1, raster.down // 2)
+    coarse = Raster(raster.width, raster.height, (across, down), window)
     solids = shot.solids
     casts = ~np.isin(solids.materials, _WITHIN)
-    covered = raster.covered(solids, shot.camera.shades(solids, shot.sun), casts)
-    return covered.repeat(samples[1] // coarse[1], 0).repeat(samples[0] // coarse[0], 1)
+    covered = coarse.covered(solids, shot.camera.shades(solids, shot.sun), casts)
+    return raster.gathered(
+        covered.repeat(raster.down // down, 0).repeat(raster.across // across, 1)
+    )
 
 
-def _shade_below(
-    raster: Raster,
-    shot: Shot,
-    body: npt.NDArray[Any],
-    ink: npt.NDArray[Any],
-    light: npt.NDArray[Any],
-) -> None:
-    """The table seen edge on is darker below what is above it, as if lit from straight above."""
+def _below(raster: Raster, shot: Shot) -> npt.NDArray[np.bool_]:
+    """Which samples are below something: a table seen edge on is darker there."""
     solids = shot.solids
     boxes = shot.camera.points(solids.corners)[:, 0]
-    left = np.minimum.reduceat(boxes, solids.first_corner)
-    right = np.maximum.reduceat(boxes, solids.first_corner)
     over = solids.bodies >= UPPER_ARM
-    above = (raster.x >= left[over, None]) & (raster.x <= right[over, None])
-    dark = (body == 0) & above.any(0)
-    ink[dark], light[dark] = SHADOW, IN_SHADOW
+    left = np.minimum.reduceat(boxes, solids.first_corner)[over, None]
+    right = np.maximum.reduceat(boxes, solids.first_corner)[over, None]
+    above = ((raster.x >= left) & (raster.x <= right)).any(0)
+    return np.tile(above.reshape(raster.width, raster.across), raster.down)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from trs80arm.drawing.cells import NO_INK, Cells, Samples, levels
+from trs80arm.drawing.cells import NO_INK, Cells, Samples, levels, nearest_but
 from trs80arm.drawing.materials import GHOST, SHADOW
 from trs80arm.drawing.rows import LEVELS
 
@@ -98,14 +98,14 @@ def draw(samples: Samples) -> Cells:
     cells.ink = np.where(solid, ink, NO_INK)
     cells.level = np.where(solid, levels(DIMMEST + (1 - DIMMEST) * light), 0)
     # Behind the character: the same thing, darker, or what is next behind it.
-    partly = solid & (shape != 0)
-    behind = np.where(same, -np.inf, samples.nearness).argmax(2)[..., None]
-    under = np.take_along_axis(samples.ink, behind, 2)[..., 0]
-    dim = np.take_along_axis(samples.light, behind, 2)[..., 0]
-    under_body = np.take_along_axis(samples.body, behind, 2)[..., 0]
-    cells.under = np.where(partly, under, np.where(ink == GHOST, NO_INK, ink))
-    lit = np.where(partly, np.where(under_body == 0, dim, dim * GROUND), light * GROUND)
-    lit = np.where(body == 0, light, lit)
+    cells.under = np.where(ink == GHOST, NO_INK, ink)
+    lit = np.where(body == 0, light, light * GROUND)
+    partly = (solid & (shape != 0)).nonzero()
+    others = nearest_but(samples.nearness[partly], same[partly])
+    cells.under[partly] = np.take_along_axis(samples.ink[partly], others, 1)[:, 0]
+    dim = np.take_along_axis(samples.light[partly], others, 1)[:, 0]
+    table = np.take_along_axis(samples.body[partly], others, 1)[:, 0] == 0
+    lit[partly] = np.where(table, dim, dim * GROUND)
     cells.under_level = np.where(cells.under == NO_INK, 0, levels(lit))
     cells.free = ~solid
     shaded = ~solid & (ink == SHADOW)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from trs80arm.drawing.cells import NO_INK, Cells, Samples, levels
+from trs80arm.drawing.cells import NO_INK, Cells, Samples, levels, nearest_but
 from trs80arm.machine.video import sextant
 
 LIKE = 0.13
@@ -40,12 +40,14 @@ class Blocks:
         cells.glyphs = np.where(shown, self.glyphs[pattern], np.uint32(32))
         cells.ink = np.where(shown, ink[..., 0], NO_INK)
         cells.level = np.where(shown, levels((samples.light * same).sum(2) / same.sum(2)), 0)
-        others = np.where(same, -np.inf, samples.nearness).argmax(2)[..., None]
-        behind = np.take_along_axis(samples.ink, others, 2)
-        alike = ~same & (samples.ink == behind)
-        light = (samples.light * alike).sum(2) / np.maximum(alike.sum(2), 1)
-        cells.under = np.where(full | ~shown, NO_INK, behind[..., 0])
-        cells.under_level = np.where(cells.under == NO_INK, 0, levels(light))
+        partly = (shown & ~full).nonzero()
+        same, inks, lights = same[partly], samples.ink[partly], samples.light[partly]
+        others = nearest_but(samples.nearness[partly], same)
+        behind = np.take_along_axis(inks, others, 1)
+        alike = ~same & (inks == behind)
+        cells.under[partly] = behind[:, 0]
+        lit = levels((lights * alike).sum(1) / alike.sum(1))
+        cells.under_level[partly] = np.where(behind[:, 0] == NO_INK, 0, lit)
         # A mark takes all of its cell, so that at the table's edge there is no room for one.
         table = np.take_along_axis(samples.body, nearest, 2)[..., 0] == 0
         cells.free = ~shown | (full & table)
