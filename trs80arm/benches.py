@@ -19,6 +19,15 @@ def bench_beside(program: Path) -> Path | None:
     return path if is_file(path) else None
 
 
+def bench_files(folder: Path) -> list[Path]:
+    """The bench files of a folder and of the folder `benches` in it."""
+    try:
+        found = [*folder.glob("*.toml"), *folder.glob("benches/*.toml")]
+    except (OSError, ValueError):
+        return []
+    return [path for path in found if path.name != "pyproject.toml" and is_file(path)]
+
+
 @dataclass(frozen=True)
 class BenchFile:
     """A bench with the text that it came from, for a recording keeps the text.

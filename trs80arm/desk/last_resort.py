@@ -14,6 +14,7 @@ from pathlib import Path
 
 from trs80arm import __version__
 from trs80arm.desk.session import Session
+from trs80arm.paths import is_file
 from trs80arm.saving import write_whole
 from trs80arm.shown import shown
 
@@ -51,7 +52,7 @@ def last_words(error: BaseException, folder: Path, session: Session | None = Non
 
 def _free_name(folder: Path) -> str:
     number = 1
-    while any((folder / f"fault-{number}{end}").exists() for end in (".txt", ".snapshot")):
+    while any(is_file(folder / f"fault-{number}{end}") for end in (".txt", ".snapshot")):
         number += 1
     return f"fault-{number}"
 

@@ -9,6 +9,7 @@ file of its own in the state folder, so that no other takes its copies for left 
 from __future__ import annotations
 
 import contextlib
+import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -20,6 +21,7 @@ from trs80arm.desk.taught_programs import Manner, in_steps
 from trs80arm.desk.teach import Lesson
 from trs80arm.files import FileFormatError, Kind, save_program
 from trs80arm.locks import hold, is_held, remove_unheld
+from trs80arm.paths import is_file, is_folder
 from trs80arm.reasons import reason
 from trs80arm.saving import write_whole
 
@@ -124,7 +126,7 @@ class Recovery:
         if self._held is not None:
             self._held.close()
             self._held = None
-            if not any(path.exists() for _, path in self.kept()):
+            if not any(self.kept()):
                 _remove(self._lock)
 
     def drop(self) -> None:
@@ -144,17 +146,22 @@ class Recovery:
             ("the positions taught are kept as a program", self.lesson_copy),
             ("cassettes and paper are kept", self.keepsakes_copy),
         ):
-            if path.exists():
+            if is_file(path) or is_folder(path):
                 yield what, path
 
     def left_over(self) -> list[Path]:
         """Copies that sittings that ended badly have left, newest first."""
-        in_use = {lock.stem for lock in self._folder.glob(f"recovered-*{_LOCK}") if is_held(lock)}
+        try:
+            names = os.listdir(self._folder)
+        except OSError:
+            return []
+        there = [self._folder / name for name in names if name.startswith("recovered-")]
+        in_use = {path.stem for path in there if path.suffix == _LOCK and is_held(path)}
         in_use.add(self.program_copy.stem)
         copies = [
             path
-            for path in self._folder.glob("recovered-*.bas")
-            if path.stem.removesuffix(_TAUGHT) not in in_use
+            for path in there
+            if path.suffix == ".bas" and path.stem.removesuffix(_TAUGHT) not in in_use
         ]
         return sorted(copies, key=lambda path: path.name, reverse=True)
 
@@ -165,7 +172,7 @@ class Recovery:
 
     def take_over(self, path: Path) -> None:
         """The program of an older copy is in memory now: remove it once an own copy is kept."""
-        if self.keep() and self.program_copy.is_file():
+        if self.keep() and is_file(self.program_copy):
             self._remove_left(path)
 
     def _remove_left(self, path: Path) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from trs80arm.arm.events import Reason
+from trs80arm.benches import bench_files
 from trs80arm.bundled import programs_folder
 from trs80arm.desk.asking import Asking, Choice, ListQuestion, Question, Say
 from trs80arm.desk.files import SessionFiles
@@ -86,8 +87,7 @@ class ArmCommands:
             path.resolve()
             for folder in folders
             if folder is not None
-            for path in (*folder.glob("*.toml"), *folder.glob("benches/*.toml"))
-            if path.name != "pyproject.toml"
+            for path in bench_files(folder)
         }
         return sorted(found)
 

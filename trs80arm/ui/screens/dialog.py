@@ -34,7 +34,9 @@ class Dialog(ModalScreen[Answer | None], SeenThrough, Generic[Answer]):
     }
     Dialog .hint { color: $text-muted; }
     Dialog .wrong { color: $error; height: auto; }
-    Dialog OptionList { height: auto; max-height: 20; border: none; background: $surface; }
+    Dialog OptionList {
+        height: auto; max-height: 20; min-width: 8; border: none; background: $surface;
+    }
     Dialog OptionList:focus { border: none; }
     Dialog Input { border: none; height: 1; background: $panel; padding: 0 1; }
     Dialog Input:focus { border: none; }

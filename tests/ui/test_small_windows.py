@@ -1,0 +1,37 @@
+"""Windows in which nothing has room: nobody can work there, and nothing breaks."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.ui.conftest import Opener
+from tests.ui.piloted import piloted
+from trs80arm.ui.screens.dialog import Choose
+
+
+@pytest.mark.parametrize("key", ["f8", "f2"])
+@pytest.mark.parametrize("size", [(5, 24), (1, 1)])
+@piloted
+async def test_a_dialog_opens_in_a_window_that_is_too_small_for_it(
+    sit_down: Opener, size: tuple[int, int], key: str
+) -> None:
+    async with sit_down() as sitting:
+        await sitting.pilot.resize_terminal(*size)
+        await sitting.press(key, "down", "escape")
+        await sitting.settle()
+        assert sitting.app.fault is None
+
+
+@pytest.mark.parametrize("command", ["theme", "bench"])
+@piloted
+async def test_a_list_shrinks_below_the_minimum_and_comes_back(
+    sit_down: Opener, command: str
+) -> None:
+    async with sit_down() as sitting:
+        sitting.app.action_do(command)
+        await sitting.settle()
+        for size in ((5, 24), (2, 2), (80, 24)):
+            await sitting.pilot.resize_terminal(*size)
+            await sitting.settle()
+        assert sitting.app.fault is None
+        assert isinstance(sitting.app.screen, Choose)
