@@ -207,5 +207,6 @@ def test_a_recording_kept_on_a_disk_that_fills_ends_and_the_machine_goes_on() ->
 
 
 def test_a_recording_that_cannot_be_begun_is_refused() -> None:
-    with pytest.raises(OSError, match="No space"):
+    with pytest.raises(OSError, match="No space") as refused:
         Session(record=Path("/dev/full"))
+    assert refused.value.filename == "/dev/full"

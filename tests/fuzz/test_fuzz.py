@@ -14,10 +14,11 @@ from tests.fuzz.target import Target
 from tests.fuzz.targets import TARGETS
 from tests.fuzz.work import FOUND, case_of, fault_of, keep
 
-CASES = {"programs": 4, "moments": 2, "crunched": 12, "pokes": 6, "storms": 8, "typing": 12}
-CASES |= {"editing": 10, "hands": 3, "tapes": 3, "benches": 20, "snapshots": 15, "lines": 4}
-CASES |= {"statements": 25, "settings": 40, "program-files": 40, "commands": 20}
-MANY = 150
+CASES = {"programs": 12, "moments": 3, "crunched": 60, "pokes": 25, "storms": 40, "typing": 60}
+CASES |= {"editing": 50, "hands": 8, "tapes": 8, "benches": 60, "snapshots": 60, "lines": 60}
+CASES |= {"statements": 100, "settings": 60, "program-files": 150, "commands": 60}
+MANY = 400
+"""Some tenths of a second for each door."""
 
 
 @pytest.mark.parametrize("name", sorted(TARGETS))

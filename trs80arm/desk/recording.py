@@ -101,10 +101,19 @@ class Journal:
         self._lines = [json.dumps(head)]
         self.fault: str | None = None
         self._file = path.open("w", encoding="utf-8") if path else None
-        if self._file is not None:
+        self._begin(path)
+        self._stop = rig.record(self._take)
+
+    def _begin(self, path: Path | None) -> None:
+        """Write the head; a file that cannot take it is closed."""
+        if self._file is None:
+            return
+        try:
             self._file.write(self._lines[0] + "\n")
             self._file.flush()
-        self._stop = rig.record(self._take)
+        except OSError as error:
+            self._shut()
+            raise OSError(error.errno, error.strerror, str(path)) from None
 
     def _take(self, done: Input) -> None:
         arguments = [self._plain(value) for value in done.arguments]
