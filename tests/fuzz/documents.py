@@ -84,6 +84,21 @@ def _play_listing(case: Case) -> None:
         one_line(error)
 
 
+def _play_cassette(case: Case) -> None:
+    """Any bytes are recordings, which are written to the same bytes again, or one error."""
+    data = bytes.fromhex(case)
+    for keep_good in (False, True):
+        try:
+            found = cassette.parse(data, keep_good=keep_good)
+        except FileFormatError as error:
+            one_line(error)
+            continue
+        for each in found:
+            if isinstance(each, cassette.SystemRecording):
+                again = cassette.encode_system(each)
+                hold(cassette.parse(again) == [each], "it does not read back")
+
+
 def _play_tape(case: Case) -> None:
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "A.cas").write_bytes(bytes.fromhex(case))
@@ -96,11 +111,13 @@ def _play_tape(case: Case) -> None:
         hold(not [name for name in os.listdir(folder) if name.startswith(".")], "leftovers")
 
 
-_TAPES = (
+_TAPES: tuple[bytes, ...] = (
     files.encode_program([(10, b"\xb2 1"), (20, b"\x8d 10")], Kind.CASSETTE),
     cassette.encode_data(b"1,ABC\r"),
     cassette.encode_system(cassette.SystemRecording(b"A     ", ((0x5000, b"ABC"),), 0x1A19)),
 )
+
+_TAPES_TOGETHER = (b"".join(_TAPES), b"".join(reversed(_TAPES)))
 
 
 # -- benches and settings --------------------------------------------------------------------------
@@ -264,6 +281,7 @@ def _play_snapshot(case: Case) -> None:
 TARGETS = (
     Target("program-files", _bytes(*_program_seeds()), _play_program_file),
     Target("listings", _listing, _play_listing),
+    Target("cassettes", _bytes(*_TAPES, *_TAPES_TOGETHER), _play_cassette),
     Target("tapes", _bytes(*_TAPES), _play_tape),
     Target(
         "benches",

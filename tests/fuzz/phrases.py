@@ -16,14 +16,17 @@ from click.testing import CliRunner
 from tests.fuzz import noise
 from tests.fuzz.checks import hold, rig_is_whole
 from tests.fuzz.machines import SECONDS
-from tests.fuzz.target import Case, Target, one_line
+from tests.fuzz.target import Case, Target
 from trs80arm import cli, paths, settings
 from trs80arm.basic import cruncher
+from trs80arm.basic.dialogue.input_statement import Items
 from trs80arm.basic.errors import BasicError
+from trs80arm.basic.kinds import Kind
 from trs80arm.basic.numbers import convert, decimal, double, literal, using
 from trs80arm.desk.session import Session
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.plain import PlainMode
+from trs80arm.rig import LONGEST_HOLD
 from trs80arm.settings import SettingsError
 from trs80arm.shown import shown
 from trs80arm.ui.terminal.parser import KeyParser
@@ -59,10 +62,6 @@ def _play_option(case: Case) -> None:
         settings.load(_NO_SETTINGS, case, {}).rig()
     except SettingsError as error:
         hold(shown(error).isprintable(), "an error that cannot be shown")
-    try:
-        parse_holds(case[0])
-    except ScriptError as error:
-        one_line(error)
 
 
 _FLAGS = (
@@ -173,6 +172,51 @@ def number_is_whole(value: Any) -> None:
         hold(len(double.pack(value)) == 8, "a double of another size")
 
 
+def _answer(rng: Random) -> Case:
+    parts = ["5", " 1E5", "-", '"A,B"', '"', "A B", ",", ",", ":", " ", "X", "1.5D3", "\x80", "&H"]
+    answer = "".join(rng.choices(parts, k=rng.randrange(0, 12)))
+    return [answer, [str(rng.choice(list(_KINDS))) for _ in range(rng.randrange(1, 5))]]
+
+
+_KINDS = (Kind.INTEGER, Kind.SINGLE, Kind.DOUBLE, Kind.STRING)
+
+
+def _play_answer(case: Case) -> None:
+    """Any answer to INPUT comes apart into items, each of them in the answer."""
+    text, kinds = case
+    answer = text.encode("latin-1")
+    items = Items(answer)
+    with contextlib.suppress(BasicError):
+        for kind in map(Kind, kinds):
+            if not items.is_next:
+                break
+            if kind is Kind.STRING:
+                hold(items.string() in answer, "a string that nobody has typed")
+            else:
+                number_is_whole(items.number(kind))
+                hold(items.scanning >= 0, "reading a number takes no time")
+            if not items.separator():
+                break
+        hold(items.is_rest in (True, False), "a rest or none")
+
+
+def _script(rng: Random) -> Case:
+    parts = ["6:1.0", "1+W:0.5", "0", "ENTER", "SPACE:2", ":", "+", "1+:5", "Q:1e5", "::", "A:."]
+    text = " ".join(rng.choices(parts, k=rng.randrange(0, 6)))
+    return noise.mutated_text(rng, text) if rng.random() < 0.5 else text
+
+
+def _play_script(case: Case) -> None:
+    """A script of keys is read, in finite time from now on, or refused in one line."""
+    try:
+        holds = parse_holds(case)
+    except ScriptError as error:
+        hold(shown(error).isprintable(), "an error that cannot be shown")
+        return
+    hold(all(0 <= each.seconds <= LONGEST_HOLD for each in holds), "a key held for too long")
+    hold(all(each.keys for each in holds), "no key at all")
+
+
 # -- names and terminals ---------------------------------------------------------------------------
 
 
@@ -229,6 +273,8 @@ TARGETS = (
     Target("lines", _lines, _play_lines),
     Target("words", _word, _play_words),
     Target("numbers", _number, _play_numbers),
+    Target("answers", _answer, _play_answer),
+    Target("scripts", _script, _play_script),
     Target("names", _name, _play_name),
     Target("keys", _keys, _play_keys),
 )
