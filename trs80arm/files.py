@@ -14,6 +14,7 @@ from pathlib import Path
 from trs80arm import program_text
 from trs80arm.machine import cassette
 from trs80arm.machine.cassette import MAX_LINE_NUMBER, FileFormatError, ProgramLine
+from trs80arm.paths import open_to_read
 from trs80arm.saving import write_whole
 
 __all__ = [
@@ -103,7 +104,7 @@ def load_program(path: Path, *, keep_good: bool = False) -> list[ProgramLine]:
         OSError: it cannot be read.
     """
     try:
-        with path.open("rb") as file:
+        with open_to_read(path) as file:
             data = file.read(LARGEST + 1)
     except OSError as error:
         # What fails while it is read has no name of its own.
@@ -178,7 +179,7 @@ def _kind_for(path: Path) -> Kind:
     kind = _SUFFIXES.get(path.suffix.lower(), Kind.TEXT)
     if kind is Kind.CRUNCHED:
         try:
-            with path.open("rb") as file:
+            with open_to_read(path) as file:
                 first = file.read(1)
         except OSError:
             return kind

@@ -11,6 +11,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import BinaryIO
 
+from trs80arm.paths import open_to_read
+
 
 def hold(file: BinaryIO) -> None:
     """Hold a file for as long as it is open.
@@ -27,7 +29,7 @@ def hold(file: BinaryIO) -> None:
 def is_held(path: Path) -> bool:
     """Whether somebody holds the file of that name now."""
     try:
-        with path.open("rb") as file:
+        with open_to_read(path) as file:
             hold(file)
     except BlockingIOError:
         return True
@@ -38,6 +40,6 @@ def is_held(path: Path) -> bool:
 
 def remove_unheld(path: Path) -> None:
     """Remove a file unless somebody holds it."""
-    with suppress(OSError), path.open("rb") as file:
+    with suppress(OSError), open_to_read(path) as file:
         hold(file)
         path.unlink()

@@ -9,8 +9,12 @@ from __future__ import annotations
 import os
 import stat
 from pathlib import Path
+from typing import BinaryIO
 
 from trs80arm.reasons import reason
+
+_AT_ONCE = getattr(os, "O_NONBLOCK", 0)
+"""Opens a pipe without waiting for its other end."""
 
 
 def typed_path(text: str) -> Path:
@@ -53,15 +57,27 @@ def refusal(path: Path) -> str:
     return ""
 
 
+def open_to_read(path: Path) -> BinaryIO:
+    """A file to be read, or a pipe that somebody writes to.
+
+    A pipe that nobody has opened is at its end at once: nothing here waits for somebody to come.
+
+    Raises:
+        OSError: it cannot be opened.
+    """
+    descriptor = os.open(path, os.O_RDONLY | _AT_ONCE)
+    if _AT_ONCE:
+        os.set_blocking(descriptor, True)
+    return os.fdopen(descriptor, "rb")
+
+
 def read_beginning(path: Path, most: int) -> bytes:
     """At most `most` bytes of a regular file.
 
     Raises:
         OSError: it cannot be read, or is something that one could wait for: a pipe, a device.
     """
-    # A pipe opened so does not wait for its other end.
-    descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
-    with os.fdopen(descriptor, "rb") as file:
-        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+    with open_to_read(path) as file:
+        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(0, "not a file", str(path))
         return file.read(most)

@@ -49,7 +49,7 @@ def whole_file(path: Path) -> Iterator[BinaryIO]:
     with _called(path), ExitStack() as opened:
         there = _look(path)
         if there is not None and not stat.S_ISREG(there.st_mode):
-            yield opened.enter_context(_open_stream(path))
+            yield opened.enter_context(open_to_write(path))
             return
         target = Path(os.path.realpath(path))
         if there is not None and not _is_writable(target):
@@ -99,10 +99,18 @@ def _is_writable(path: Path) -> bool:
     return os.access(path, os.W_OK, effective_ids=os.access in os.supports_effective_ids)
 
 
-def _open_stream(path: Path) -> BinaryIO:
-    """A device or pipe; a pipe that nobody reads is an error, for it would wait for ever."""
-    descriptor = os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0))
-    os.set_blocking(descriptor, True)
+def open_to_write(path: Path, *, append: bool = False) -> BinaryIO:
+    """A file that is written bit by bit, from its beginning or on from its end; a device or a pipe.
+
+    Raises:
+        OSError: it cannot be opened, or is a pipe that nobody reads, which would wait for ever.
+    """
+    how = os.O_APPEND if append else os.O_TRUNC
+    at_once = getattr(os, "O_NONBLOCK", 0)
+    binary = getattr(os, "O_BINARY", 0)
+    descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | how | at_once | binary, 0o666)
+    if at_once:
+        os.set_blocking(descriptor, True)
     return os.fdopen(descriptor, "wb")
 
 

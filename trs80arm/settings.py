@@ -22,6 +22,7 @@ from tomlkit.exceptions import TOMLKitError
 
 from trs80arm.machine.typist import check_answer
 from trs80arm.options import TerminalOptions, TerminalSettings
+from trs80arm.paths import open_to_read
 from trs80arm.plain_values import SettingsError as SettingsError
 from trs80arm.plain_values import fit, keys_of
 from trs80arm.saving import write_whole
@@ -164,7 +165,9 @@ def load(
 def _read(path: Path | None) -> tuple[str, Path]:
     where = path or default_path()
     try:
-        return where.read_text(encoding="utf-8"), where
+        with open_to_read(where) as file:
+            text = file.read().decode("utf-8")
+        return text.replace("\r\n", "\n").replace("\r", "\n"), where
     except FileNotFoundError:
         if path is None:
             return "", where
@@ -293,7 +296,8 @@ def remember(path: Path, key: str, value: str | int | bool, table: str = "termin
     """
     try:
         # Bytes, for the line ends of the file are to stay.
-        content = path.read_bytes().decode("utf-8")
+        with open_to_read(path) as file:
+            content = file.read().decode("utf-8")
     except FileNotFoundError:
         content = ""
     except UnicodeDecodeError:

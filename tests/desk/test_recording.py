@@ -197,6 +197,7 @@ def test_a_recording_kept_on_a_disk_that_fills_ends_and_the_machine_goes_on() ->
     journal = session._journal
     assert journal._file is not None
     journal._file.close()
+    journal._path = Path("/dev/full")
     journal._file = open("/dev/full", "w", encoding="utf-8")  # noqa: SIM115
     session.rig.type("PRINT 7\r")
     session.rig.run_until_waiting()

@@ -6,6 +6,7 @@ Nothing is torn, nothing is left over, and what is told is one line.
 from __future__ import annotations
 
 import codecs
+import contextlib
 import errno
 import os
 import sys
@@ -19,9 +20,12 @@ from tests.desk.sitting import Sitting
 from trs80arm import Rig, RigSettings, settings
 from trs80arm.benches import bench_files
 from trs80arm.cli import main
+from trs80arm.desk import recording
 from trs80arm.desk.last_resort import last_words
 from trs80arm.desk.places import RecentFiles, program_files
 from trs80arm.desk.session import Session
+from trs80arm.files import FileFormatError
+from trs80arm.settings import SettingsError
 
 BAD = ("read-only", "no rights", "full", "missing", "a file", "a pipe", "a loop")
 OLD = b"10 REM OLD\r\n"
@@ -153,6 +157,68 @@ def test_a_state_folder_that_cannot_be_used_takes_nothing_and_breaks_nothing(bad
     assert bench_files(bad) == []
     assert not program_files(bad) or program_files(bad) == [bad / "a.bas"]
     assert "a fault of the program itself: KeyError" in last_words(KeyError("x"), bad, Session())
+
+
+@pytest.fixture(params=["pipe", "loop", "folder"])
+def odd(request: pytest.FixtureRequest) -> Callable[[Path], Path]:
+    """Puts a pipe that nobody opens, a loop of links or a folder in a file's place."""
+
+    def put(path: Path) -> Path:
+        match request.param:
+            case "pipe":
+                os.mkfifo(path)
+            case "loop":
+                path.symlink_to(path)
+            case _:
+                path.mkdir()
+        return path
+
+    return put
+
+
+def test_what_is_no_file_in_the_state_folder_is_passed_over(
+    tmp_path: Path, odd: Callable[[Path], Path]
+) -> None:
+    desk = Sitting(tmp_path)
+    desk.state.mkdir()
+    odd(desk.state / "recent.json")
+    odd(desk.state / "recovered-20250101-000000-1.sitting")
+    odd(desk.state / ".trs80arm-abcdefgh.saving")
+    copy = odd(desk.state / "recovered-20250101-000000-1.bas")
+    assert desk.recent.all() == []
+    desk.files.load_file(copy)
+    assert len(desk.person.errors) == 1
+    desk.type("10 REM MINE")
+    assert desk.recovery.keep()
+    assert desk.recovery.program_copy.is_file()
+
+
+def test_what_is_no_file_is_neither_waited_for_nor_replaced(
+    tmp_path: Path, odd: Callable[[Path], Path]
+) -> None:
+    path = odd(tmp_path / "odd.bas")
+    before = os.lstat(path)
+    session = Session()
+    session.rig.load_text("10 REM NEW")
+    for deed in (
+        lambda: session.save(path, None),
+        lambda: session.save_recording(path),
+        lambda: Session(record=path),
+        lambda: settings.remember(path, "theme", "paper"),
+    ):
+        with pytest.raises(OSError):
+            deed()
+    for read in (lambda: session.load(path), lambda: recording.load(path)):
+        with contextlib.suppress(OSError, FileFormatError, recording.RecordingError):
+            read()
+    with contextlib.suppress(SettingsError):
+        nothing = settings.load(Path(os.devnull), environment={})
+        assert settings.load(path, environment={}) == nothing
+    rig = Rig(RigSettings(printer_file=path))
+    rig.type('LPRINT "X"\r')
+    rig.run_until_waiting()
+    assert rig.printer.fault is not None
+    assert os.lstat(path).st_ino == before.st_ino
 
 
 @pytest.mark.parametrize("kind", ["tapes", "printer"])

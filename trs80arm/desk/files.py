@@ -27,7 +27,8 @@ from trs80arm.desk.places import RecentFiles, program_files
 from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.recovery import Recovery, copy_label
 from trs80arm.desk.session import Session
-from trs80arm.files import FileFormatError, Kind
+from trs80arm.files import LARGEST, FileFormatError, Kind
+from trs80arm.paths import read_beginning
 from trs80arm.reasons import reason
 from trs80arm.rig import Waiting
 from trs80arm.saving import write_whole
@@ -152,7 +153,7 @@ class SessionFiles:
     def _load_recovered(self, path: Path) -> None:
         """Load a copy that a bad end has left; it goes when this sitting has a copy of its own."""
         try:
-            self._session.load_bytes(path.read_bytes())
+            self._session.load_bytes(read_beginning(path, LARGEST))
         except FileFormatError as error:
             self._say(f"{path.name}: {error}", error=True)
         except OSError as error:

@@ -9,11 +9,13 @@ from pathlib import Path
 
 from platformdirs import user_state_path
 
-from trs80arm.paths import is_file
+from trs80arm.paths import is_file, read_beginning
 from trs80arm.saving import write_whole
 
 APP = "trs80arm"
 MOST_RECENT = 12
+_LARGEST_LIST = 1 << 20
+"""Bytes of the list of recent files."""
 PROGRAM_SUFFIXES = (".bas", ".txt", ".lst", ".cas")
 
 
@@ -38,7 +40,7 @@ class RecentFiles:
     def all(self) -> list[Path]:
         """Those that still exist."""
         try:
-            names = json.loads(self._path.read_text(encoding="utf-8"))
+            names = json.loads(read_beginning(self._path, _LARGEST_LIST))
         except (OSError, ValueError, RecursionError):
             return []
         if not isinstance(names, list):

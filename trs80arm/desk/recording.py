@@ -11,6 +11,7 @@ what plays can be done by somebody at the keyboard.
 from __future__ import annotations
 
 import contextlib
+import io
 import json
 from collections.abc import Callable
 from dataclasses import astuple, dataclass, replace
@@ -24,9 +25,10 @@ from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.desk.greeting import greet
 from trs80arm.files import MAX_LINE_NUMBER
 from trs80arm.machine.clock import END_OF_TIME
+from trs80arm.paths import open_to_read
 from trs80arm.plain_values import Range, SettingsError, Table, as_table, fit, from_table
 from trs80arm.rig import LONGEST_HOLD, TURNED_BY_HAND, Input, Key, Pose, Rig, RigSettings
-from trs80arm.saving import write_whole
+from trs80arm.saving import open_to_write, write_whole
 
 FORMAT = "trs80arm session 1"
 LARGEST = 64 * 1024 * 1024
@@ -100,11 +102,12 @@ class Journal:
         }
         self._lines = [json.dumps(head)]
         self.fault: str | None = None
-        self._file = path.open("w", encoding="utf-8") if path else None
-        self._begin(path)
+        self._file = io.TextIOWrapper(open_to_write(path), "utf-8") if path else None
+        self._path = path
+        self._begin()
         self._stop = rig.record(self._take)
 
-    def _begin(self, path: Path | None) -> None:
+    def _begin(self) -> None:
         """Write the head; a file that cannot take it is closed."""
         if self._file is None:
             return
@@ -113,7 +116,7 @@ class Journal:
             self._file.flush()
         except OSError as error:
             self._shut()
-            raise OSError(error.errno, error.strerror, str(path)) from None
+            raise OSError(error.errno, error.strerror, str(self._path)) from None
 
     def _take(self, done: Input) -> None:
         arguments = [self._plain(value) for value in done.arguments]
@@ -129,7 +132,7 @@ class Journal:
             self._file.write(line + "\n")
             self._file.flush()
         except OSError as error:
-            self.fault = f"{self._file.name}: {error.strerror or error}; recording to it has ended"
+            self.fault = f"{self._path}: {error.strerror or error}; recording to it has ended"
             self._shut()
 
     def _shut(self) -> None:
@@ -175,7 +178,7 @@ def load(path: Path) -> Recording:
         RecordingError: it is no recording.
         OSError: it cannot be read.
     """
-    with path.open("rb") as file:
+    with open_to_read(path) as file:
         data = file.read(LARGEST + 1)
     return parse(data, str(path))
 

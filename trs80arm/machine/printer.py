@@ -10,6 +10,7 @@ from typing import Any
 
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.memory import Memory
+from trs80arm.saving import open_to_write
 
 PRINTER_START = 0x37E8
 PRINTER_STOP = 0x37EC
@@ -89,8 +90,8 @@ class Printer:
         if self.path is None or not text:
             return
         try:
-            with self.path.open("a", encoding="latin-1", newline="") as paper:
-                paper.write(text)
+            with open_to_write(self.path, append=True) as paper:
+                paper.write(text.encode("latin-1"))
         except OSError as error:
             self.fault = f"{self.path}: {error.strerror or error}"
         else:
