@@ -10,7 +10,9 @@ from __future__ import annotations
 
 import copy
 import heapq
+import math
 from collections.abc import Callable, Iterable
+from dataclasses import astuple
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -624,12 +626,16 @@ def _try(works: Works) -> None:
         rig.screen()
         rig.joints, rig.state, rig.waiting  # noqa: B018
         # Whatever it does, its operator can break off.
+        rig.hold([Key.BREAK], _BREAK)
+        rig.run_for(_BREAK / 2)
         rig.stop_typing()
         rig.release_all()
         rig.hold([Key.BREAK], _BREAK)
         rig.run_for(2 * _BREAK)
         if not all(-0x8000 <= count <= 0x7FFF for count in rig.registers):
             raise ValueError("registers have 16 bits")
+        if not all(map(math.isfinite, astuple(rig.pose))):
+            raise ValueError("the hand is nowhere")
     except Exception:
         # Whatever the classes of the machine say to values that they never have.
         raise SnapshotError("no snapshot: a machine in a state that cannot be") from None

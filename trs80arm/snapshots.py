@@ -494,10 +494,8 @@ def _like(was: Any, now: Any) -> Any:
 
     What a machine just assembled has is never taken away; what it has not yet may come.
     """
-    if isinstance(was, tuple) and isinstance(now, tuple) and was:
-        kinds = {type(item) for item in was}
-        if not {type(item) for item in now} <= kinds | ({int} if float in kinds else set()):
-            raise SnapshotError("no snapshot: another kind of value than the machine's")
+    if isinstance(was, tuple) and isinstance(now, tuple) and was and not _sorts(now) <= _sorts(was):
+        raise SnapshotError("no snapshot: another kind of value than the machine's")
     both = {type(was), type(now)}
     if was is None or len(both) == 1 or both == {int, float}:
         return now
@@ -509,9 +507,16 @@ def _like(was: Any, now: Any) -> Any:
 def _sorts(container: Any) -> set[type | None]:
     """What sorts of thing are in a container: types, None for all that may be made anew."""
     if isinstance(container, bytearray):
-        return {int}
+        return {float}
     items = container.values() if isinstance(container, dict) else container
-    return {None if type(item) in _MADE else type(item) for item in items}
+    return {_sort(type(item)) for item in items}
+
+
+def _sort(cls: type) -> type | None:
+    """The sort of things of a class; a number may be whole or not."""
+    if cls in _MADE:
+        return None
+    return float if cls is int else cls
 
 
 def _refill(thing: Any, content: Any) -> None:
