@@ -187,6 +187,7 @@ class Rig:
             self._move_keys()
             clock.limit = clock.now + T_STATES_PER_SECOND // 60
             works.basic.step_statement()
+        works.arm.advance(clock.now)
         works.asked = clock.now
         return works.basic.next_line
 
@@ -205,6 +206,8 @@ class Rig:
         clock.limit = min(limits)
         # A machine that waits already is not asked to stop at the wait that it is in.
         works.basic.advance(until_waiting=until_waiting and waiting is Waiting.NOTHING)
+        # What falls goes on falling while nobody steps a motor.
+        works.arm.advance(clock.now)
 
     def _move_keys(self) -> None:
         """Let the keys go down and up whose time has come."""

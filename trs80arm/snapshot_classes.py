@@ -14,7 +14,8 @@ from enum import Enum
 from math import prod
 from typing import Any
 
-from trs80arm.arm import body, events, fixtures, forces, geometry, shapes
+from trs80arm.arm import events, fixtures, forces, geometry, shapes
+from trs80arm.arm.contact import bodies, coasting, scene, solids
 from trs80arm.arm.model import ArmModel, Motor, Pose
 from trs80arm.arm.models import MODELS
 from trs80arm.arm.settings import ArmSettings
@@ -59,13 +60,16 @@ VALUES: dict[str, type] = _by_name(
         Outcome,
         line_range.LineRange,
         shapes.Box,
-        body.Hold,
+        bodies.Shape,
+        solids.Solid,
+        coasting.Move,
         geometry.JointAngles,
         Pose,
         geometry.ArmPoints,
         geometry.CableDrive,
         events.ArmEvent,
         events.Happening,
+        forces.Burden,
         forces.Strength,
         forces.Curve,
         fixtures.Obstacle,
@@ -107,6 +111,9 @@ OBJECTS: dict[str, type] = _by_name(
         fixtures.Feeder,
         fixtures.Tray,
         fixtures.Turntable,
+        bodies.Fixed,
+        scene.Plate,
+        coasting.Coast,
     )
 )
 """What has an identity and a state: made without being called, then given its attributes."""

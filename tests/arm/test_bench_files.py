@@ -40,7 +40,7 @@ def test_the_example_of_the_manual_is_a_bench() -> None:
         (
             "[[part]]\nat=[8,0]\nsize=[1,1,1]\nweigth=3",
             "b.toml: part[1].weigth: expected nothing by that name; the keys here are "
-            "name, at, bottom, turn, size, weight",
+            "name, at, bottom, turn, tilt, roll, shape, size, weight, friction",
         ),
         (
             "[[part]]\nat=[8,0]\nsize=[1,1,1]\nweight='heavy'",

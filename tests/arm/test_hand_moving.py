@@ -111,7 +111,7 @@ def test_a_held_part_is_carried_along(arm: MiniMover) -> None:
     generator.off()
     arm.move_to(Pose(6, 4, 3.5, -90, 0, 0.4))
     assert arm.state().held == "block"
-    center = arm.bench.parts["block"].box.center
+    center = arm.bench.parts["block"].place
     assert center == pytest.approx((6, 4, 3.5), abs=0.05)
 
 

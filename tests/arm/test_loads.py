@@ -172,7 +172,7 @@ def test_127_ounces_are_not_pushed_at_any_speed() -> None:
     generator.align()
     generator.turn(0, 300, delay_period(300))
     assert losses(generator.arm) == {Reason.CONTACT}
-    assert bench.parts["weight"].box.center[1] == pytest.approx(1.3, abs=0.01)
+    assert bench.parts["weight"].place[1] == pytest.approx(1.3, abs=0.01)
 
 
 def pressed(steps: int, delay: int = 200) -> MiniMover:
@@ -194,7 +194,7 @@ def test_pressing_on_the_table_raises_the_force_step_by_step() -> None:
 def test_pressing_two_tenths_too_low_costs_no_step() -> None:
     arm = pressed(102)
     assert arm.state().slipped == (0,) * 6
-    assert -0.04 < arm.state().pose.z < 0.0, "the fingertip stays on the table"
+    assert abs(arm.state().pose.z) < 0.02, "the fingertip stays on the table"
     assert not losses(arm)
 
 
@@ -225,6 +225,9 @@ def test_riders_weigh_on_the_motors_too() -> None:
     generator = PulseGenerator(arm)
     generator.align()
     generator.close(delay_period(200), 140)
+    generator.wait(0.5)
+    generator.step((0, -60, 0), delay_period(200))
+    generator.wait(0.5)
     assert arm.state().held == "tray"
     assert sum(burden.weight for burden in arm.world.burdens()) == 8.0
 
@@ -249,6 +252,7 @@ def test_without_current_the_arm_gives_way_to_a_hand_and_stays_where_it_is_let_g
     assert rig.pose == before, "with current on it stands"
     rig.type("@RESET\r")
     rig.run_until_waiting()
+    rig.run_for(2)
     lower = rig.pose
     assert lower.z < before.z - 0.5
     rig.let_go()
@@ -266,6 +270,8 @@ def test_no_hand_pulls_like_that(force: float) -> None:
 
 def test_without_current_a_load_beyond_friction_sinks() -> None:
     generator = carrying(60.0, 45, 0, 0)
+    generator.off()
+    generator.wait(2.0)
     assert (
         generator.arm.state().pose.z
         < forward(MINIMOVER5, JointAngles(0.0, math.radians(45), 0.0, 0.0, 0.0)).fingertip[2] - 1.0

@@ -8,22 +8,17 @@ from __future__ import annotations
 
 import math
 import tomllib
+from collections.abc import Sequence
 from pathlib import Path
 
-from trs80arm.arm.bench import Bench, BenchError
-from trs80arm.arm.fixtures import (
-    Feeder,
-    LightBeam,
-    Obstacle,
-    Proximity,
-    Tactile,
-    Tray,
-    Turntable,
-)
+from trs80arm.arm.bench import Bench, BenchError, around, deep, obstacle
+from trs80arm.arm.bench_forms import KEYS, read_shape, read_solids, read_turn
+from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.fixtures import Feeder, LightBeam, Proximity, Tactile, Tray, Turntable
 from trs80arm.arm.geometry import CableDrive, OutOfReach
 from trs80arm.arm.limits import beyond_any_stop
 from trs80arm.arm.model import ArmModel, Pose
-from trs80arm.arm.shapes import Box, Vector, overlap, upright
+from trs80arm.arm.shapes import Vector, upright
 from trs80arm.arm.world import World
 from trs80arm.plain_values import SettingsError, Table
 
@@ -127,10 +122,6 @@ def _vector(values: tuple[float, ...]) -> Vector:
     return values[0], values[1], values[2]
 
 
-def _size(item: Table) -> Vector:
-    return _vector(item.vector("size", 3, 0.1, FAR))
-
-
 def _arm(bench: Bench, model: ArmModel, item: Table | None) -> None:
     """Where the arm stands when it is switched on."""
     if item is None:
@@ -162,14 +153,11 @@ def _bit(bench: Bench, item: Table) -> int:
     return bit
 
 
-def _standing(bench: Bench, item: Table, key: str, box: Box) -> None:
-    """Refuse a box in something else."""
-    for obstacle in bench.obstacles:
-        if overlap(box, obstacle.box):
-            raise item.fail(key, f"a free place; it overlaps {obstacle.name}")
-    for part in bench.parts.values():
-        if overlap(box, part.box):
-            raise item.fail(key, f"a free place; it overlaps {part.name}")
+def _standing(bench: Bench, item: Table, key: str, solids: Sequence[Placed]) -> None:
+    """Refuse what would stand in something else."""
+    name = bench.found_at(solids)
+    if name is not None:
+        raise item.fail(key, f"a free place; it overlaps {name}")
 
 
 def _obstacle(bench: Bench, item: Table) -> None:
@@ -177,10 +165,10 @@ def _obstacle(bench: Bench, item: Table) -> None:
     name = item.text("name", f"obstacle {len(bench.obstacles) - 1}")
     at = item.vector("at", 2, -FAR, FAR)
     bottom = item.number("bottom", 0, FAR, 0.0)
-    turn = math.radians(item.number("turn", -360, 360, 0.0))
-    box = upright(at[0], at[1], bottom, _size(item), turn)
-    item.done("name, at, bottom, turn, size")
-    bench.obstacles.append(Obstacle(name, box))
+    shape = read_shape(item)
+    turn, solids = read_turn(item), read_solids(item, shape)
+    item.done(f"name, at, bottom, turn, tilt, roll, shape, {KEYS[shape]}")
+    bench.obstacles.append(obstacle(name, solids, at[0], at[1], bottom, turn))
 
 
 def _part(bench: Bench, item: Table) -> None:
@@ -190,12 +178,13 @@ def _part(bench: Bench, item: Table) -> None:
         raise item.fail("name", "a name that no other part has")
     x, y = item.vector("at", 2, -FAR, FAR)
     bottom = item.number("bottom", 0, FAR, 0.0)
-    turn = math.radians(item.number("turn", -360, 360, 0.0))
-    size = _size(item)
-    weight = item.number("weight", 0.01, 1600, 2.0)
-    item.done("name, at, bottom, turn, size, weight")
-    _standing(bench, item, "at", upright(x, y, bottom, size, turn))
-    bench.add_part(name, size, weight, x, y, bottom, turn)
+    shape = read_shape(item)
+    turn, solids = read_turn(item), read_solids(item, shape)
+    weight, friction = item.number("weight", 0.01, 1600, 2.0), _friction(item)
+    item.done(f"name, at, bottom, turn, tilt, roll, shape, {KEYS[shape]}, weight, friction")
+    made = bench.make(solids, name, weight, x, y, bottom, turn, friction)
+    _standing(bench, item, "at", made.placed)
+    bench.scene.add(made)
 
 
 def _feeder(bench: Bench, item: Table) -> None:
@@ -203,16 +192,24 @@ def _feeder(bench: Bench, item: Table) -> None:
     name = item.text("name", f"feeder {len(bench.feeders) + 1}")
     x, y = item.vector("at", 2, -FAR, FAR)
     turn = math.radians(item.number("turn", -360, 360, 0.0))
-    size = _size(item)
-    weight = item.number("weight", 0.01, 1600, 2.0)
+    shape = read_shape(item)
+    solids = read_solids(item, shape)
+    weight, friction = item.number("weight", 0.01, 1600, 2.0), _friction(item)
     count = item.integer("count", 1, 1_000_000) if "count" in item.data else None
-    item.done("name, at, turn, size, weight, count")
-    feeder = Feeder(name, x, y, turn, size, weight, count)
-    _standing(bench, item, "at", feeder.place)
+    item.done(f"name, at, turn, shape, {KEYS[shape]}, weight, friction, count")
+    feeder = Feeder(
+        name, x, y, turn, around(solids), weight, count, solids=solids, friction=friction
+    )
+    _standing(bench, item, "at", feeder.placed)
     for other in bench.feeders:
-        if overlap(feeder.place, other.place):
+        if any(deep(mine, theirs) for mine in feeder.placed for theirs in other.placed):
             raise item.fail("at", f"a free place; it overlaps {other.name}")
     bench.feeders.append(feeder)
+
+
+def _friction(item: Table) -> float | None:
+    """The key `friction`; None for that of the table."""
+    return item.number("friction", 0.01, 10) if "friction" in item.data else None
 
 
 def _tray(bench: Bench, item: Table) -> None:

@@ -1,18 +1,13 @@
-"""The arm as something that takes up room: links and fingers as segments, the held part as a box.
+"""The arm as lines, for drawing and for sensors: links, palm, finger roots, inner faces of fingers.
 
-Contact is judged on this skeleton: forearm, palm, finger roots, two fingers, upper arm. The
-inner faces of the fingers are what counts, so a part fits between them when the hand is opened
-wider than the part. `MiniMover` makes one of these for each position that it tries.
+What it takes up of the room, with its thickness, is `linkage`'s.
 """
 
 from __future__ import annotations
 
-from copy import copy
-from dataclasses import dataclass
-
-from trs80arm.arm.geometry import ArmPoints, JointAngles, forward
+from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.model import ArmModel
-from trs80arm.arm.shapes import Box, Vector, cross, dot, minus, plus
+from trs80arm.arm.shapes import Vector
 
 Segment = tuple[Vector, Vector]
 
@@ -51,79 +46,3 @@ class Body:
             (left_root, (tip[0] + x, tip[1] + y, tip[2] + z)),
             (right_root, (tip[0] - x, tip[1] - y, tip[2] - z)),
         )
-
-    def opened(self, opening: float) -> Body:
-        """The same with the fingers (`opening` inches) apart."""
-        body = copy(self)
-        e = self.points.across
-        by = (opening - self.opening) / 2
-        (left_root, left), (right_root, right) = self.segments[4:]
-        left_root, left = plus(left_root, e, by), plus(left, e, by)
-        right_root, right = plus(right_root, e, -by), plus(right, e, -by)
-        body.segments = (
-            *self.segments[:3],
-            (left_root, right_root),
-            (left_root, left),
-            (right_root, right),
-        )
-        body.opening = opening
-        return body
-
-    @property
-    def lowest_tip(self) -> float:
-        """Height of the lower fingertip, inches."""
-        return min(self.segments[4][1][2], self.segments[5][1][2])
-
-
-@dataclass(frozen=True, slots=True)
-class Hold:
-    """How a part sits in the hand.
-
-    Attributes:
-        center: of the part from the fingertip, along the hand's axes (pointing, across, their
-            product), inches.
-        axes: of the part, along the hand's axes.
-        half: half the part's size, inches.
-    """
-
-    center: Vector
-    axes: tuple[Vector, Vector, Vector]
-    half: Vector
-
-    @classmethod
-    def of(cls, box: Box, points: ArmPoints) -> Hold:
-        """How a box sits in a hand that is here."""
-        frame = _frame(points)
-        a, b, c = (_into(axis, frame) for axis in box.axes)
-        return cls(_into(minus(box.center, points.fingertip), frame), (a, b, c), box.half)
-
-    def box(self, points: ArmPoints) -> Box:
-        """The part when the hand is here."""
-        frame = _frame(points)
-        a, b, c = (_out_of(axis, frame) for axis in self.axes)
-        return Box(plus(points.fingertip, _out_of(self.center, frame)), (a, b, c), self.half)
-
-
-Frame = tuple[Vector, Vector, Vector]
-
-
-def _frame(points: ArmPoints) -> Frame:
-    """The hand's axes: pointing, across, and square to both."""
-    return points.pointing, points.across, cross(points.pointing, points.across)
-
-
-def _into(v: Vector, frame: Frame) -> Vector:
-    """A vector in the hand's axes."""
-    return dot(v, frame[0]), dot(v, frame[1]), dot(v, frame[2])
-
-
-def _out_of(v: Vector, frame: Frame) -> Vector:
-    """A vector given in the hand's axes, in the world's."""
-    return plus(
-        plus((0.0, 0.0, 0.0), frame[0], v[0]), plus(_scaled(frame[1], v[1]), frame[2], v[2])
-    )
-
-
-def _scaled(v: Vector, factor: float) -> Vector:
-    """A multiple of a vector."""
-    return v[0] * factor, v[1] * factor, v[2] * factor

@@ -8,16 +8,18 @@ are wider than the ones for contact, so both ways give the same state to the las
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
+from trs80arm.arm.contact.scene import TICK_STATES
 from trs80arm.arm.forces import cosines
 from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import ROWS
 from trs80arm.arm.shapes import Box
-from trs80arm.arm.world import FEED_CLEARANCE
+from trs80arm.arm.world import FEED_CLEARANCE, NEAR
 
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
@@ -55,7 +57,7 @@ def run_free(
     Returns:
         How many writes were done, and whether the stop condition ended the burst there.
     """
-    stretch = _Stretch(arm, times, latches, nibbles)
+    stretch = _Stretch(arm, times, latches, nibbles, ends)
     count = stretch.free()
     ended = False
     if stop is not None and count:
@@ -72,8 +74,16 @@ def run_free(
 class _Stretch:
     """A burst as arrays: turns of the fields, positions of the rotors, write by write."""
 
-    def __init__(self, arm: MiniMover, times: Array, latches: Array, nibbles: Array) -> None:
+    def __init__(
+        self,
+        arm: MiniMover,
+        times: Array,
+        latches: Array,
+        nibbles: Array,
+        ends: npt.NDArray[np.bool_],
+    ) -> None:
         self.arm = arm
+        self.ends = ends
         self.times = times
         self.latches = latches
         self.nibbles = nibbles & 15
@@ -166,10 +176,27 @@ class _Stretch:
         hand = model.hand
         bad = self.squeeze > hand.most_squeeze - 2
         bad |= self.cable > hand.range * model.hand_steps - 2
-        if grip.hold is not None:
-            carried = 32 * self.arm.settings.pad_friction * (self.squeeze / hand.pound_steps)
-            bad |= (carried < grip.weight) | (self.squeeze == 0)
+        if grip.contact:
+            bad |= self._disturbed()
         self._cut(bad)
+
+    def _disturbed(self) -> npt.NDArray[np.bool_]:
+        """Where the load, or what is between the fingers, has to be looked at again."""
+        arm, n = self.arm, len(self.cable)
+        if not arm.world.burdens():
+            return np.ones(n, dtype=np.bool_)
+        low, high = arm.world.held_cables()
+        # A step of the elbow and the hand's that makes up for it are one instant.
+        bad: npt.NDArray[np.bool_] = self.ends[:n] & (
+            (self.cable[:n] < low) | (self.cable[:n] > high)
+        )
+        left, right = (arm.drive.driven(self.rotors[:n].T)[motor] for motor in (3, 4))
+        *_, left_now, right_now = arm.drive.driven(arm.rotors)
+        pitch = (left_now + right_now) / 2
+        turned = np.abs((left + right) / 2 - pitch)
+        rolled = np.abs((left - right) - (left_now - right_now)) / 2
+        bad |= turned + abs(math.cos(pitch)) * rolled > arm.world.tilt()
+        return bad
 
     def _joints(self) -> None:
         """Stops, and everything on the bench."""
@@ -194,7 +221,7 @@ class _Stretch:
 
     def _bench(self, base: Floats, shoulder: Floats, elbow: Floats, pitch: Floats) -> None:
         """Spheres around links, hand and carried part, against table, boxes and feeders."""
-        arm, model = self.arm, self.arm.model
+        arm, model, world = self.arm, self.arm.model, self.arm.world
         height, link, length = model.shoulder_height, model.link, model.hand_length
         c1, s1 = np.cos(base), np.sin(base)
         r2, z2 = link * np.cos(shoulder), height + link * np.sin(shoulder)
@@ -202,37 +229,48 @@ class _Stretch:
         r4, z4 = r3 + length * np.cos(pitch), z3 + length * np.sin(pitch)
         n = len(base)
         opening = np.maximum(self.cable[:n], arm.grip.contact) / model.hand_steps
-        widest = float(opening.max()) / 2
-        # With the hand pointing down both fingertips are level with the point between them.
-        tilt = np.abs(np.cos(pitch)) * widest
-        hold = arm.grip.hold
-        around = 0.0
-        if hold is not None:
-            out = float(np.linalg.norm(hold.center))
-            around = out + float(np.linalg.norm(hold.half))
-        lowest = np.minimum(z3, z4 - np.maximum(tilt, around))
-        bad = lowest < MARGIN
-        world = arm.world
+        clear = self._clear()
+        ahead, aside = world.extent(float(opening.max()))
+        thick = max(solid.half[2] for solid in model.solids[:2])
+        # Pointing down the hand is as low at its sides as in its middle.
+        lowest = z4 - (ahead - length) - np.abs(np.cos(pitch)) * aside
+        bad = np.minimum(lowest, z3 - max(thick, aside)) < clear
         for feeder in world.vacant:
-            far = FEED_CLEARANCE + feeder.place.radius - MARGIN
+            far = FEED_CLEARANCE + feeder.place.radius - clear
             bad |= (r4 * c1 - feeder.x) ** 2 + (r4 * s1 - feeder.y) ** 2 > far * far
-        if float(lowest.min()) <= world.ceiling + MARGIN:
-            half = length / 2
-            hand = max(float(np.hypot(half, widest)), half + around) + MARGIN
-            links = float(min(z3.min(), z2.min())) - MARGIN
-            quarters = [
-                ((a * p + b * q), (a * h + b * k))
-                for p, h, q, k in ((r2, z2, r3, z3), (0 * r2, 0 * z2 + height, r2, z2))
-                for a, b in ((0.75, 0.25), (0.25, 0.75))
-            ]
-            for box in world.boxes():
-                if box.top > float(lowest.min()) - MARGIN:
-                    r, z = (r3 + r4) / 2, (z3 + z4) / 2
-                    bad |= _near(box, (r * c1, r * s1, z), hand)
-                if box.top > links:
-                    for r, z in quarters:
-                        bad |= _near(box, (r * c1, r * s1, z), link / 4 + MARGIN)
+        hand = math.hypot(length / 2 + ahead - length, aside) + clear
+        r, z = (r3 + r4) / 2, (z3 + z4) / 2
+        bottom = float((z - hand).min())
+        reach = max(
+            math.hypot(solid.half[0] - link / 4, solid.half[1], solid.half[2])
+            for solid in model.solids[:2]
+        )
+        links = [
+            (a * p + b * q, a * h + b * k)
+            for p, h, q, k in ((r2, z2, r3, z3), (0 * r2, 0 * z2 + height, r2, z2))
+            for a, b in ((0.75, 0.25), (0.25, 0.75))
+        ]
+        for box, own in world.boxes():
+            if box.top > bottom:
+                bad |= _near(box, (r * c1, r * s1, z), hand)
+            if own:
+                continue
+            for ahead_of, over in links:
+                if box.top > float(over.min()) - reach - clear:
+                    bad |= _near(box, (ahead_of * c1, ahead_of * s1, over), reach + clear)
         self._cut(bad)
+
+    def _clear(self) -> float:
+        """Inches that must be between the arm and anything: more than it goes in a tick."""
+        spare = NEAR + MARGIN
+        for lever, mine in zip(self.arm.world.levers(), self.writes, strict=True):
+            if len(mine) > 1:
+                when = self.times[mine]
+                least = max(1, int((when[1:] - when[:-1]).min()))
+                spare += lever * 3 * (TICK_STATES // least + 1)
+            elif len(mine):
+                spare += lever * 3
+        return spare
 
     def commit(self, count: int) -> None:
         """Leave the arm as the first `count` writes leave it."""
@@ -253,7 +291,10 @@ class _Stretch:
             motor.rotor += turned
             motor.row = int(self.rows[last])
             motor.coils = int(self.nibbles[last])
-        arm.arrive(self.rotors[count - 1].tolist(), int(self.times[count - 1]))
+        time = int(self.times[count - 1])
+        before = int(np.searchsorted(self.times[:count], time // TICK_STATES * TICK_STATES))
+        ticked = self.rotors[before - 1].tolist() if before else list(arm.rotors)
+        arm.arrive(self.rotors[count - 1].tolist(), ticked, time)
 
 
 def _near(box: Box, place: Places, reach: float) -> npt.NDArray[np.bool_]:

@@ -257,7 +257,7 @@ def _ranges() -> list[Row]:
     row("base", 90, _stop(up, (1,)).base)
     row("base", -90, _stop(up, (-1,)).base)
     row("shoulder", 144, _stop(up, (0, -1)).shoulder)
-    row("shoulder", -35, _stop((0, -20, -35.2, 20, 0), (0, 1)).shoulder)
+    row("shoulder", -35, _stop((0, -20, -35.2, 50, 0), (0, 1)).shoulder)
     bent = _stop(up, (0, 0, -1))
     row("elbow", -149, bent.elbow - bent.shoulder)
     straight = _stop(up, (0, 0, 1))

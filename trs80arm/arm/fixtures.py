@@ -6,28 +6,65 @@ from a file. Inches, ounces; turns in radians counter-clockwise from above.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
-from trs80arm.arm.shapes import Box, Vector, interval, overlap, plus, upright
+from trs80arm.arm.contact.bodies import Body
+from trs80arm.arm.contact.distance import distance, distance_to
+from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.rotations import IDENTITY, about, apply, matrix
+from trs80arm.arm.contact.solids import Solid, box
+from trs80arm.arm.shapes import Box, Vector, interval, plus, upright
+
+ON_THE_TABLE = 0.02
+"""Height of its lowest corner up to which something stands on the table, inches."""
+TOUCHED = 0.005
+"""A pad feels what is within this of it, inches."""
 
 
-@dataclass
-class Part:
-    """A box that can be picked up.
+@dataclass(slots=True)
+class Part(Body):
+    """A body that can be picked up.
 
     Attributes:
-        name: unique on its bench.
-        size: along its own x, y, z when it was made, inches.
-        weight: ounces.
-        box: where it is now; its size there is as it lies now.
-        held: whether the hand carries it.
+        held: whether the fingers have it in their grip.
+        began: its place and its own vertical where it last was at rest, or was let go; None while
+            it has never been.
     """
 
-    name: str
-    size: Vector
-    weight: float
-    box: Box
     held: bool = False
+    began: tuple[Vector, Vector] | None = None
+
+    @property
+    def weight(self) -> float:
+        """Ounces."""
+        return self.shape.mass
+
+    @property
+    def box(self) -> Box:
+        """The box around it, turned as it is."""
+        low, high = self.shape.low, self.shape.high
+        m = matrix(self.turn)
+        middle = apply(m, ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2))
+        half = ((high[0] - low[0]) / 2, (high[1] - low[1]) / 2, (high[2] - low[2]) / 2)
+        axes = ((m[0], m[3], m[6]), (m[1], m[4], m[7]), (m[2], m[5], m[8]))
+        return Box(plus(self.place, middle), axes, half)
+
+    @property
+    def upwards(self) -> Vector:
+        """Its own vertical in the world's frame."""
+        m = matrix(self.turn)
+        return m[2], m[5], m[8]
+
+    @property
+    def bottom(self) -> float:
+        """Height of its lowest corner, inches."""
+        return min(solid.low[2] for solid in self.placed)
+
+    @property
+    def top(self) -> float:
+        """Height of its highest corner, inches."""
+        return max(solid.high[2] for solid in self.placed)
 
 
 @dataclass
@@ -43,6 +80,8 @@ class Feeder:
         weight: of the parts, ounces.
         count: how many parts it has in all; None for an unending supply.
         given: how many it has given so far.
+        solids: that make up each part, around its middle; a box of that size unless given.
+        friction: coefficient of their surface; the table's unless given.
     """
 
     name: str
@@ -53,11 +92,21 @@ class Feeder:
     weight: float
     count: int | None = None
     given: int = 0
+    solids: tuple[Solid, ...] = ()
+    friction: float | None = None
 
     @property
     def place(self) -> Box:
         """Where the next part will stand."""
         return upright(self.x, self.y, 0.0, self.size, self.turn)
+
+    @property
+    def placed(self) -> list[Placed]:
+        """The next part's solids where it will stand."""
+        solids = self.solids or (box(self.size),)
+        turn = about((0.0, 0.0, 1.0), math.degrees(self.turn))
+        low = min(z for solid in solids for _, _, z in solid.vertices)
+        return [Placed(solid, (self.x, self.y, -low), matrix(turn)) for solid in solids]
 
     @property
     def empty(self) -> bool:
@@ -85,26 +134,26 @@ class Tray:
     depth: float
     taken: int = 0
 
-    def under(self, box: Box) -> bool:
+    def under(self, part: Part) -> bool:
         """Whether a part stands in it: its middle, on or near the table."""
-        return (
-            abs(box.center[0] - self.x) <= self.width / 2
-            and abs(box.center[1] - self.y) <= self.depth / 2
-            and box.bottom < 0.01
-        )
+        x, y, _ = part.place
+        inside = abs(x - self.x) <= self.width / 2 and abs(y - self.y) <= self.depth / 2
+        return inside and part.bottom < ON_THE_TABLE
 
 
 @dataclass(frozen=True)
 class Obstacle:
-    """A box that nothing moves.
+    """Something that nothing moves.
 
     Attributes:
         name: of the obstacle.
-        box: where it stands.
+        box: where it stands: the box itself, or the one around it.
+        solids: of which it is made, where they stand, if it is no box.
     """
 
     name: str
     box: Box
+    solids: tuple[Solid, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -121,16 +170,13 @@ class Proximity:
     place: Vector
     range: float
 
-    def answers(self, boxes: list[Box], segments: list[tuple[Vector, Vector]]) -> bool:
-        """Whether any box or segment is within range."""
-        limit = self.range**2
-        return any(_to_box(self.place, box) <= limit for box in boxes) or any(
-            _to_segment(self.place, a, b) <= limit for a, b in segments
-        )
-
-
-PRESSED: Vector = (0.0, 0.0, -0.001)
-"""How far what stands on a pad presses it in, inches."""
+    def answers(self, solids: list[Placed], segments: list[tuple[Vector, Vector]]) -> bool:
+        """Whether anything of a part, or a segment, is within range."""
+        return any(
+            _outside(self.place, solid) <= self.range
+            and distance_to(solid, self.place) <= self.range
+            for solid in solids
+        ) or any(_to_segment(self.place, a, b) <= self.range**2 for a, b in segments)
 
 
 @dataclass(frozen=True)
@@ -145,11 +191,13 @@ class Tactile:
     bit: int
     pad: Box
 
-    def answers(self, boxes: list[Box], segments: list[tuple[Vector, Vector]]) -> bool:
-        """Whether a box stands on the pad or the arm touches it."""
-        if any(overlap(box.moved(PRESSED), self.pad, 0.0) for box in boxes):
-            return True
-        return any(interval(self.pad, a, b) is not None for a, b in segments)
+    def answers(self, solids: list[Placed], segments: list[tuple[Vector, Vector]]) -> bool:
+        """Whether a part stands on the pad or the arm touches it."""
+        size = (2 * self.pad.half[0], 2 * self.pad.half[1], 2 * self.pad.half[2])
+        pad = Placed(box(size), self.pad.center, IDENTITY)
+        return any(
+            solid.near(pad, TOUCHED) and distance(solid, pad) <= TOUCHED for solid in solids
+        ) or any(interval(self.pad, a, b) is not None for a, b in segments)
 
 
 @dataclass(frozen=True)
@@ -166,11 +214,11 @@ class LightBeam:
     start: Vector
     end: Vector
 
-    def answers(self, boxes: list[Box], segments: list[tuple[Vector, Vector]]) -> bool:
-        """Whether a box, or a link or finger half an inch thick, is in the beam."""
-        if any(interval(box, self.start, self.end) is not None for box in boxes):
-            return True
-        return any(_apart(self.start, self.end, a, b) < 0.25**2 for a, b in segments)
+    def answers(self, solids: list[Placed], segments: list[tuple[Vector, Vector]]) -> bool:
+        """Whether a part, or a link or finger half an inch thick, is in the beam."""
+        return any(distance_to(solid, self.start, self.end) == 0 for solid in solids) or any(
+            _apart(self.start, self.end, a, b) < 0.25**2 for a, b in segments
+        )
 
 
 Sensor = Proximity | Tactile | LightBeam
@@ -194,20 +242,21 @@ class Turntable:
     steps: int
     rotor: int = field(default=0)
 
-    def under(self, box: Box) -> bool:
-        """Whether the plate carries this box, alone or in a stack."""
-        return (box.center[0] - self.x) ** 2 + (box.center[1] - self.y) ** 2 <= self.radius**2
+    def under(self, part: Part) -> bool:
+        """Whether anything of a part may be above the plate."""
+        x, y, _ = part.place
+        reach = self.radius + part.shape.radius
+        return (x - self.x) ** 2 + (y - self.y) ** 2 <= reach**2
 
 
-def _to_box(point: Vector, box: Box) -> float:
-    """Squared distance from a point to a box."""
-    d = tuple(p - c for p, c in zip(point, box.center, strict=True))
+def _outside(point: Vector, solid: Placed) -> float:
+    """Inches from a point to the upright box around a solid."""
     total = 0.0
-    for axis, half in zip(box.axes, box.half, strict=True):
-        out = abs(sum(a * b for a, b in zip(d, axis, strict=True))) - half
+    for p, low, high in zip(point, solid.low, solid.high, strict=True):
+        out = max(low - p, p - high)
         if out > 0:
             total += out * out
-    return total
+    return math.sqrt(total)
 
 
 def _to_segment(point: Vector, a: Vector, b: Vector) -> float:

@@ -41,6 +41,9 @@ SHORT = 48
 STRONGEST = 1000.0
 """Ounces that an operator pulls by at most."""
 
+GIVEN_WAY = 4
+"""Half-steps by which a motor without current is turned in a tick, at most."""
+
 LULL = T_STATES_PER_SECOND // 2
 """T-states after which what happens again is another event."""
 MANY = 256
@@ -173,6 +176,14 @@ class MiniMover:
         Returns:
             How many of the writes were done.
         """
+        done = self._apply(times, latches, nibbles, stop)
+        self._world.show_load()
+        return done
+
+    def _apply(
+        self, times: Ints, latches: Ints, nibbles: Ints, stop: tuple[int, int] | None
+    ) -> int:
+        """`apply`, without having the load be shown where it is."""
         count = len(times)
         if count < SHORT or (stop is not None and stop[0] & 0b1110 and self.bench.sensors):
             return self._apply_singly(times, latches, nibbles, stop, 0, count)[0]
@@ -180,6 +191,7 @@ class MiniMover:
         where = np.asarray(latches, dtype=np.int64)
         what = np.asarray(nibbles, dtype=np.int64)
         done = 0
+        self.advance(int(when[0]))
         if self._free and stride(self, when, where, what, stop):
             return count
         ahead = self._hand_ahead(where)
@@ -194,6 +206,7 @@ class MiniMover:
                 end = min(count, done + LONGEST)
                 window = slice(done, end)
                 piece = when[window], where[window], what[window]
+                self.advance(int(when[done]))
                 if done and stride(self, *piece, stop):
                     done = end
                     continue
@@ -217,7 +230,9 @@ class MiniMover:
     @property
     def _free(self) -> bool:
         """Whether every motor is in step and no more than its own weight and load bears on it."""
-        return not self._bears and all(motor.settled for motor in self.motors)
+        return (
+            self._world.at_rest and not self._bears and all(motor.settled for motor in self.motors)
+        )
 
     def _apply_singly(
         self,
@@ -243,19 +258,40 @@ class MiniMover:
                 return i + 1, True
         return end, False
 
-    def arrive(self, rotors: list[int], time: int) -> None:
-        """Be where free motion has led to."""
+    def advance(self, time: int) -> None:
+        """Let time pass, up to a T-state: what falls goes on falling, what presses presses."""
+        world = self._world
+        while world.due <= time:
+            if world.idle:
+                world.skip(time)
+                break
+            self._time = max(self._time, world.due)
+            world.tick()
+            if self._bears:
+                self._give_way()
+            if self.bench.news:
+                self._tell_news()
+        world.show_load()
+
+    def arrive(self, rotors: list[int], ticked: list[int], time: int) -> None:
+        """Be where free motion has led to.
+
+        Args:
+            rotors: positions of all.
+            ticked: those that they had on the last tick of the world's.
+            time: T-state of the last write.
+        """
         self._rotors[:] = rotors
         self._stops_off = 0
         self._time = max(self._time, time)
-        self._world.arrive(rotors)
+        self._world.arrive(rotors, ticked, time)
 
     def inputs(self, time: int) -> int:
         """The input nibble: bit 0 is the grip switch, bits 1 to 3 the bench's sensors.
 
-        All idle at 1 and answer with 0. The arm does not move between writes, so the time does
-        not matter to it.
+        All idle at 1 and answer with 0.
         """
+        self.advance(time)
         return (0 if self._world.grip.switch_closed else 1) | self._world.sensed()
 
     def _write(self, time: int, latch: int, nibble: int) -> None:
@@ -265,6 +301,8 @@ class MiniMover:
         nibble &= 15
         motor = self.motors[latch]
         row = ROWS[nibble]
+        if self._world.due <= time:
+            self.advance(time)
         self._time = max(self._time, time)
         if nibble == motor.coils and row == motor.row:
             return
@@ -280,8 +318,10 @@ class MiniMover:
         curve = self.strength.curves[self._motor_kinds[latch]]
         period = curve.period(against, self.settings.speed_margin)
         if not motor.keep_pace(time, turn, period, self.settings.pull_out_lag):
-            motor.trouble = Reason.LOAD if outside > 0.0 else Reason.RATE
-        self._world.room = curve.stall - against
+            if outside > 0.0 and self._world.blocked:
+                self._held_up(latch, Reason.CONTACT)
+            else:
+                motor.trouble = Reason.LOAD if outside > 0.0 else Reason.RATE
         self._follow(latch)
         if self._held_back:
             self._follow_others(latch)
@@ -341,26 +381,25 @@ class MiniMover:
             return True
         if world.grip.squeeze > model.hand.most_squeeze:
             return True
-        return bool(world.grip.weight) and (
-            sum(burden.weight for burden in world.burdens()) > model.full_load
-        )
+        return sum(burden.weight for burden in world.burdens()) > model.full_load
 
     def _give_way(self) -> None:
         """Motors that stand and bear more than they hold are turned by it.
 
-        With its current on a rotor falls by whole rings, without it by half-steps.
+        With its current on a rotor falls by a ring at a time, without it by a few half-steps;
+        what is met on the way is known on the next tick.
         """
         for latch, drive in enumerate(self.model.drives):
             motor, curve = self.motors[latch], self.strength.curves[drive.turns]
-            while True:
+            for _ in range(1 if motor.row >= 0 else GIVEN_WAY):
                 pull = self._pushed(drive.turns)
-                weight = self._weight(drive.turns, self._world.burdens(), self._rotors)
                 if drive.turns is not Motor.BASE:
-                    pull -= weight
+                    pull -= self._weight(drive.turns, self._world.burdens(), self._rotors)
                 if abs(pull) <= (curve.holds if motor.row >= 0 else curve.friction):
                     break
-                step = drive.sign if pull > 0 else -drive.sign
-                if not self._turned(latch, step):
+                if not self._turned(latch, drive.sign if pull > 0 else -drive.sign):
+                    break
+                if self._world.strained:
                     break
 
     def _turned(self, latch: int, step: int) -> bool:
@@ -418,7 +457,8 @@ class MiniMover:
             What blocks it, or None if it has moved.
         """
         if latch == AUXILIARY:
-            return None if self._world.turn_table(step) else Reason.CONTACT
+            self._world.turn_table(step)
+            return None
         world, rotors = self._world, self._rotors
         rotors[latch] += step
         if self._stops_off > 0:
@@ -436,7 +476,7 @@ class MiniMover:
             return None
         rotors[latch] -= step
         world.moved(rotors, latch)
-        return Reason.LOAD if turns is Motor.HAND or not world.met else Reason.CONTACT
+        return Reason.CONTACT if world.blocked and turns is not Motor.HAND else Reason.LOAD
 
     def _held_up(self, latch: int, reason: Reason) -> None:
         """Something holds a rotor back; what it is is news the first time."""
@@ -555,6 +595,7 @@ class MiniMover:
 
     def state(self) -> ArmState:
         """A snapshot for display."""
+        self._world.show()
         angles = self._world.angles
         grip = self._world.grip
         six = self.motors[:6]
@@ -568,7 +609,7 @@ class MiniMover:
             pose_of(self.model, angles, self._world.body.opening),
             grip.force,
             grip.switch_closed,
-            grip.held,
+            grip.part,
         )
 
     @property

@@ -18,8 +18,6 @@ _RANGES: dict[str, tuple[float, float]] = {
     "pull_out_lag": (1, 4),
     "pad_friction": (0, 10),
     "table_friction": (0.01, 10),
-    "grip_slide": (0, 1),
-    "touch": (0, 0.25),
     "base_front": (0, 4),
     "base_rear": (0, 10),
     "base_width": (1, 10),
@@ -27,7 +25,6 @@ _RANGES: dict[str, tuple[float, float]] = {
     "body_radius": (0, 3),
     "body_top": (0, 7),
     "finger_length": (0.1, 3.5),
-    "pad_length": (0.1, 3.5),
     "events_kept": (1, 1_000_000),
 }
 """From where to where each setting is that of an arm of this sort."""
@@ -49,10 +46,6 @@ class ArmSettings:
             of Table 1.
         table_friction: coefficient between a part and what it stands on. A part pushed higher
             up than its depth over this number (halved) falls over.
-        grip_slide: how far a held part may be pushed up or down between the fingers, in one
-            grip, before it blocks the arm.
-        touch: how far the fingertips may be pressed into something before cables and links
-            give no more and the arm is blocked.
         base_front, base_rear: edges of the base plate ahead of and behind the base axis
             (facts 6: 1 5/8 and 6.9 in.).
         base_width: full width of the base plate.
@@ -61,7 +54,6 @@ class ArmSettings:
         body_radius: half width of the body that carries the motors.
         body_top: height of the body; the shoulder axis lies above it.
         finger_length: fingertip to finger root along the hand (facts 7: a 1.700 in link).
-        pad_length: the part of a finger, from its tip, that can grip.
         events_kept: number of events that the arm remembers.
 
     Raises:
@@ -73,8 +65,6 @@ class ArmSettings:
     pull_out_lag: int = 4
     pad_friction: float = 0.75
     table_friction: float = 0.5
-    grip_slide: float = 0.15
-    touch: float = 0.03
     base_front: float = 1.625
     base_rear: float = 6.9
     base_width: float = 6.0
@@ -82,7 +72,6 @@ class ArmSettings:
     body_radius: float = 1.5
     body_top: float = 6.5
     finger_length: float = 1.7
-    pad_length: float = 0.6
     events_kept: int = 2000
 
     def __post_init__(self) -> None:

@@ -108,6 +108,11 @@ class PulseGenerator:
             done += self.step([0, 0, 0, 0, 0, -squeeze], delay_period(100))
         return done
 
+    def wait(self, seconds: float) -> None:
+        """Let time pass in which nothing is stepped: what falls comes to rest."""
+        self.time += round(seconds * T_STATES_PER_SECOND)
+        self.arm.advance(self.time)
+
     def align(self) -> None:
         """Begin at the rows of Figure 8 at which the rotors stand, so that none is jerked."""
         for motor, rotor in enumerate(self.arm.rotors):

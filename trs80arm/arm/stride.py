@@ -8,12 +8,14 @@ drives' levers make of half-steps. Where a bound is not enough `burst` looks mor
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
+from trs80arm.arm.contact.scene import TICK_STATES
 from trs80arm.arm.forces import nearest_and_farthest
 from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import ROWS
@@ -77,14 +79,17 @@ def stride(
     for train in trains:
         low[train.latch], high[train.latch] = train.low, train.high
     pays = ((Motor.HAND, 1), (Motor.ELBOW, arm.model.elbow_pays_out))
-    gears = ((one, arm.model.drives[arm.model.latch(one)].sign) for one in _GEARS)
-    paid = _together(arm, trains, dict(pays), len(times))
-    pitched = _together(arm, trains, dict(gears), len(times))
+    gears = [(one, arm.model.drives[arm.model.latch(one)].sign) for one in _GEARS]
+    against = [(one, sign * side) for (one, sign), side in zip(gears, (1, -1), strict=True)]
+    paid = _together(arm, trains, dict(pays), times)
+    pitched = _together(arm, trains, dict(gears), times)
+    rolled = _together(arm, trains, dict(against), times)
     if not (
         _hand_stays(arm, paid, stop)
+        and _load_stays(arm, trains, dict(pays), times, pitched, rolled)
         and _within_stops(arm, low, high, pitched)
         and _in_time(arm, trains, times, low, high, paid[0])
-        and _clear(arm, low, high, pitched, closes=paid[0] < 0)
+        and _clear(arm, trains, times, low, high, pitched)
     ):
         return False
     _arrive(arm, trains, times, nibbles)
@@ -137,18 +142,41 @@ def _hand_stays(arm: MiniMover, paid: tuple[int, int], stop: tuple[int, int] | N
     squeezes = max(0, grip.contact - now - most), max(0, grip.contact - now - least)
     if squeezes[1] > hand.most_squeeze - 2 or now + most > hand.range * model.hand_steps - 2:
         return False
-    if stop is not None and (squeezes[1] >= hand.switch_steps or 0b1111 & stop[0] == stop[1]):
-        return False
-    if grip.part is None and grip.fixed is None:
+    return stop is None or not (squeezes[1] >= hand.switch_steps or 0b1111 & stop[0] == stop[1])
+
+
+def _load_stays(
+    arm: MiniMover,
+    trains: list[_Train],
+    pays: dict[Motor, int],
+    times: Array,
+    pitched: tuple[int, int],
+    rolled: tuple[int, int],
+) -> bool:
+    """Whether what rests in the hand goes on doing so: neither squeezed nor tilted otherwise."""
+    world = arm.world
+    if not arm.grip.contact:
         return True
-    if grip.hold is None:
-        return least == most == 0
-    carried = 32 * arm.settings.pad_friction * (squeezes[0] / hand.pound_steps)
-    return squeezes[0] > 0 and bool(carried >= grip.weight)
+    # A step of the elbow and the hand's that makes up for it are one instant.
+    least, most = _together(arm, trains, pays, times, instants=True)
+    now = arm.drive.cable(arm.rotors)
+    low, high = world.held_cables()
+    if not (world.burdens() and low <= now + least and now + most <= high):
+        return False
+    per_radian = 2 * arm.model.drives[arm.model.latch(Motor.LEFT_WRIST)].steps
+    *_, left, right = arm.drive.driven(arm.rotors)
+    level = abs(math.cos((left + right) / 2))
+    turned = max(-pitched[0], pitched[1]) + level * max(-rolled[0], rolled[1])
+    return turned / per_radian < world.tilt()
 
 
 def _together(
-    arm: MiniMover, trains: list[_Train], signs: dict[Motor, int], count: int
+    arm: MiniMover,
+    trains: list[_Train],
+    signs: dict[Motor, int],
+    times: Array,
+    *,
+    instants: bool = False,
 ) -> tuple[int, int]:
     """How far a sum of two motors' positions goes below and above where it is.
 
@@ -156,7 +184,8 @@ def _together(
         arm: the arm.
         trains: the writes motor by motor.
         signs: how the motors count in the sum.
-        count: writes in the burst.
+        times: of the burst's writes.
+        instants: whether only what holds when all writes of one time are done counts.
     """
     moving = [(train, signs[kind]) for train, kind in _kinds(arm, trains) if kind in signs]
     if not moving:
@@ -166,10 +195,12 @@ def _together(
         here = arm.rotors[train.latch]
         ends = sign * (train.low - here), sign * (train.high - here)
         return min(ends), max(ends)
-    steps = np.zeros(count, dtype=np.int64)
+    steps = np.zeros(len(times), dtype=np.int64)
     for train, sign in moving:
         steps[train.places] = sign * train.turns
     path = np.cumsum(steps)
+    if instants:
+        path = path[np.append(times[1:] != times[:-1], True)]
     return min(0, int(path.min())), max(0, int(path.max()))
 
 
@@ -247,28 +278,38 @@ def _in_time(
 
 def _clear(
     arm: MiniMover,
+    trains: list[_Train],
+    times: Array,
     low: Sequence[int],
     high: Sequence[int],
     pitched: tuple[int, int],
-    *,
-    closes: bool,
 ) -> bool:
-    """Whether nothing can come near anything, however the motors get to where they get."""
-    travel = [
-        lever * max(most - here, here - least)
-        for lever, here, least, most in zip(arm.world.levers(), arm.rotors, low, high, strict=True)
-    ]
+    """Whether nothing can come near anything, however the motors get to where they get.
+
+    What the arm goes in a tick is spare: within that of something the world looks for itself.
+    """
     lever = arm.world.levers()
+    travel = [
+        by * max(most - here, here - least)
+        for by, here, least, most in zip(lever, arm.rotors, low, high, strict=True)
+    ]
     way = sum(travel)
     turn = travel[arm.model.latch(Motor.BASE)]
     rolling = sum(travel[arm.model.latch(gear)] for gear in _GEARS)
     # Seen as rings around the base everything is far from the hand however it is rolled.
     pitching = lever[arm.model.latch(Motor.LEFT_WRIST)] * max(-pitched[0], pitched[1])
-    # Fingers that close take hold of what they touch; otherwise a touch may give.
-    spare = arm.settings.touch if closes else 0.0
-    return way - turn - rolling + pitching < arm.world.clearance(turning=True) or (
-        way + spare < arm.world.clearance(turning=False)
+    spare = sum(lever[train.latch] * _in_a_tick(train, times) for train in trains)
+    return way + spare < arm.world.clearance(turning=False) or (
+        way - turn - rolling + pitching + spare < arm.world.clearance(turning=True)
     )
+
+
+def _in_a_tick(train: _Train, times: Array) -> int:
+    """Half-steps that a motor makes in a tick of the world's, at most."""
+    when = times[train.places]
+    if len(when) < 2:
+        return 1
+    return TICK_STATES // max(1, int((when[1:] - when[:-1]).min())) + 1
 
 
 def _arrive(arm: MiniMover, trains: list[_Train], times: Array, nibbles: Array) -> None:
@@ -283,6 +324,11 @@ def _arrive(arm: MiniMover, trains: list[_Train], times: Array, nibbles: Array) 
             first = int(train.turns[0])
             rotors[train.latch] += steps * first if one_way else int(train.turns[:steps].sum())
     rotors = list(arm.rotors)
+    tick = int(times[-1]) // TICK_STATES * TICK_STATES
+    ticked = list(rotors)
+    for train in trains:
+        done = int(np.searchsorted(times[train.places], tick))
+        ticked[train.latch] += int(train.turns[:done].sum())
     for train, end, before in zip(trains, ends, stood, strict=True):
         motor = arm.motors[train.latch]
         turned = train.end - motor.rotor
@@ -295,4 +341,4 @@ def _arrive(arm: MiniMover, trains: list[_Train], times: Array, nibbles: Array) 
         motor.row = ROWS[nibble]
         motor.coils = nibble
         rotors[train.latch] = train.end
-    arm.arrive(rotors, int(times[-1]))
+    arm.arrive(rotors, ticked, int(times[-1]))

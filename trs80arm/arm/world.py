@@ -1,64 +1,73 @@
-"""Where arm and bench meet: what blocks a step, what it pushes, what the hand takes hold of.
+"""Where arm and bench meet: the arm among the parts, the hand's grip, sensors, feeders.
 
-`MiniMover` asks this whether a rotor can turn by one half-step; the answer may be that
-something is in the way, and it may cost a part its place. Positions come as rotor counts.
+The arm says here where its rotors are. Contact is looked at on the ticks of the clock only, so that
+it does not matter in what pieces time passes; and while nothing moves of itself and the arm is
+farther from everything than it can go in a tick, not even then. A rotor always turns; what is
+in the way stretches the cables, and comes back to the motors as torque.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
-from trs80arm.arm.bench import Bench
-from trs80arm.arm.body import Body, Hold
+from trs80arm.arm.bench import Bench, deep
+from trs80arm.arm.body import Body
+from trs80arm.arm.contact.distance import boxes_apart, distance
+from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.rotations import apply, apply_back
+from trs80arm.arm.contact.scene import EASE, T_STATES_PER_SECOND, TABLE, TICK_STATES
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.fixtures import Feeder, Part
-from trs80arm.arm.forces import Burden, torques
+from trs80arm.arm.forces import Burden
 from trs80arm.arm.geometry import CableDrive, JointAngles
 from trs80arm.arm.grip import Grip
+from trs80arm.arm.linkage import FINGERS, ArmLinkage, said
 from trs80arm.arm.model import Link, Motor
 from trs80arm.arm.settings import ArmSettings
-from trs80arm.arm.shapes import SKIN, Box, Vector, depth, interval, minus, overlap, plus
+from trs80arm.arm.shapes import Box, Vector, dot, minus, plus
 from trs80arm.arm.trigonometry import sin_cos
 
 Six = tuple[float, float, float, float, float, float]
-HAND = 5
+NONE: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 FAR = 100.0
 """More inches than there are."""
-NEAR = 0.02
-"""What is nearer than this counts as touching, inches."""
-LOOK_EVERY = 8
-"""Half-steps near something after which it is seen whether the arm has come away from it."""
-PUSHED_FOR = 4
-"""Half-steps for which a part goes on to resist after it was met."""
-FINGER_TURNS = 8
-"""Pushes of one displacement each after which a part that still is not clear blocks the arm."""
-_LINKS = (Link.UPPER_ARM, Link.FOREARM, Link.HAND, Link.HAND, Link.HAND, Link.HAND)
-"""What each segment of `Body` is part of."""
-_HELD = 2
-"""The segment that a held part goes with."""
-NONE = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-GRAZE = 0.005
-"""A carried part may graze others by this much, inches."""
+NEAR = 0.005
+"""Inches beyond what the arm goes in a tick within which contact is looked at."""
 FEED_CLEARANCE = 2.5
 """A feeder gives its next part when the fingertip is this far from its middle, inches."""
+GIVEN = 30
+"""Ticks after which an arm that presses and stands has given all that it gives."""
+PUSHED_FAR = 0.02
+"""Inches that a part must have been moved for it to be told."""
+FELL = 0.25
+"""Inches that it must have come down to have fallen."""
+TOPPLED = 0.7
+"""Cosine of the turn of a part's own vertical beyond which it has fallen over."""
+FACING = 0.7
+"""Cosine to the way in which the hand closes from which what presses on a finger is closed on."""
+HAIR, BREATH = 0.75, 2.5
+"""Half-steps of cable by which a part, or what gives a little, may measure otherwise."""
+TURNED_FAST = 0.01
+"""Half-steps by which the turntable may be behind its motor and stand."""
+BY_HAND = 12
+"""Half-steps by which an operator turns the hand's motor in a tick."""
+LET_GO = 400
+"""Ticks in which all comes to rest after the operator's hands, at most."""
+SUNK = 0.03
+"""Inches to which an arm can be put by hand into what gives."""
 
 
 class World:
     """Body of the arm, hold of the hand, and the bench.
 
     Attributes:
-        joints: where the joints are, in the half-steps of their motors; behind the rotors where
-            something is in the way and the cables give.
-        torques: what contacts do to the motors, by `Motor`, ounce-inches (ounces on the opening);
-            positive where they push the angle up or the hand open.
-        room: torque that the motor which is about to move still has for pushing.
         grip: the hand's hold.
-        met: name of what blocked the arm last, or None.
-        ceiling: height of the highest thing that the hand does not carry, inches.
+        met: name of what presses most on the arm, or None.
         vacant: feeders at whose place nothing stands.
-        pushes: how often something has been pushed aside.
     """
 
     def __init__(self, bench: Bench, settings: ArmSettings, drive: CableDrive) -> None:
@@ -67,140 +76,407 @@ class World:
         self.drive = drive
         self.model = drive.model
         self.grip = Grip(self.model, drive.home_cable)
-        self._body_then = Body(self.model, drive.home, self.grip.opening, settings.finger_length)
-        self._stale = False
-        self._slack = 0.0
-        self._look_again = 0
-        self._rings = self._table = 0.0
-        self._levers = self.levers()
-        side = settings.base_width / 2
-        front, rear = math.hypot(settings.base_front, side), math.hypot(settings.base_rear, side)
-        body = math.hypot(settings.body_radius, settings.body_radius)
-        # Base plate and body as the arm meets them that turns above them: from where to where
-        # along it, and how high.
-        self._own_rings = (
-            (-rear, front, 0.0, settings.base_height),
-            (-body, body, settings.base_height, settings.body_top),
-        )
-        self.joints = [0] * 6
-        self.torques: Six = NONE
-        self.room = math.inf
-        self._pushing: dict[str, float] = {}
-        self._moving = 0
-        self._met_ago = 0
         self.met: str | None = None
-        self._things: list[tuple[str, Box, Part | None]] = []
-        self.ceiling = 0.0
         self.vacant: list[Feeder] = []
-        self.pushes = 0
-        self._burdened = False
+        self._rotors = [0] * 6
+        self._ticked = [0] * 6
+        self._looked: list[int] | None = None
+        self._clear = 0.0
+        self._levers: tuple[float, ...] = ()
+        self._jumped = False
+        self._busy = True
+        self._loaded = self._leaned_on = False
+        self._burdens: tuple[Burden, ...] = ()
+        self._pushed: tuple[float, float, float, float, float] = (0.0,) * 5
+        self._plate = 0.0
+        self._moved: dict[str, Vector] = {}
+        self._let_go: set[str] = set()
+        self._linkage = ArmLinkage(self.model, settings)
+        bench.lay()
+        bench.scene.arm = self._linkage
+        bench.scene.put_arm(self._commands(self._rotors))
 
     def __getstate__(self) -> dict[str, Any]:
-        # What has been looked at ahead is found anew; how far ahead hangs on how a run is cut.
-        state = {**self.__dict__, "_body_then": self.body, "_stale": False, "room": math.inf}
-        state |= {"_slack": 0.0, "_rings": 0.0, "_table": 0.0, "_look_again": 0}
-        if not self._pushing:
-            state |= {"_moving": 0, "_met_ago": 0}
-        return state
+        # How far things are is found anew; when it was looked at hangs on how a run is cut.
+        self.show()
+        return {**self.__dict__, "_looked": None, "_clear": 0.0, "_levers": ()}
 
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
-        self.bench.remember()
-        self.bench.settle()
-        for feeder in self.bench.waiting_feeders():
-            if not self._touches(feeder.place):
-                self.bench.feed(feeder)
-        self.bench.news.clear()
+        bench = self.bench
+        bench.scene.arm = None
+        bench.settle()
+        bench.remember()
+        bench.scene.arm = self._linkage
+        bench.scene.put_arm(self._commands(self._rotors))
+        for feeder in bench.waiting_feeders():
+            if not self._touches(feeder.placed):
+                bench.feed(feeder)
+        bench.news.clear()
+        self._moved.clear()
+        self._let_go.clear()
+        self._burdens, self._pushed = (), (0.0,) * 5
         self._changed()
+        self._ticked[:] = self._rotors
+        self._jumped, self._busy, self._looked = False, True, None
+        self._plate = float(bench.turntable.rotor) if bench.turntable is not None else 0.0
 
     def refill(self) -> None:
         """Begin again with the parts; the hand is left empty."""
         self.grip.forget()
         self.bench.refill()
         self.start()
-        self.body = self.body.opened(self.grip.opening)
 
-    # What a half-step meets
+    # Time
+
+    @property
+    def due(self) -> int:
+        """T-state of the next tick."""
+        return self.bench.scene.due
+
+    @property
+    def idle(self) -> bool:
+        """Whether a tick would change nothing."""
+        return not self._busy
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether nothing moves of itself, and nothing but its load touches the arm."""
+        scene = self.bench.scene
+        return scene.quiet and not self._strained and self._plate_stands
+
+    def skip(self, time: int) -> None:
+        """Let ticks pass, up to a T-state, that would change nothing."""
+        scene = self.bench.scene
+        scene.time += (time - scene.time) // TICK_STATES * TICK_STATES
+
+    def tick(self) -> None:
+        """Let a tick pass; contact is looked at if there can be any."""
+        if self._no_contact():
+            self.bench.scene.time = self.due
+            self._jumped = self._jumped or self._ticked != self._rotors
+            self._ticked[:] = self._rotors
+            self._busy = False
+            return
+        self.show()
+        self._contact()
+
+    def _no_contact(self) -> bool:
+        """Whether it is certain that nothing touches the arm, or its load anything, in a tick."""
+        if not self.at_rest:
+            return False
+        rotors, ticked = self._rotors, self._ticked
+        if rotors == ticked:
+            return True
+        if not self._holds_on():
+            return False
+        now = self._travel(ticked, rotors)
+        if self._looked is not None and self._travel(self._looked, ticked) + now < self._clear:
+            return True
+        return now < self._clearance_at_tick()
+
+    def _holds_on(self) -> bool:
+        """Whether the hand still holds its load as it took it up."""
+        scene = self.bench.scene
+        if not self._loaded:
+            return True
+        commands = self._commands(self._rotors)
+        return scene.held_openings[0] <= commands[-1] <= scene.held_openings[1] and (
+            self._rotors[3:5] == self._ticked[3:5]
+            or scene.upright_in(self._linkage.links(commands)[self._linkage.hand])
+        )
+
+    def tilt(self) -> float:
+        """Radians by which the hand may still turn against the vertical under its load."""
+        scene = self.bench.scene
+        if not scene.carried:
+            return math.inf
+        links = self._linkage.links(self._commands(self._rotors))
+        return scene.tilt_left(links[self._linkage.hand])
+
+    def held_cables(self) -> tuple[float, float]:
+        """Least and most cable of the hand's, half-steps, at which a load stays as it is."""
+        low, high = self.bench.scene.held_openings
+        return low * self.model.hand_steps, high * self.model.hand_steps
+
+    def _travel(self, before: Sequence[int], after: Sequence[int]) -> float:
+        """Inches that any point of arm and load goes at most between two places."""
+        a, b, c, d, e, f = self.levers()
+        return (
+            a * abs(after[0] - before[0])
+            + b * abs(after[1] - before[1])
+            + c * abs(after[2] - before[2])
+            + d * abs(after[3] - before[3])
+            + e * abs(after[4] - before[4])
+            + f * abs(after[5] - before[5])
+        )
+
+    def _contact(self) -> None:
+        """One tick in which contact is looked at."""
+        scene = self.bench.scene
+        self._turn_plate()
+        asleep = {name for name, part in self.bench.parts.items() if part.asleep}
+        scene.command(self._commands(self._rotors))
+        scene.tick()
+        self._loaded = bool(scene.carried)
+        self._ticked[:] = self._rotors
+        self._looked, self._levers = None, ()
+        if not scene.went_on:
+            self._grasp()
+        self._tell(asleep)
+        self._changed()
+        self._feed()
+        resting = scene.quiet and self._plate_stands
+        giving = self._strained and not self._leaned_on and scene.arm_still < GIVEN
+        self._busy = not resting or giving
+
+    @property
+    def _strained(self) -> bool:
+        """Whether what touches the arm, but for its load, stretches its cables."""
+        scene = self.bench.scene
+        return any(scene.torques[:5]) or (scene.torques[5] != 0.0 and not scene.carried)
+
+    @property
+    def _plate_stands(self) -> bool:
+        table = self.bench.turntable
+        return table is None or table.rotor == self._plate
+
+    def _turn_plate(self) -> None:
+        """The turntable turns as far as its motor has since the last tick."""
+        table, plate = self.bench.turntable, self.bench.scene.plate
+        if table is None or plate is None:
+            return
+        # Its motor jerks from half-step to half-step; the plate follows smoothly.
+        scene = self.bench.scene
+        seconds = (scene.due - scene.time) / T_STATES_PER_SECOND
+        behind = (table.rotor - self._plate) * (math.tau / table.steps)
+        spin = behind / (seconds + EASE)
+        self._plate += spin * seconds * (table.steps / math.tau)
+        if abs(table.rotor - self._plate) < TURNED_FAST:
+            self._plate, spin = float(table.rotor), 0.0
+        if spin != plate.spin:
+            plate.spin = spin
+            for part in list(self.bench.parts.values()):
+                if spin and part.asleep and part.carried is None and table.under(part):
+                    scene.wake(part.name)
+
+    # The arm
 
     def moved(self, rotors: Sequence[int], latch: int) -> None:
-        """Let the joints follow the rotors as far as nothing is in the way.
+        """Follow a rotor.
 
         Args:
             rotors: positions of all.
             latch: of the motor that has moved.
         """
-        joints = self.joints
-        # A part that is pushed along is met only every few steps.
-        self._met_ago += 1
-        if latch != self._moving or self._met_ago > PUSHED_FOR:
-            self._pushing.clear()
-        self._moving = latch
-        self._follow(latch, rotors[latch])
-        while any(
-            joint != rotor and self._follow(other, rotor)
-            for other, (joint, rotor) in enumerate(zip(joints, rotors, strict=True))
-        ):
-            pass
-        self.torques = self._torques(rotors)
+        self._rotors[latch] = rotors[latch]
+        self.grip.cable = self.drive.cable(self._rotors)
+        self._busy = True
 
-    def _follow(self, latch: int, rotor: int) -> bool:
-        """Let a joint go to its rotor; whether it has moved at all."""
-        joints, moved = self.joints, False
-        while joints[latch] != rotor:
-            step = 1 if rotor > joints[latch] else -1
-            joints[latch] += step
-            if not self._try_move(latch, step, joints):
-                joints[latch] -= step
-                break
-            moved = True
-        return moved
+    def arrive(self, rotors: Sequence[int], ticked: Sequence[int], time: int) -> None:
+        """Be somewhere that free motion has led to.
 
-    def _torques(self, rotors: Sequence[int]) -> Six:
-        """What gives in the cables, what is pushed and what is squeezed, as torque."""
-        joints, model = self.joints, self.model
-        squeeze = 16 * self.grip.force
-        if not squeeze and not self._pushing and joints == rotors:
-            return NONE
-        found = [0.0] * 6
-        found[Motor.HAND] = squeeze
-        for latch, drive in enumerate(model.drives):
-            give = drive.sign * (rotors[latch] - joints[latch]) / drive.steps
-            found[drive.turns] -= model.stiffness[drive.turns] * give
-        found[model.drives[self._moving].turns] += sum(self._pushing.values())
-        base, shoulder, elbow, left, right, hand = found
-        return base, shoulder, elbow, left, right, hand
+        Args:
+            rotors: positions of all.
+            ticked: those that they had on the last tick.
+            time: T-state of the last write.
+        """
+        self._rotors[:] = rotors
+        self.grip.cable = self.drive.cable(rotors)
+        if time >= self.due:
+            self.skip(time)
+            self._ticked[:] = ticked
+            self._jumped = True
+        self._busy = True
+
+    def show_load(self) -> None:
+        """Have what is carried be where it was on the last tick."""
+        if self._jumped and self._loaded:
+            self.show()
+
+    def show(self) -> None:
+        """Have links and load be where they were on the last tick, for whoever looks."""
+        if self._jumped:
+            self._jumped = False
+            self.bench.scene.jump(self._commands(self._ticked))
+
+    def _commands(self, rotors: Sequence[int]) -> list[float]:
+        """Where motors want the joints: radians, and inches of opening."""
+        base, shoulder, elbow, left, right = self.drive.driven(rotors)
+        cable = self.drive.cable(rotors)
+        # Its cable goes on past nothing only against what is between the fingers.
+        if not (self.grip.contact and self.bench.scene.torques[5] > 0):
+            cable = max(0, cable)
+        opening = min(self.model.hand.range, cable / self.model.hand_steps)
+        return [base, shoulder, elbow, left, right, opening]
 
     @property
     def angles(self) -> JointAngles:
         """Angles of the joints as they stand, radians."""
-        return self.drive.angles(self.joints)
+        if self.strained:
+            return JointAngles.of_gears(*self.bench.scene.joints[:5])
+        return self.drive.angles(self._rotors)
 
     @property
-    def around(self) -> float:
-        """How far what is between or in the fingers, and they themselves, reach from the tip."""
-        hold = self.grip.hold
-        reach = self.model.hand.range / 2
-        if hold is None:
-            return reach
-        return max(reach, math.hypot(*hold.center) + math.hypot(*hold.half))
+    def body(self) -> Body:
+        """Links and fingers as they stand."""
+        return Body(self.model, self.angles, self.grip.opening, self.settings.finger_length)
+
+    @property
+    def torques(self) -> Six:
+        """What contacts do to the motors, by `Motor`: ounce-inches, ounces on the opening.
+
+        Positive where they push the angle up or the hand open. What hangs in the hand alone is
+        not in it but among the burdens: it weighs on the motors, and what it takes to set it in
+        motion the rotors' trailing makes up for.
+        """
+        a, b, c, d, e = self._pushed
+        return a, b, c, d, e, 16 * self.grip.force
+
+    @property
+    def strained(self) -> bool:
+        """Whether anything presses on the arm or is pushed by it."""
+        return any(self._pushed)
+
+    @property
+    def blocked(self) -> bool:
+        """Whether what presses on the arm is something else than what it has in the hand."""
+        return self.strained and self.met is not None and self.met != self.grip.part
+
+    def burdens(self) -> tuple[Burden, ...]:
+        """What hangs in the hand, all that stands on it included."""
+        return self._burdens
+
+    def _weigh(self) -> None:
+        """See what hangs in the hand and touches nothing else, and what else presses on the arm."""
+        scene, links, parts = self.bench.scene, self._linkage.names, self.bench.parts
+        leaning: dict[str, set[str]] = {}
+        for one, other in self._leaning():
+            leaning.setdefault(one, set()).add(other)
+            leaning.setdefault(other, set()).add(one)
+        touched = {name for link in links for name in leaning.get(link, ())}
+        self._leaned_on = any(name in parts for name in touched)
+        loads = [load.name for load in scene.carried]
+        waiting = [] if loads else [name for name, part in parts.items() if part.held]
+        while waiting:
+            name = waiting.pop()
+            if name in loads or name in links:
+                continue
+            if name not in parts:
+                loads = []
+                break
+            loads.append(name)
+            waiting += sorted(leaning.get(name, ()))
+        alone = touched <= set(loads)
+        hand = scene.links[self._linkage.hand]
+        found = []
+        for name in loads:
+            part = self.bench.parts[name]
+            x, y, z = apply_back(hand.turn, minus(part.place, hand.place))
+            found.append(Burden(part.weight, (x - self.model.hand_length, y, z)))
+        self._burdens = tuple(found) if alone or self._loaded else ()
+        a, b, c, d, e, _ = scene.torques
+        self._pushed = (0.0,) * 5 if alone else (a, b, c, d, e)
+
+    # How far from everything
 
     def levers(self) -> tuple[float, ...]:
-        """Inches that a half-step of each motor moves anything of the arm nearer, at most."""
-        model, around = self.model, self.around
+        """Inches that a half-step of each motor moves anything of the arm or its load, at most."""
+        if not self._levers:
+            self._levers = self._longest_levers()
+        return self._levers
+
+    def _longest_levers(self) -> tuple[float, ...]:
+        model = self.model
+        ahead, aside = self.extent(model.hand.range)
+        out = math.hypot(ahead, aside)
+        swung = max(
+            math.hypot(abs(solid.center[0]) + solid.half[0], solid.half[2])
+            for solid in model.solids
+            if solid.link in (Link.UPPER_ARM, Link.FOREARM)
+        )
+        wide = max(solid.half[1] for solid in model.solids)
         levers = {
-            Motor.BASE: model.reach + around,
-            Motor.SHOULDER: model.link,
+            Motor.BASE: math.hypot(2 * swung, wide) + out,
+            Motor.SHOULDER: swung,
             # Raising the forearm opens the hand as well.
-            Motor.ELBOW: model.link + 0.5 * model.drives[2].steps / model.hand_steps,
+            Motor.ELBOW: swung + 0.5 * model.drives[2].steps / model.hand_steps,
             # A gear turns pitch and roll by half as much.
-            Motor.LEFT_WRIST: model.hand_length / 2 + around,
-            Motor.RIGHT_WRIST: model.hand_length / 2 + around,
+            Motor.LEFT_WRIST: (out + aside) / 2,
+            Motor.RIGHT_WRIST: (out + aside) / 2,
             Motor.HAND: 0.5,
         }
         return tuple(levers[drive.turns] / drive.steps for drive in model.drives)
 
+    def extent(self, opening: float) -> tuple[float, float]:
+        """How far hand, fingers and load reach from the wrist, ahead and to any side, inches."""
+        ahead, aside = self.model.hand_length, 0.0
+        for solid in self.model.solids:
+            _, wide, thick = (
+                abs(at) + half for at, half in zip(solid.center, solid.half, strict=True)
+            )
+            if solid.link in FINGERS:
+                aside = max(aside, math.hypot(wide + opening / 2, thick))
+            elif solid.link is Link.HAND:
+                aside = max(aside, math.hypot(wide, thick))
+        for load in self.bench.scene.carried:
+            assert load.carried is not None
+            place, turn = load.carried
+            for corner in (each for part in load.shape.solids for each in part.vertices):
+                x, y, z = plus(place, apply(turn, corner))
+                ahead, aside = max(ahead, abs(x)), max(aside, math.hypot(y, z))
+        return ahead, aside
+
+    def _clearance_at_tick(self) -> float:
+        """Inches by which all that moves is clear of all that it could touch, on the last tick."""
+        if self._looked != self._ticked:
+            self.show()
+            self._looked = list(self._ticked)
+            self._clear = self._measured() - NEAR
+        return self._clear
+
+    def _measured(self) -> float:
+        """How far the arm and what it carries are from all else; feeders that wait count, too."""
+        scene = self.bench.scene
+        least = FAR
+        mine = list(zip(self._linkage.names, scene.link_solids, strict=True))
+        for load in scene.carried:
+            mine += [("", solid) for solid in load.placed]
+        for feeder in self.vacant:
+            least = min(least, self._until_fed(feeder))
+        for _, solid in mine:
+            least = min(least, solid.low[2])
+        for thing in scene.fixed.values():
+            for other in thing.placed:
+                for name, solid in mine:
+                    if name not in thing.passes:
+                        least = _nearer(solid, other, least)
+        for body in scene.bodies.values():
+            if body.carried is not None:
+                continue
+            for other in body.placed:
+                for _, solid in mine:
+                    least = _nearer(solid, other, least)
+        return least
+
+    def _until_fed(self, feeder: Feeder) -> float:
+        """Inches that the fingertip may go until a feeder can give; 0 where it can."""
+        x, y, _ = self._tip()
+        out = math.hypot(x - feeder.x, y - feeder.y)
+        return max(0.0, FEED_CLEARANCE + feeder.place.radius - out)
+
+    def _tip(self) -> Vector:
+        """The fingertip on the last tick."""
+        hand = self._linkage.hand
+        frame = self.bench.scene.links[hand]
+        return plus(
+            frame.place,
+            (frame.turn[0], frame.turn[3], frame.turn[6]),
+            self.model.hand_length,
+        )
+
     def clearance(self, *, turning: bool) -> float:
-        """Inches by which all that moves is clear of all that it could touch, at least.
+        """Inches that any point of arm and load may go before anything can happen, at least.
 
         Args:
             turning: whether the base may turn meanwhile, as far as it likes; things are then taken
@@ -209,172 +485,88 @@ class World:
         Returns:
             0 where something may happen with the next half-step.
         """
-        tip, least = self.body.points.fingertip, self._over_table()
-        for feeder in self.vacant:
-            out = math.hypot(tip[0] - feeder.x, tip[1] - feeder.y)
-            if turning:
-                out = math.hypot(*tip[:2]) + math.hypot(feeder.x, feeder.y)
-            least = min(least, FEED_CLEARANCE + feeder.place.radius - NEAR - out)
-        if least <= 0.0:
+        if not self.at_rest:
             return 0.0
-        least = self._over_rings(least) if turning else self._beside_things(least)
-        return max(0.0, least)
+        clear = self._clearance_at_tick() - self._travel(self._ticked, self._rotors)
+        if turning and clear > 0.0:
+            clear = min(clear, self._over_rings() - self._travel(self._ticked, self._rotors))
+        return max(0.0, clear)
 
-    def _spend(self, latch: int) -> float:
-        """Count a half-step off the clearance; what is left, inches."""
-        lever = self._levers[latch]
-        self._slack -= lever
-        if latch == 0:
-            # The base turns nothing nearer to the table, nor out of the rings around its axis.
-            return max(self._slack, self._rings)
-        self._rings -= lever
-        self._table -= lever
-        return max(self._slack, min(self._rings, self._table))
+    def _over_rings(self) -> float:
+        """How far all is from the arm wherever the base turns, as it was on the last tick."""
+        scene = self.bench.scene
+        s, c = sin_cos(scene.joints[0])
+        arm = scene.link_solids[:2]
+        mine = [ring for solid in arm for ring in _slices(solid, c, s)]
+        joined = len(mine)
+        mine += self._hand_rings(c, s)
+        least = min(each.low for each in mine)
+        x, y, _ = self._tip()
+        for feeder in self.vacant:
+            out = math.hypot(x, y) + math.hypot(feeder.x, feeder.y)
+            least = min(least, FEED_CLEARANCE + feeder.place.radius - out)
+        # Base and body are joined to the arm's first links, and always behind a line across it.
+        for thing in scene.fixed.values():
+            for solid in thing.placed:
+                if thing.passes:
+                    ahead = max(math.hypot(x, y) for x, y, _ in solid.vertices if x >= 0)
+                    behind = max(math.hypot(x, y) for x, y, _ in solid.vertices)
+                    ring = _Ring(-behind, ahead, solid.low[2], solid.high[2])
+                    least = min(least, *(each.apart(ring) for each in mine[joined:]))
+                else:
+                    ring = _ring(solid)
+                    least = min(least, *(each.apart(ring) for each in mine))
+        for body in scene.bodies.values():
+            if body.carried is None:
+                x, y, z = body.place
+                out, reach = math.hypot(x, y), body.shape.radius
+                ring = _Ring(out - reach, out + reach, z - reach, z + reach)
+                if all(each.apart(ring) > least for each in mine):
+                    continue
+                for solid in body.placed:
+                    ring = _ring(solid)
+                    least = min(least, *(each.apart(ring) for each in mine))
+        return least - NEAR
 
-    def _over_table(self) -> float:
-        """Inches by which the arm and what it holds are clear of the table."""
-        points = self.body.points
-        level = math.hypot(points.pointing[0], points.pointing[1])
-        tip = points.fingertip[2] - max(level * self.body.opening / 2, self._load_reach)
-        return min(points.wrist[2], points.elbow[2], tip) - NEAR
-
-    @property
-    def _load_reach(self) -> float:
-        """How far what is in the hand reaches from the fingertip."""
-        hold = self.grip.hold
-        return 0.0 if hold is None else math.hypot(*hold.center) + math.hypot(*hold.half)
-
-    def _over_rings(self, least: float) -> float:
-        """`least`, or the clearance from things wherever the base turns, if that is less."""
-        points, around = self.body.points, self._load_reach
-        hand = math.hypot(self.model.hand_length / 6, self.body.opening / 2) + NEAR
-        quarter = self.model.link / 4 + NEAR
-        spheres = [
-            (_part_way(points.wrist, points.fingertip, share), hand)
-            for share in (1 / 6, 0.5, 5 / 6)
-        ]
-        for start, end in ((points.elbow, points.wrist), (points.shoulder, points.elbow)):
-            spheres += [(_part_way(start, end, share), quarter) for share in (0.25, 0.75)]
-        if around:
-            spheres.append((points.fingertip, around + NEAR))
-        low = min(place[2] - reach for place, reach in spheres)
-        s, c = sin_cos(self.drive.driven(self.joints)[0])
-        for near, far, bottom, top in self._own_rings:
-            if top < low - least:
-                continue
-            for (x, y, z), reach in spheres:
-                out = x * c + y * s
-                beside, above = max(near - out, out - far, 0.0), max(z - top, bottom - z, 0.0)
-                least = min(least, math.sqrt(beside * beside + above * above) - reach)
-        for _, box, _ in self._things[len(self._own_rings) :]:
-            if least <= 0.0:
-                break
-            if box.top >= low - least:
-                away = (box.distance_around(place) - reach for place, reach in spheres)
-                least = min(least, *away)
-        return least
-
-    def _beside_things(self, least: float) -> float:
-        """`least`, or the clearance of links, fingers and load as they are, if that is less."""
-        tip, around = self.body.points.fingertip, self._load_reach
-        give = self.settings.touch / 2
-        for _, box, _ in self._things:
-            for start, end in self.body.segments:
-                least = min(least, box.gap(start, end) + give)
-            if around:
-                least = min(least, box.distance(tip) - around - NEAR)
-            if least <= 0.0:
-                break
-        return least
+    def _hand_rings(self, c: float, s: float) -> list[_Ring]:
+        """Hand and load cut across, rolled about the hand's axis however they may be."""
+        frame = self.bench.scene.links[self._linkage.hand]
+        ahead, aside = self.extent(self.grip.opening)
+        way = (frame.turn[0], frame.turn[3], frame.turn[6])
+        level, steep = math.hypot(way[0], way[1]) * aside, abs(way[2]) * aside
+        ends = [plus(frame.place, way, ahead * k / _SLICES) for k in range(_SLICES + 1)]
+        rings = []
+        for one, other in pairwise(ends):
+            outs = [x * c + y * s for x, y, _ in (one, other)]
+            rings.append(
+                _Ring(
+                    min(outs) - steep,
+                    math.hypot(max(abs(out) for out in outs) + steep, aside),
+                    min(one[2], other[2]) - level,
+                    max(one[2], other[2]) + level,
+                )
+            )
+        return rings
 
     def finger_steps(self) -> int:
         """Half-steps that the hand alone can be stepped, either way, before anything happens."""
-        grip, model, body = self.grip, self.model, self.body
-        if grip.part is not None or grip.fixed is not None or self.vacant or grip.cable < 0:
+        grip, model = self.grip, self.model
+        if grip.contact or grip.cable < 0:
             return 0
-        room = math.inf
-        if abs(body.points.across[2]) > 1e-9:
-            room = body.lowest_tip - NEAR
-        for _, box, _ in self._things:
-            for start, end in body.segments[3:]:
-                room = min(room, box.gap(start, end) - NEAR)
+        lever = self.levers()[model.latch(Motor.HAND)]
         most = model.hand.range * model.hand_steps - grip.cable
-        return max(0, int(min(2 * room * model.hand_steps, most, grip.cable)) - 2)
+        return max(0, int(min(self.clearance(turning=False) / lever, most, grip.cable)) - 2)
 
-    @property
-    def strained(self) -> bool:
-        """Whether anything gives, or is pushed."""
-        return bool(self._pushing) or any(self.torques[:5])
+    def boxes(self) -> list[tuple[Box, bool]]:
+        """Boxes around everything that the arm could touch, and whether it is the arm's own."""
+        own = len(self.bench.obstacles[:2])
+        found = [
+            (obstacle.box, number < own) for number, obstacle in enumerate(self.bench.obstacles)
+        ]
+        parts = self.bench.parts.values()
+        return found + [(part.box, False) for part in parts if part.carried is None]
 
-    def burdens(self) -> tuple[Burden, ...]:
-        """What rests in the hand: the part held, and what stands on it."""
-        grip = self.grip
-        if grip.hold is None or grip.part is None:
-            return ()
-        weight = grip.weight
-        if self._burdened:
-            weight += self.bench.weight_on(self.bench.parts[grip.part])
-        return (Burden(weight, grip.hold.center),)
-
-    def _try_move(self, latch: int, step: int, rotors: Sequence[int]) -> bool:
-        """Take up a new position.
-
-        Args:
-            latch: the motor that moves.
-            step: its direction.
-            rotors: all positions after the step.
-
-        Returns:
-            Whether the arm has moved there.
-        """
-        grip = self.grip
-        cable = self.drive.cable(rotors)
-        # Fingers that close take hold of what they touch; otherwise a touch may give.
-        spare = self.settings.touch if cable < grip.cable else 0.0
-        if grip.part is None and grip.fixed is None and self._spend(latch) > spare:
-            grip.cable, self._stale = cable, True
-            return True
-        self._slack = self._rings = self._table = 0.0
-        body = self._body(rotors, grip.opening_at(cable))
-        hold, slid = grip.hold, grip.slid
-        before = self._carried(self.body)
-        if not self._clear(body, before):
-            grip.hold, grip.slid = hold, slid
-            return False
-        held = self._carried(body)
-        closing = cable < grip.cable
-        self.body, grip.cable = body, cable
-        if held is not None and grip.part is not None:
-            self.bench.parts[grip.part].box = held
-            if self._burdened:
-                self.bench.settle()
-                self._changed()
-        if grip.part is not None or grip.fixed is not None:
-            self._hold_on(rotors, latch)
-        elif closing:
-            self._close_on(rotors)
-        self._feed()
-        self._look_again -= 1
-        if self._look_again < 0:
-            self._slack = self.clearance(turning=False)
-            self._rings = 0.0 if self.vacant else self._over_rings(FAR)
-            self._table = self._over_table()
-            near = max(self._slack, self._rings) < 4 * max(self._levers)
-            self._look_again = LOOK_EVERY if near else 0
-        return True
-
-    def turn_table(self, step: int) -> bool:
-        """Turn the turntable by a half-step; whether it could."""
-        if self.bench.turntable is None:
-            return True
-        touch = self.settings.touch
-        turned = self.bench.turn_table(
-            self.bench.turntable.rotor + step, lambda box: not self._touches(box, touch)
-        )
-        if not turned:
-            self.met = "what stands on it"
-        self._changed()
-        return turned
+    # The operator's hands
 
     def place(self, before: Sequence[int], rotors: list[int]) -> str | None:
         """Put the arm somewhere else by hand.
@@ -386,409 +578,349 @@ class World:
         Returns:
             Name of what is there already, or None if the arm now is.
         """
+        scene = self.bench.scene
+        self.show()
+        self._come_to_rest()
         wanted = self.drive.cable(rotors)
         if wanted > self.grip.cable:
-            self._walk_hand(list(before), wanted)
-        rotors[HAND] += self.grip.cable - self.drive.cable(rotors)
-        body = self._body(rotors, self.grip.opening)
-        name = self._occupied(body)
+            self._turn_hand(list(before), wanted)
+        rotors[Motor.HAND] += self.grip.cable - self.drive.cable(rotors)
+        self._lift()
+        there = self._commands(rotors)
+        name = self._found_at([*there[:5], scene.joints[5]])
         if name is not None:
-            return name
-        if self.grip.hold is None:
-            self.grip.forget()
-        self.body = self._body(rotors, self.grip.opening)
-        held = self._carried(self.body)
-        if held is not None and self.grip.part is not None:
-            self.bench.parts[self.grip.part].box = held
+            for load in scene.carried:
+                scene.wake(load.name)
+            self._busy = True
+            return said(name)
+        self._rotors[:] = self._ticked[:] = rotors
+        self.grip.cable = self.drive.cable(rotors)
+        scene.jump(there)
+        self._jumped, self._looked = False, None
+        self._turn_hand(rotors, wanted)
+        self._busy = True
         self._changed()
-        self._walk_hand(rotors, wanted)
-        self.joints[:] = rotors
-        self._pushing.clear()
-        self.torques = self._torques(rotors)
         self._feed()
         return None
+
+    def _lift(self) -> None:
+        """Take along what the hand has in its grip, and what rests on that alone."""
+        scene, parts = self.bench.scene, self.bench.parts
+        if scene.carried:
+            return
+        taken = {name for name, part in parts.items() if part.held}
+        while taken:
+            with_them = taken | set(self._linkage.names)
+            riders = {
+                name
+                for name, part in parts.items()
+                if name not in taken and part.touching and set(part.touching) <= with_them
+            }
+            if not riders:
+                break
+            taken |= riders
+        if taken:
+            scene.take([name for name in parts if name in taken])
+            self._loaded, self._levers = True, ()
+            self._weigh()
+
+    def _turn_hand(self, rotors: list[int], wanted: int) -> None:
+        """Pay out or pull in hand cable by hand, and let everything come to rest at once."""
+        scene, hand = self.bench.scene, self.model.latch(Motor.HAND)
+        while True:
+            by = max(-BY_HAND, min(BY_HAND, wanted - self.grip.cable))
+            if by < 0:
+                by = max(by, min(0, int(self.grip.squeeze) - self.model.hand.most_squeeze))
+            if by == 0:
+                break
+            rotors[hand] += self.model.drives[hand].sign * by
+            self.moved(rotors, hand)
+            time = scene.time
+            self._contact()
+            scene.time = time
+        self._come_to_rest()
+
+    def _come_to_rest(self) -> None:
+        """Let everything come to rest; nobody but the operator's hands is in a hurry."""
+        scene = self.bench.scene
+        time = scene.time
+        for _ in range(LET_GO):
+            if not self._busy:
+                break
+            self._contact()
+        scene.time = time
+
+    def _found_at(self, joints: Sequence[float]) -> str | None:
+        """Name of what the arm and its load would be in with its joints there."""
+        scene, linkage = self.bench.scene, self._linkage
+        links = linkage.links(joints)
+        mine = [
+            (name, Placed(solid, link.place, link.turn))
+            for name, solid, link in zip(linkage.names, linkage.solids, links, strict=True)
+        ]
+        hand = links[linkage.hand]
+        for load in scene.carried:
+            mine += [("", solid) for solid in scene.load_at(load, hand)]
+        for name, solid in mine:
+            if solid.low[2] < -SUNK:
+                return TABLE
+            for thing in scene.fixed.values():
+                if name not in thing.passes and any(
+                    deep(solid, other, SUNK) for other in thing.placed
+                ):
+                    return thing.name
+            for body in scene.bodies.values():
+                if body.carried is None and any(deep(solid, other, SUNK) for other in body.placed):
+                    return body.name
+        return None
+
+    def occupied(self) -> str | None:
+        """Name of what is where the arm stands."""
+        self.bench.lay()
+        name = self._found_at(self._commands(self._rotors))
+        return None if name is None else said(name)
+
+    def turn_table(self, step: int) -> None:
+        """Turn the turntable's motor by a half-step."""
+        if self.bench.turntable is not None:
+            self.bench.turntable.rotor += step
+            self._busy = True
+
+    # The hand
+
+    def _grasp(self) -> None:
+        """See from what presses on the fingers what is between them, and whether it is held."""
+        parts = self.bench.parts
+        between = set(self._linkage.fingers)
+        # What sleeps in the grip stays there.
+        if not any(
+            part.asleep and (part.held or between <= set(part.touching)) for part in parts.values()
+        ):
+            self._measure()
+            self._hold()
+        self._weigh()
+        self.met = self._presser()
+
+    def _measure(self) -> None:
+        """Where the fingers meet what is between them, or with what strain it holds them up."""
+        scene, grip, fingers = self.bench.scene, self.grip, self._linkage.fingers
+        across = self._across()
+        gaps: dict[str, dict[str, float]] = {}
+        for contact in scene.contacts:
+            one, other, _ = contact.key
+            if one not in fingers:
+                one, other = other, one
+            if one in fingers and _faces(contact.normal, across):
+                each = gaps.setdefault(other, {})
+                each[one] = min(contact.gap, each.get(one, contact.gap))
+        steps, opening = self.model.hand_steps, scene.joints[5]
+        grip.strain = 0.0
+        # Fingers that have met the same thing, or are about to: it is known where.
+        both = [scene.met_at[5] - sum(each.values()) for each in gaps.values() if len(each) == 2]
+        if both:
+            self._met_with(max(both) * steps, HAIR)
+        elif self._between() and scene.torques[5] > 0:
+            self._met_with(opening * steps, BREATH)
+        else:
+            grip.contact = 0
+            if scene.torques[5] > 0 and opening > 0:
+                grip.strain = scene.torques[5] / self.model.stiffness[5] * steps
+
+    def _met_with(self, cable: float, give: float) -> None:
+        """The fingers have met with so much cable paid out; what is rigid does not breathe."""
+        if not self.grip.contact or abs(cable - self.grip.contact) > give:
+            self.grip.contact = max(1, round(cable))
+
+    def _across(self) -> Vector:
+        """The way in which the hand closes."""
+        turn = self.bench.scene.links[self._linkage.hand].turn
+        return turn[1], turn[4], turn[7]
+
+    def _between(self) -> list[str]:
+        """Parts on which the fingers press, alone or by way of others between them."""
+        parts = self.bench.parts
+        left, right = self._linkage.fingers
+        across = self._across()
+        pairs = {
+            contact.key[:2]
+            for contact in self.bench.scene.contacts
+            if contact.pressure > 0
+            and (contact.key[0] not in (left, right) or _faces(contact.normal, across))
+        }
+        pressed = [name for one, name in pairs if one == left and name in parts]
+        reached: set[str] = set()
+        waiting = list(pressed)
+        while waiting:
+            name = waiting.pop()
+            if name in reached or name not in parts:
+                continue
+            reached.add(name)
+            waiting += [b if a == name else a for a, b in pairs if name in (a, b)]
+        gripped = [name for name in reached if (right, name) in pairs]
+        return sorted(set(pressed) | set(gripped)) if pressed and gripped else []
+
+    def _hold(self) -> None:
+        """What the fingers have in their grip, with all that is between them."""
+        grip, parts = self.grip, self.bench.parts
+        between = self._between()
+        weight = sum(parts[name].weight for name in between)
+        if between and grip.carries(self._roughness(between)) < weight:
+            between = []
+        for name, part in parts.items():
+            if part.held == (name in between):
+                continue
+            part.held = not part.held
+            if part.held:
+                self.bench.news.append((EventKind.TAKEN, f"{name} in the hand"))
+                self._moved.pop(name, None)
+            else:
+                self._moved[name] = part.place
+                self._let_go.add(name)
+                part.began = (part.place, part.upwards)
+        grip.part = between[0] if between else None
+        grip.weight = weight if between else 0.0
+
+    def _leaning(self) -> set[tuple[str, str]]:
+        """What presses on what: as found on this tick, and as it was when it fell asleep."""
+        pairs = {c.key[:2] for c in self.bench.scene.contacts if c.pressure > 0}
+        for name, part in self.bench.parts.items():
+            if part.asleep:
+                pairs.update((other, name) for other in part.touching)
+        return pairs
+
+    def _roughness(self, names: Sequence[str]) -> float:
+        """Coefficient between the pads and the smoothest of some parts."""
+        pad = self._linkage.frictions[self._linkage.names.index(self._linkage.fingers[0])]
+        return math.sqrt(pad * min(self.bench.parts[name].friction for name in names))
+
+    def _presser(self) -> str | None:
+        """What presses most on the arm."""
+        links = self._linkage.names
+        forces: dict[str, float] = {}
+        for contact in self.bench.scene.contacts:
+            one, other, _ = contact.key
+            name = other if one in links else one if other in links else None
+            if name is not None and contact.pressure > 0:
+                forces[name] = forces.get(name, 0.0) + contact.pressure
+        return said(max(forces, key=lambda name: forces[name])) if forces else None
+
+    def _tell(self, asleep: set[str]) -> None:
+        """News of what has come to rest."""
+        for name, part in self.bench.parts.items():
+            if not part.asleep:
+                if name in asleep:
+                    self._moved.setdefault(name, part.place)
+                    if part.began is None:
+                        part.began = (part.place, part.upwards)
+            elif name not in asleep and not part.held and part.carried is None:
+                self._settled(name, part)
+        self.bench.deliver()
+
+    def _settled(self, name: str, part: Part) -> None:
+        """News of one part that has come to rest."""
+        news, began, start = self.bench.news, part.began, self._moved.pop(name, None)
+        released = name in self._let_go
+        self._let_go.discard(name)
+        part.began = (part.place, part.upwards)
+        if began is None:
+            return
+        place, up = began
+        fell = place[2] - part.place[2]
+        far = 0.0 if start is None else math.dist(start, part.place)
+        if dot(up, part.upwards) < TOPPLED:
+            news.append((EventKind.TOPPLED, f"{name} fell over"))
+        elif fell > FELL:
+            news.append((EventKind.DROPPED, f"{name} fell {fell:.2f} in"))
+        elif released:
+            news.append((EventKind.PLACED, f"{name} set down"))
+        elif far > PUSHED_FAR:
+            news.append((EventKind.PUSHED, f"{name} pushed {far:.2f} in"))
+
+    # What else looks at the bench
 
     def sensed(self) -> int:
         """Bits 1 to 3 of the input nibble: 1 idle, 0 where a sensor answers."""
         bits = 0b1110
         if self.bench.sensors:
-            boxes = [part.box for part in self.bench.parts.values()]
+            self.show()
+            solids = [solid for part in self.bench.parts.values() for solid in part.placed]
             segments = list(self.body.segments[1:])
             for sensor in self.bench.sensors:
-                if bits >> sensor.bit & 1 and sensor.answers(boxes, segments):
+                if bits >> sensor.bit & 1 and sensor.answers(solids, segments):
                     bits &= ~(1 << sensor.bit)
         return bits
 
-    @property
-    def body(self) -> Body:
-        """Links and fingers as they stand."""
-        if self._stale:
-            self.body = self._body(self.joints, self.grip.opening)
-        return self._body_then
-
-    @body.setter
-    def body(self, body: Body) -> None:
-        self._body_then, self._stale = body, False
-
-    # Contact
-
-    def _body(self, rotors: Sequence[int], opening: float) -> Body:
-        return Body(self.model, self.drive.angles(rotors), opening, self.settings.finger_length)
-
-    def _carried(self, body: Body) -> Box | None:
-        """The carried part when the arm is there."""
-        return None if self.grip.hold is None else self.grip.hold.box(body.points)
-
     def _changed(self) -> None:
-        """Parts have moved: look at the bench anew."""
-        bench = self.bench
-        self._slack, self._rings, self._look_again = 0.0, 0.0, 0
-        self._things = [(o.name, o.box, None) for o in bench.obstacles]
-        self._things += [(part.name, part.box, part) for part in bench.standing()]
-        self.ceiling = max((box.top for _, box, _ in self._things), default=0.0)
-        self._burdened = bench.held is not None and bench.bears(bench.held)
-        self.vacant = [
-            feeder
-            for feeder in bench.feeders
-            if not feeder.empty
-            and not any(overlap(feeder.place, box) for _, box, _ in self._things)
-        ]
+        """Parts have moved: see which feeders have room, and whether the hand has a load."""
+        self._loaded = bool(self.bench.scene.carried)
+        self.vacant = self.bench.waiting_feeders() if self.bench.feeders else []
 
-    def _clear(self, body: Body, before: Box | None) -> bool:
-        """Whether the arm can stand there, pushing aside what gives way.
-
-        Args:
-            body: the arm there.
-            before: the carried part where it is now.
-        """
-        touch = self.settings.touch
-        if body.lowest_tip < -touch and body.lowest_tip < self.body.lowest_tip:
-            self.met = "the table"
-            return False
-        wrist = body.points.wrist[2]
-        if wrist < 0 and wrist < self.body.points.wrist[2]:
-            self.met = "the table"
-            return False
-        low = min(wrist, body.lowest_tip, body.points.elbow[2])
-        held = self._carried(body)
-        if held is not None:
-            low = min(low, held.bottom)
-            if held.bottom < 0 and not self._slide(body, -held.bottom, "the table"):
-                return False
-        if low > self.ceiling + touch:
-            return True
-        near = [thing for thing in self._near(body, held) if thing[1].top >= low - touch]
-        if before is not None and not self._let_down(body, before, near):
-            return False
-        pushed = self.pushes
-        for name, box, part in near:
-            if not self._past(body, name, box, part):
-                return False
-            if before is not None and not self._carried_past(body, before, name, box, part):
-                return False
-        # What was pushed may have pushed something else into the carried part's way.
-        held = self._carried(body)
-        if held is None or before is None or self.pushes == pushed:
-            return True
-        return all(_as_clear(held, before, box) for _, box, _ in self._near(body, held))
-
-    def _let_down(self, body: Body, before: Box, near: list[tuple[str, Box, Part | None]]) -> bool:
-        """The carried part comes down on things and gives way; whether it can."""
-        for name, box, _ in near:
-            held = self._carried(body)
-            if held is None or before.bottom < box.top - 2 * GRAZE:
-                continue
-            if not _as_clear(held, before, box) and not self._slide(
-                body, box.top - held.bottom, name
-            ):
-                return False
-        return True
-
-    def _near(self, body: Body, held: Box | None) -> list[tuple[str, Box, Part | None]]:
-        """Things that the arm could touch."""
-        wrist, tip = body.points.wrist, body.points.fingertip
-        x, y, z = (wrist[0] + tip[0]) / 2, (wrist[1] + tip[1]) / 2, (wrist[2] + tip[2]) / 2
-        half = self.model.hand_length / 2
-        reach = half + body.opening / 2
-        if held is not None:
-            reach = max(reach, half + math.dist(tip, held.center) + held.radius)
-        links = min(wrist[2], body.points.elbow[2])
-        near = []
-        for thing in self._things:
-            box = thing[1]
-            cx, cy, cz = box.center
-            limit = reach + box.radius
-            if (cx - x) ** 2 + (cy - y) ** 2 + (cz - z) ** 2 < limit * limit or box.top > links:
-                near.append(thing)
-        return near
-
-    def _past(self, body: Body, name: str, box: Box, part: Part | None) -> bool:
-        """Whether links and fingers clear a thing, having pushed it aside if need be."""
-        touch = self.settings.touch
-        for index, (start, end) in enumerate(body.segments):
-            if start[2] > box.top and end[2] > box.top:
-                continue
-            inside = interval(box, start, end, touch)
-            if inside is None:
-                continue
-            old = self.body.segments[index]
-            if interval(box, old[0], old[1], touch) is not None:
-                continue
-            if part is None or not self._push(body, index, inside, part):
-                self.met = name
-                return False
-        return True
-
-    def _push(self, body: Body, index: int, inside: tuple[float, float], part: Part) -> bool:
-        """Push a part aside with a link or finger; whether it is clear then."""
-        start, end = body.segments[index]
-        old = self.body.segments[index]
-        if min(old[0][2], old[1][2]) > part.box.top - self.settings.touch - SKIN:
-            return False  # it comes down on the part
-        t = (inside[0] + inside[1]) / 2
-        here = plus(start, minus(end, start), t)
-        there = plus(old[0], minus(old[1], old[0]), t)
-        by = minus(here, there)
-        if abs(by[2]) > math.hypot(by[0], by[1]):
-            return False
-        gave = False
-        force = self._resistance(part, index, here, by)
-        if abs(force) > self.room:
-            return False
-        for _ in range(FINGER_TURNS):
-            if not self.bench.push(part, by, here[2]):
-                break
-            gave = True
-            if part.name not in self.bench.parts:
-                break
-            if interval(part.box, start, end, self.settings.touch) is None:
-                break
-        if gave:
-            self.pushes += 1
-            self._met_ago = 0
-            self._pushing[part.name] = force
-            self.bench.news.append((EventKind.PUSHED, f"{part.name} pushed aside"))
-            self._changed()
-        return (
-            part.name not in self.bench.parts
-            or interval(part.box, start, end, self.settings.touch) is None
-        )
-
-    def _resistance(self, part: Part, index: int, place: Vector, way: Vector) -> float:
-        """What a part, with all that stands on it, does to the motor that pushes it."""
-        length = math.hypot(way[0], way[1])
-        if length < 1e-12:
-            return 0.0
-        weight = part.weight + self.bench.weight_on(part)
-        friction = self.settings.table_friction * weight / length
-        force = (-friction * way[0], -friction * way[1], 0.0)
-        angles = self.drive.angles(self.joints)
-        turns = self.model.drives[self._moving].turns
-        return torques(self.model, angles, _LINKS[index], place, force)[turns]
-
-    def _carried_past(
-        self, body: Body, before: Box, name: str, box: Box, part: Part | None
-    ) -> bool:
-        """Whether the carried part clears a thing, having pushed it aside if need be."""
-        if part is not None:
-            if part.name not in self.bench.parts:
-                return True
-            box = part.box
-        held = self._carried(body)
-        if held is None or _as_clear(held, before, box):
-            return True
-        by = minus(held.center, before.center)
-        if part is not None and abs(by[2]) <= math.hypot(by[0], by[1]):
-            height = max(held.bottom, box.bottom)
-            force = self._resistance(part, _HELD, held.center, by)
-            for _ in range(FINGER_TURNS):
-                if abs(force) > self.room or not self.bench.push(part, by, height):
-                    break
-                self.pushes += 1
-                self._met_ago = 0
-                self._pushing[part.name] = force
-                self._changed()
-                if part.name not in self.bench.parts or not overlap(held, part.box, GRAZE):
-                    self.bench.news.append((EventKind.PUSHED, f"{part.name} pushed aside"))
-                    return True
-        self.met = name
-        return False
-
-    def _slide(self, body: Body, depth: float, name: str) -> bool:
-        """Let the carried part give way upwards in the fingers; whether it can."""
-        grip = self.grip
-        held = self._carried(body)
-        if held is None or grip.slid + depth > self.settings.grip_slide:
-            self.met = name
-            return False
-        grip.slid += depth
-        grip.hold = Hold.of(held.moved((0.0, 0.0, depth)), body.points)
-        return True
-
-    def occupied(self) -> str | None:
-        """Name of what is where the arm stands."""
-        self._changed()
-        return self._occupied(self.body)
-
-    def _occupied(self, body: Body) -> str | None:
-        """Name of what is where the arm would be."""
-        touch = self.settings.touch
-        if body.lowest_tip < -touch or body.points.wrist[2] < 0:
-            return "the table"
-        held = self._carried(body)
-        if held is not None and held.bottom < -GRAZE:
-            return "the table"
-        for name, box, part in self._things:
-            if part is not None and part.name == self.grip.part:
-                continue
-            if any(interval(box, a, b, touch) is not None for a, b in body.segments):
-                return name
-            if held is not None and overlap(held, box, GRAZE):
-                return name
-        return None
-
-    def boxes(self) -> list[Box]:
-        """Everything that the arm could touch."""
-        return [thing[1] for thing in self._things]
-
-    def arrive(self, rotors: Sequence[int]) -> None:
-        """Be somewhere that free motion has led to."""
-        grip = self.grip
-        self.joints[:] = rotors
-        self._slack, self._rings, self._look_again = 0.0, 0.0, 0
-        grip.cable = self.drive.cable(rotors)
-        self.torques = self._torques(rotors)
-        self.body = self._body(rotors, grip.opening)
-        held = self._carried(self.body)
-        if held is not None and grip.part is not None:
-            self.bench.parts[grip.part].box = held
-
-    def _touches(self, box: Box, skin: float = 0.0) -> bool:
-        """Whether a link or finger is in a box, deeper than a skin."""
-        return any(interval(box, a, b, skin) is not None for a, b in self.body.segments)
-
-    # The hand
-
-    def _walk_hand(self, rotors: list[int], wanted: int) -> None:
-        """Pay out or pull in hand cable by hand, as far as it goes."""
-        while self.grip.cable != wanted:
-            step = 1 if wanted > self.grip.cable else -1
-            rotors[HAND] += step
-            squeezed = self.grip.excess(self.drive.cable(rotors)) and step < 0
-            if squeezed or not self._try_move(HAND, step, rotors):
-                rotors[HAND] -= step
-                return
-
-    def _between(self, body: Body, box: Box) -> tuple[float, float] | None:
-        """How far a thing reaches to the right (negative) and left of the hand's middle.
-
-        Returns:
-            Inches along the way the hand closes, or None if nothing of it is between the pads.
-        """
-        tip, u, e = body.points.fingertip, body.points.pointing, body.points.across
-        half = 2.0
-        best: tuple[float, float] | None = None
-        for k in range(4):
-            middle = plus(tip, u, -self.settings.pad_length * (k + 0.1) / 3.2)
-            if middle[2] - half * abs(e[2]) > box.top:
-                continue
-            found = interval(box, plus(middle, e, -half), plus(middle, e, half), 1e-4)
-            if found is None:
-                continue
-            low, high = (2 * half * t - half for t in found)
-            if low < body.opening / 2 and high > -body.opening / 2:
-                best = (low, high) if best is None else (min(low, best[0]), max(high, best[1]))
-        return best
-
-    def _close_on(self, rotors: Sequence[int]) -> None:
-        """Closing fingers meet a part: one pushes it to the middle, both press on it."""
-        grip = self.grip
-        if grip.cable < 0:
-            return  # they have met each other
-        for name, box, part in self._near(self.body, None):
-            span = self._between(self.body, box)
-            if span is None:
-                continue
-            half = grip.opening / 2 + SKIN
-            low, high = span
-            over = 2 * self.settings.touch
-            if high > half + over or low < -half - over:
-                continue  # a fingertip stands on it
-            if part is not None:
-                if high > half and low > -half:
-                    self._centre(part, grip.opening / 2 - high)
-                elif low < -half and high < half:
-                    self._centre(part, -grip.opening / 2 - low)
-                if part.name not in self.bench.parts:
-                    continue
-                span = self._between(self.body, part.box)
-            if span is not None and (span[0] < -half or span[1] > half):
-                grip.contact = grip.cable + 1
-                if part is None:
-                    grip.fixed = box
-                else:
-                    grip.part = name
-                self.body = self._body(rotors, grip.opening)
-                self.bench.news.append((EventKind.CONTACT, f"fingers on {name}"))
-                self._hold_on(rotors, HAND)
-                return
-
-    def _centre(self, part: Part, by: float) -> None:
-        """One finger pushes a part along the way the hand closes."""
-        e, tip = self.body.points.across, self.body.points.fingertip
-        if abs(e[2]) > 0.7:
-            return
-        self.bench.push(part, (by * e[0], by * e[1], 0.0), min(tip[2], part.box.center[2]))
-        self._changed()
-
-    def _hold_on(self, rotors: Sequence[int], latch: int) -> None:
-        """See whether what is between the fingers is held, let go, or lost."""
-        grip, bench = self.grip, self.bench
-        part = bench.parts.get(grip.part) if grip.part is not None else None
-        carries = grip.carries(self.settings.pad_friction)
-        may_be_gone = latch != HAND
-        if part is not None and grip.hold is not None and carries < part.weight:
-            grip.hold, grip.weight = None, 0.0
-            bench.release(part)
-            self._changed()
-            part = bench.parts.get(part.name)
-            may_be_gone = True
-        elif part is not None and grip.hold is None and grip.squeeze and carries >= part.weight:
-            part.held = True
-            grip.hold, grip.weight = Hold.of(part.box, self.body.points), part.weight
-            grip.slid = 0.0
-            bench.news.append((EventKind.TAKEN, f"{part.name} in the hand"))
-            bench.settle()
-            self._changed()
-        if grip.hold is None:
-            box = part.box if part is not None else grip.fixed
-            gone = box is None or (may_be_gone and self._between(self.body, box) is None)
-            if gone or grip.cable >= grip.contact:
-                grip.forget()
-        self.body = self._body(rotors, grip.opening)
+    def _touches(self, solids: Sequence[Placed]) -> bool:
+        """Whether a link or finger is in some solids."""
+        return any(deep(mine, other) for mine in self.bench.scene.link_solids for other in solids)
 
     def _feed(self) -> None:
         """Feeders whose place is free, and clear of the hand, give their next part."""
-        if not self.vacant:
-            return
-        for feeder in list(self.vacant):
-            x, y, _ = self.body.points.fingertip
-            place = feeder.place
-            far = FEED_CLEARANCE + place.radius
-            if (x - feeder.x) ** 2 + (y - feeder.y) ** 2 < far * far:
+        for feeder in self.vacant:
+            if self._until_fed(feeder) > 0.0:
                 continue
-            if not self.bench.room_for(place) or self._touches(place):
-                continue
-            self.bench.feed(feeder)
-            self._changed()
+            placed = feeder.placed
+            if self.bench.room_for(placed) and not self._touches(placed):
+                self.bench.feed(feeder)
+                self._looked = None
+        self._changed()
 
 
-def _part_way(start: Vector, end: Vector, share: float) -> Vector:
-    """A place on the way from one point to another."""
-    return plus(start, minus(end, start), share)
+@dataclass(frozen=True, slots=True)
+class _Ring:
+    """What is somewhere around the base's axis: from where to where outwards, and how high."""
+
+    near: float
+    far: float
+    low: float
+    high: float
+
+    def apart(self, other: _Ring) -> float:
+        """Inches between two rings at least."""
+        out = max(self.near - other.far, other.near - self.far, 0.0)
+        up = max(self.low - other.high, other.low - self.high, 0.0)
+        return math.sqrt(out * out + up * up)
 
 
-def _as_clear(held: Box, before: Box, box: Box) -> bool:
-    """Whether a carried part is clear of a thing, or no deeper in it than it was before."""
-    deep = depth(held, box, GRAZE)
-    return deep <= GRAZE or deep <= depth(before, box, GRAZE)
+def _ring(solid: Placed) -> _Ring:
+    """A solid, somewhere around the axis."""
+    (a, b, c), (d, e, f) = solid.low, solid.high
+    out = math.hypot((a + d) / 2, (b + e) / 2)
+    reach = math.hypot(d - a, e - b) / 2
+    return _Ring(out - reach, out + reach, c, f)
+
+
+def _swept(corners: Sequence[Vector], c: float, s: float) -> _Ring:
+    """What is between some corners, turned with the base from where it points to c, s."""
+    ahead = min(x * c + y * s for x, y, _ in corners)
+    far = max(math.hypot(x, y) for x, y, _ in corners)
+    heights = [z for _, _, z in corners]
+    return _Ring(ahead, far, min(heights), max(heights))
+
+
+_SLICES = 4
+
+
+def _slices(solid: Placed, c: float, s: float) -> list[_Ring]:
+    """A link's box cut across, each slice turned with the base."""
+    v = solid.vertices
+    pairs = [(v[i], minus(v[k], v[i])) for i, k in ((0, 1), (3, 2), (4, 5), (7, 6))]
+    cuts = [[plus(start, way, k / _SLICES) for start, way in pairs] for k in range(_SLICES + 1)]
+    return [_swept([*one, *other], c, s) for one, other in pairwise(cuts)]
+
+
+def _faces(normal: Vector, across: Vector) -> bool:
+    """Whether a contact is one that the closing hand presses on."""
+    return abs(dot(normal, across)) >= FACING
+
+
+def _nearer(solid: Placed, other: Placed, least: float) -> float:
+    """`least`, or the distance of two solids if that is less."""
+    if boxes_apart(solid, other) >= least:
+        return least
+    return min(least, distance(solid, other))

@@ -38,8 +38,7 @@ def push(scene: Scene, way: Callable[[int], float], start: int, end: int, pieces
 
 def state(scene: Scene) -> object:
     bodies = [(b.place, b.turn, b.velocity, b.spin, b.asleep) for b in scene.bodies.values()]
-    pressures = [(c.key, c.pressure, c.gap) for c in scene.contacts]
-    return bodies, scene.joints, scene.torques, scene.time, pressures
+    return bodies, scene.joints, scene.torques, scene.time
 
 
 def straight(k: int) -> float:

@@ -118,8 +118,9 @@ class Body:
     _watcher: Watcher | None = field(default=None, init=False, repr=False, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
-        # Where its corners are follows from its place.
-        return {each.name: getattr(self, each.name) for each in fields(self)} | {"_solids": None}
+        # Where its corners are follows from its place; who watches it, the scene knows.
+        gone = {"_solids": None, "_watcher": None}
+        return {each.name: getattr(self, each.name) for each in fields(self)} | gone
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         for name, value in state.items():

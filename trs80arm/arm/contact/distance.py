@@ -22,9 +22,9 @@ def distance(a: Placed, b: Placed) -> float:
     return _least(a.vertices, b.vertices)
 
 
-def distance_to(solid: Placed, point: Vector) -> float:
-    """Inches from a point to a solid; 0 inside."""
-    return _least(solid.vertices, (point,))
+def distance_to(solid: Placed, *points: Vector) -> float:
+    """Inches from a point, or from all that lies between some, to a solid; 0 inside."""
+    return _least(solid.vertices, points)
 
 
 def boxes_apart(a: Placed, b: Placed) -> float:

@@ -117,6 +117,8 @@ class Scene:
         time: T-state of the last tick.
         plate: let into the table, or None.
         contacts: of the last step, with what was found there; no part of the scene's state.
+        met_at: the joints as they were where those contacts were found; no part of it either.
+        went_on: whether the last tick went on as the one before: its contacts are still those.
         steps: of the solver so far, for measuring.
         solved: islands solved so far, for measuring.
     """
@@ -131,6 +133,8 @@ class Scene:
         self.time = 0
         self.plate: Plate | None = None
         self.contacts: list[Contact] = []
+        self.met_at: list[float] = [0.0] * 6
+        self.went_on = False
         self.steps = 0
         self.solved = 0
         self._commands: list[float] = [0.0] * 6
@@ -154,13 +158,17 @@ class Scene:
 
     def __getstate__(self) -> dict[str, Any]:
         # Links are where the joints have them; what was measured is no part of what is.
-        gone: dict[str, Any] = {"_links": [], "_link_solids": []}
-        if self._coast is None:
-            gone["contacts"] = []
-        return {**self.__dict__, **gone, "steps": 0, "solved": 0}
+        gone: dict[str, Any] = {"contacts": [], "met_at": [0.0] * 6, "went_on": False}
+        state = {**self.__dict__, **gone, "_links": [], "_link_solids": [], "steps": 0, "solved": 0}
+        # Who does what is asked of the bodies again.
+        del state["_roster"]
+        return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
+        self._roster = Roster()
+        for body in self.bodies.values():
+            self._roster.enter(body)
         self._place_links()
 
     # Setting up
@@ -248,10 +256,43 @@ class Scene:
         self._place_links()
         self._carry()
 
+    def take(self, names: Sequence[str]) -> None:
+        """Have bodies that are at rest rest in the hand from now on."""
+        self._coast = None
+        for name in names:
+            self._sleep(self.bodies[name], {}, True)
+        self.contacts = []
+
     @property
     def link_solids(self) -> Sequence[Placed]:
         """The arm's links where they stand."""
         return self._link_solids
+
+    @property
+    def links(self) -> Sequence[Link]:
+        """The arm's links where they stand."""
+        return self._links
+
+    @property
+    def held_openings(self) -> tuple[float, float]:
+        """From where to where the hand can be commanded while what rests in it goes on doing so."""
+        return self._held_at - TIGHTER, self._held_at + LOOSER
+
+    def upright_in(self, hand: Link) -> bool:
+        """Whether it does with the hand turned like that: not much against the vertical."""
+        return dot(apply_back(hand.turn, _DOWN), self._down_in_hand) >= TILT
+
+    def tilt_left(self, hand: Link) -> float:
+        """Radians by which a hand turned like that may turn further, at least."""
+        now = max(-1.0, min(1.0, dot(apply_back(hand.turn, _DOWN), self._down_in_hand)))
+        return math.acos(TILT) - math.acos(now)
+
+    def load_at(self, load: Body, hand: Link) -> list[Placed]:
+        """Where the solids of something carried would be with the hand elsewhere."""
+        assert load.carried is not None
+        place, turn = load.carried
+        at, turned_to = plus(hand.place, apply(hand.turn, place)), times(hand.turn, turn)
+        return [Placed(solid, at, turned_to) for solid in load.shape.solids]
 
     @property
     def arm_still(self) -> int:
@@ -298,8 +339,9 @@ class Scene:
         if coast is not None and share is not None:
             self._go_on(coast, share)
             self._reached = after
+            self.went_on = True
             return
-        self._coast = None
+        self._coast, self.went_on = None, False
         self._steady, self._fastest = True, 0.0
         self._part(before, after, 0, self._stride * FINEST, moved)
         self._commands = self._reached = after
@@ -543,7 +585,8 @@ class Scene:
                 if any(_within(mine, thing, margin) for mine in load.placed):
                     self.wake(load.name)
                     self.wake(other)
-        if loads and not -LOOSER <= self._held_at - self._commands[-1] <= TIGHTER:
+        least, most = self.held_openings
+        if loads and not least <= self._commands[-1] <= most:
             for load in loads:
                 self.wake(load.name)
 
@@ -562,8 +605,7 @@ class Scene:
     def _tilted(self) -> bool:
         """Whether the hand has turned against the vertical since it took up its load."""
         assert self.arm is not None
-        down = apply_back(self._links[self.arm.hand].turn, _DOWN)
-        return dot(down, self._down_in_hand) < TILT
+        return not self.upright_in(self._links[self.arm.hand])
 
     def _link_reach(self, index: int) -> list[float]:
         """How far any point of a link moves at most for a unit of each coordinate, inches."""
@@ -727,7 +769,7 @@ class Scene:
 
     def _keep(self, contacts: list[Contact]) -> None:
         """Remember the forces for the next tick."""
-        self.contacts = contacts
+        self.contacts, self.met_at = contacts, list(self.joints)
         kept: dict[Key, Pressures] = {}
         for contact in contacts:
             mobile = contact.second.mobile
@@ -773,7 +815,7 @@ class Scene:
             contact.pressure > 0 and (contact.first.mobile is arm or contact.second.mobile is arm)
             for contact in contacts
         )
-        if not touched and not moved and not any(self.torques):
+        if not touched and not moved and (not any(self.torques) or self._leaned_on()):
             return
         for k in range(6):
             self.joints[k] += arm.speed[k] * self._seconds
@@ -786,6 +828,15 @@ class Scene:
         for k in range(6):
             self.torques[k] = -gives[k] * self.arm.stiffness[k]
         self._place_links()
+
+    def _leaned_on(self) -> bool:
+        """Whether something that sleeps leans on the arm and on other things too."""
+        assert self.arm is not None
+        return any(
+            body.asleep and body.carried is None and name in body.touching
+            for body in self.bodies.values()
+            for name in self.arm.names
+        )
 
     def _place_links(self) -> None:
         if self.arm is not None:

@@ -60,8 +60,8 @@ MINIMOVER5 = ArmModel(
     ),
     solids=(
         LinkSolid("upper arm", Link.UPPER_ARM, (3.5, 0.0, 0.0), (4.0, 1.25, 0.75)),
-        LinkSolid("forearm", Link.FOREARM, (3.4, 0.0, 0.0), (3.6, 1.0, 0.55)),
-        LinkSolid("hand", Link.HAND, (0.9, 0.0, 0.0), (0.9, 0.75, 0.4)),
+        LinkSolid("forearm", Link.FOREARM, (3.05, 0.0, 0.0), (3.25, 1.0, 0.35)),
+        LinkSolid("hand", Link.HAND, (1.15, 0.0, 0.0), (0.65, 0.75, 0.4)),
         LinkSolid("left finger", Link.LEFT_FINGER, (-0.85, 0.1, 0.0), (0.85, 0.1, 0.3)),
         LinkSolid("right finger", Link.RIGHT_FINGER, (-0.85, -0.1, 0.0), (0.85, 0.1, 0.3)),
     ),
@@ -82,7 +82,7 @@ MINIMOVER5 = ArmModel(
         ("stiffness", "guessed: a quarter of an inch under 4 lb; the hand's from the article"),
         (
             "solids",
-            "guessed; a finger's length is the later manual's",
+            "guessed, slim enough for Table 1's range; a finger's length is the later manual's",
         ),
         ("start", "Table 4's initialization point, data line 10000"),
     ),
