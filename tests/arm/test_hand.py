@@ -155,7 +155,7 @@ def test_a_part_slips_out_as_the_grip_slackens() -> None:
     generator.close(D50, 30)
     generator.step((0, -132, 36), delay_period(150))
     assert arm.state().held == "block"
-    generator.turn(5, 20, EASY)
+    generator.turn(5, 22, EASY)
     generator.wait(1.0)
     assert arm.state().held is None
     assert arm.bench.parts["block"].bottom == pytest.approx(0, abs=0.001)

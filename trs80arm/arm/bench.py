@@ -21,12 +21,11 @@ from trs80arm.arm.contact.rotations import (
     apply,
     matrix,
     oriented,
-    quaternion,
 )
 from trs80arm.arm.contact.scene import TABLE, Plate, Scene
 from trs80arm.arm.contact.solids import Solid, box
 from trs80arm.arm.events import EventKind
-from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Sensor, Tray, Turntable
+from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Sensor, Tray, Turntable, box_at
 from trs80arm.arm.linkage import fixed_name, link_name
 from trs80arm.arm.model import Pose
 from trs80arm.arm.settings import ArmSettings
@@ -187,7 +186,7 @@ class Bench:
                 name = fixed_name(name)
             self.scene.fixed[name] = Fixed(
                 name,
-                obstacle.solids or (solid_of(obstacle.box),),
+                obstacle.standing,
                 self.settings.table_friction,
                 # Upper arm and forearm are joined to base and body.
                 passes=own if number < len(_OWN) else (),
@@ -207,7 +206,7 @@ class Bench:
     def found_at(self, solids: Sequence[Placed]) -> str | None:
         """Name of an obstacle or part, the one in the hand left out, that some solids are in."""
         for obstacle in self.obstacles:
-            if any(deep(mine, other) for mine in solids for other in _standing(obstacle)):
+            if any(deep(mine, other) for mine in solids for other in obstacle.placed):
                 return obstacle.name
         for part in self.parts.values():
             if not part.held and any(deep(mine, other) for mine in solids for other in part.placed):
@@ -305,21 +304,7 @@ def deep(one: Placed, other: Placed, depth: float = SKIN) -> bool:
 
 def placed(place: Box) -> Placed:
     """A box as a solid where it stands."""
-    return Placed(solid_of(place), NOWHERE, IDENTITY)
-
-
-def _standing(obstacle: Obstacle) -> list[Placed]:
-    """An obstacle's solids."""
-    solids = obstacle.solids or (solid_of(obstacle.box),)
-    return [Placed(solid, NOWHERE, IDENTITY) for solid in solids]
-
-
-def solid_of(place: Box) -> Solid:
-    """A box as a solid in the world's frame."""
-    a, b, c = place.axes
-    turn = quaternion((a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]))
-    h = place.half
-    return box((2 * h[0], 2 * h[1], 2 * h[2])).moved(place.center, turn)
+    return Placed(box_at(place), NOWHERE, IDENTITY)
 
 
 _OWN = ("base", "body")

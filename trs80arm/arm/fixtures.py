@@ -7,12 +7,14 @@ from a file. Inches, ounces; turns in radians counter-clockwise from above.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
+from functools import cached_property
+from typing import Any
 
-from trs80arm.arm.contact.bodies import Body
+from trs80arm.arm.contact.bodies import NOWHERE, Body
 from trs80arm.arm.contact.distance import distance, distance_to
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.contact.rotations import IDENTITY, about, apply, matrix
+from trs80arm.arm.contact.rotations import IDENTITY, about, apply, matrix, quaternion
 from trs80arm.arm.contact.solids import Solid, box
 from trs80arm.arm.shapes import Box, Vector, interval, plus, upright
 
@@ -94,6 +96,11 @@ class Feeder:
     given: int = 0
     solids: tuple[Solid, ...] = ()
     friction: float | None = None
+    _placed: list[Placed] | None = field(default=None, init=False, repr=False, compare=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # Where its part will stand follows from the rest.
+        return {each.name: getattr(self, each.name) for each in fields(self)} | {"_placed": None}
 
     @property
     def place(self) -> Box:
@@ -103,10 +110,12 @@ class Feeder:
     @property
     def placed(self) -> list[Placed]:
         """The next part's solids where it will stand."""
-        solids = self.solids or (box(self.size),)
-        turn = about((0.0, 0.0, 1.0), math.degrees(self.turn))
-        low = min(z for solid in solids for _, _, z in solid.vertices)
-        return [Placed(solid, (self.x, self.y, -low), matrix(turn)) for solid in solids]
+        if self._placed is None:
+            solids = self.solids or (box(self.size),)
+            turn = about((0.0, 0.0, 1.0), math.degrees(self.turn))
+            low = min(z for solid in solids for _, _, z in solid.vertices)
+            self._placed = [Placed(solid, (self.x, self.y, -low), matrix(turn)) for solid in solids]
+        return self._placed
 
     @property
     def empty(self) -> bool:
@@ -154,6 +163,19 @@ class Obstacle:
     name: str
     box: Box
     solids: tuple[Solid, ...] = ()
+
+    @cached_property
+    def standing(self) -> tuple[Solid, ...]:
+        """Its solids where they stand."""
+        return self.solids or (box_at(self.box),)
+
+    @cached_property
+    def placed(self) -> list[Placed]:
+        """The same with all that follows."""
+        return [Placed(solid, NOWHERE, IDENTITY) for solid in self.standing]
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {each.name: getattr(self, each.name) for each in fields(self)}
 
 
 @dataclass(frozen=True)
@@ -247,6 +269,14 @@ class Turntable:
         x, y, _ = part.place
         reach = self.radius + part.shape.radius
         return (x - self.x) ** 2 + (y - self.y) ** 2 <= reach**2
+
+
+def box_at(place: Box) -> Solid:
+    """A box as a solid in the world's frame."""
+    a, b, c = place.axes
+    turn = quaternion((a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]))
+    h = place.half
+    return box((2 * h[0], 2 * h[1], 2 * h[2])).moved(place.center, turn)
 
 
 def _outside(point: Vector, solid: Placed) -> float:

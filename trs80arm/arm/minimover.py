@@ -191,7 +191,7 @@ class MiniMover:
         where = np.asarray(latches, dtype=np.int64)
         what = np.asarray(nibbles, dtype=np.int64)
         done = 0
-        self.advance(int(when[0]))
+        self._pass(int(when[0]))
         if self._free and stride(self, when, where, what, stop):
             return count
         ahead = self._hand_ahead(where)
@@ -206,7 +206,7 @@ class MiniMover:
                 end = min(count, done + LONGEST)
                 window = slice(done, end)
                 piece = when[window], where[window], what[window]
-                self.advance(int(when[done]))
+                self._pass(int(when[done]))
                 if done and stride(self, *piece, stop):
                     done = end
                     continue
@@ -260,6 +260,11 @@ class MiniMover:
 
     def advance(self, time: int) -> None:
         """Let time pass, up to a T-state: what falls goes on falling, what presses presses."""
+        self._pass(time)
+        self._world.show_load()
+
+    def _pass(self, time: int) -> None:
+        """`advance`, without having the load be shown where it is."""
         world = self._world
         while world.due <= time:
             if world.idle:
@@ -271,7 +276,6 @@ class MiniMover:
                 self._give_way()
             if self.bench.news:
                 self._tell_news()
-        world.show_load()
 
     def arrive(self, rotors: list[int], ticked: list[int], time: int) -> None:
         """Be where free motion has led to.
@@ -302,7 +306,7 @@ class MiniMover:
         motor = self.motors[latch]
         row = ROWS[nibble]
         if self._world.due <= time:
-            self.advance(time)
+            self._pass(time)
         self._time = max(self._time, time)
         if nibble == motor.coils and row == motor.row:
             return

@@ -23,7 +23,7 @@ from trs80arm.arm.contact.scene import EASE, T_STATES_PER_SECOND, TABLE, TICK_ST
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.fixtures import Feeder, Part
 from trs80arm.arm.forces import Burden
-from trs80arm.arm.geometry import CableDrive, JointAngles
+from trs80arm.arm.geometry import CableDrive, JointAngles, forward
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.linkage import FINGERS, ArmLinkage, said
 from trs80arm.arm.model import Link, Motor
@@ -51,6 +51,8 @@ FACING = 0.7
 """Cosine to the way in which the hand closes from which what presses on a finger is closed on."""
 HAIR, BREATH = 0.75, 2.5
 """Half-steps of cable by which a part, or what gives a little, may measure otherwise."""
+YIELDING = 0.5
+"""Part of the cable's way by which what is between the fingers gives way, rather than resists."""
 TURNED_FAST = 0.01
 """Half-steps by which the turntable may be behind its motor and stand."""
 BY_HAND = 12
@@ -86,6 +88,7 @@ class World:
         self._jumped = False
         self._busy = True
         self._loaded = self._leaned_on = False
+        self._met: tuple[float, int] | None = None
         self._burdens: tuple[Burden, ...] = ()
         self._pushed: tuple[float, float, float, float, float] = (0.0,) * 5
         self._plate = 0.0
@@ -157,6 +160,9 @@ class World:
             self._jumped = self._jumped or self._ticked != self._rotors
             self._ticked[:] = self._rotors
             self._busy = False
+            if self.vacant and not self._until_fed():
+                self.show()
+                self._feed()
             return
         self.show()
         self._contact()
@@ -436,14 +442,12 @@ class World:
         return self._clear
 
     def _measured(self) -> float:
-        """How far the arm and what it carries are from all else; feeders that wait count, too."""
+        """How far the arm and what it carries are from all else."""
         scene = self.bench.scene
         least = FAR
         mine = list(zip(self._linkage.names, scene.link_solids, strict=True))
         for load in scene.carried:
             mine += [("", solid) for solid in load.placed]
-        for feeder in self.vacant:
-            least = min(least, self._until_fed(feeder))
         for _, solid in mine:
             least = min(least, solid.low[2])
         for thing in scene.fixed.values():
@@ -459,21 +463,16 @@ class World:
                     least = _nearer(solid, other, least)
         return least
 
-    def _until_fed(self, feeder: Feeder) -> float:
-        """Inches that the fingertip may go until a feeder can give; 0 where it can."""
-        x, y, _ = self._tip()
-        out = math.hypot(x - feeder.x, y - feeder.y)
-        return max(0.0, FEED_CLEARANCE + feeder.place.radius - out)
+    def _until_fed(self) -> float:
+        """Inches that the fingertip may go until a feeder can give; 0 where one can."""
+        tip = forward(self.model, self.drive.angles(self._rotors)).fingertip
+        return max(0.0, min((self._within(feeder, tip) for feeder in self.vacant), default=FAR))
 
-    def _tip(self) -> Vector:
-        """The fingertip on the last tick."""
-        hand = self._linkage.hand
-        frame = self.bench.scene.links[hand]
-        return plus(
-            frame.place,
-            (frame.turn[0], frame.turn[3], frame.turn[6]),
-            self.model.hand_length,
-        )
+    @staticmethod
+    def _within(feeder: Feeder, tip: Vector) -> float:
+        """Inches by which a fingertip is too near to a feeder for its next part."""
+        out = math.hypot(tip[0] - feeder.x, tip[1] - feeder.y)
+        return FEED_CLEARANCE + feeder.place.radius - out
 
     def clearance(self, *, turning: bool) -> float:
         """Inches that any point of arm and load may go before anything can happen, at least.
@@ -488,6 +487,8 @@ class World:
         if not self.at_rest:
             return 0.0
         clear = self._clearance_at_tick() - self._travel(self._ticked, self._rotors)
+        if self.vacant and not turning:
+            clear = min(clear, self._until_fed() - NEAR)
         if turning and clear > 0.0:
             clear = min(clear, self._over_rings() - self._travel(self._ticked, self._rotors))
         return max(0.0, clear)
@@ -501,7 +502,7 @@ class World:
         joined = len(mine)
         mine += self._hand_rings(c, s)
         least = min(each.low for each in mine)
-        x, y, _ = self._tip()
+        x, y, _ = forward(self.model, self.drive.angles(self._ticked)).fingertip
         for feeder in self.vacant:
             out = math.hypot(x, y) + math.hypot(feeder.x, feeder.y)
             least = min(least, FEED_CLEARANCE + feeder.place.radius - out)
@@ -714,17 +715,32 @@ class World:
                 each = gaps.setdefault(other, {})
                 each[one] = min(contact.gap, each.get(one, contact.gap))
         steps, opening = self.model.hand_steps, scene.joints[5]
-        grip.strain = 0.0
+        pressed = scene.torques[5] > 0 and opening > 0
         # Fingers that have met the same thing, or are about to: it is known where.
         both = [scene.met_at[5] - sum(each.values()) for each in gaps.values() if len(each) == 2]
-        if both:
-            self._met_with(max(both) * steps, HAIR)
-        elif self._between() and scene.torques[5] > 0:
-            self._met_with(opening * steps, BREATH)
+        grip.strain = 0.0
+        if pressed and (both or self._between()):
+            before, self._met = self._met, (opening * steps, grip.cable)
+            resists = before is not None and (
+                before[0] - self._met[0] <= YIELDING * (before[1] - grip.cable) + HAIR / 3
+            )
+            if not resists:
+                scene.look_closely()
+            if resists or (before is None and both):
+                self._met_with(
+                    max(both) * steps if both else self._met[0], HAIR if both else BREATH
+                )
+                return
         else:
-            grip.contact = 0
-            if scene.torques[5] > 0 and opening > 0:
-                grip.strain = scene.torques[5] / self.model.stiffness[5] * steps
+            self._met = None
+            if both:
+                scene.look_closely()
+                self._met_with(max(both) * steps, HAIR)
+                return
+        # What is pushed along or squared gives way: only what it resists with strains the cable.
+        grip.contact = 0
+        if pressed:
+            grip.strain = scene.torques[5] / self.model.stiffness[5] * steps
 
     def _met_with(self, cable: float, give: float) -> None:
         """The fingers have met with so much cable paid out; what is rigid does not breathe."""
@@ -861,11 +877,16 @@ class World:
 
     def _feed(self) -> None:
         """Feeders whose place is free, and clear of the hand, give their next part."""
+        if not self.vacant:
+            return
+        tip = forward(self.model, self.drive.angles(self._rotors)).fingertip
         for feeder in self.vacant:
-            if self._until_fed(feeder) > 0.0:
-                continue
             placed = feeder.placed
-            if self.bench.room_for(placed) and not self._touches(placed):
+            if (
+                self._within(feeder, tip) <= 0.0
+                and self.bench.room_for(placed)
+                and not self._touches(placed)
+            ):
                 self.bench.feed(feeder)
                 self._looked = None
         self._changed()

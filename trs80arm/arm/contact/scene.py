@@ -256,6 +256,10 @@ class Scene:
         self._place_links()
         self._carry()
 
+    def look_closely(self) -> None:
+        """Have the next tick be a single one, and solved."""
+        self._stride, self._coast = 1, None
+
     def take(self, names: Sequence[str]) -> None:
         """Have bodies that are at rest rest in the hand from now on."""
         self._coast = None
