@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from trs80arm.arm import benchfile
 from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.models.minimover5 import MINIMOVER5
 from trs80arm.arm.shapes import Box, upright
+from trs80arm.drawing.bench_solids import solids_of
 from trs80arm.drawing.canvas_ascii import AsciiCanvas
-from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
+from trs80arm.drawing.readings import Kind, Posture, Readings, Thing, things_of
 from trs80arm.drawing.rows import Ink, text_of
 from trs80arm.drawing.scene import Block, Facet, Scene, Stroke, outline
 from trs80arm.drawing.side_scene import side_scene
@@ -45,6 +47,29 @@ def test_a_turned_part_is_seen_turned_from_above() -> None:
     (bar,) = drawn(top_scene(Readings(things=(Thing(Kind.PART, "bar", box),))))
     assert isinstance(bar, Facet)
     assert len(bar.corners) == 4
+
+
+def test_a_can_is_round_from_above_and_square_from_the_side() -> None:
+    bench = benchfile.parse(
+        "[[part]]\nname = 'can'\nshape = 'cylinder'\nat = [8, 0]\ndiameter = 2\nheight = 1"
+    )
+    readings = Readings(things=tuple(things_of(bench)))
+    (round_one,) = drawn(top_scene(readings))
+    assert isinstance(round_one, Facet)
+    assert len(round_one.corners) == 24
+    (beside,) = drawn(side_scene(readings))
+    assert isinstance(beside, Block)
+    (thing,) = readings.things
+    assert len(solids_of(thing, 10).corners) == 48
+
+
+def test_a_tray_is_drawn_with_its_walls() -> None:
+    bench = benchfile.parse(
+        "[[part]]\nname = 'tray'\nshape = 'tray'\nat = [8, 0]\nsize = [3, 2, 1]\nwall = 0.1"
+    )
+    (thing,) = things_of(bench)
+    assert len(thing.solids) == 5
+    assert len(solids_of(thing, 10).corners) == 5 * 8
 
 
 def test_an_upright_part_is_an_upright_box() -> None:

@@ -7,6 +7,7 @@ from a file. Inches, ounces; turns in radians counter-clockwise from above.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any
@@ -16,12 +17,16 @@ from trs80arm.arm.contact.distance import distance, distance_to
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import IDENTITY, about, apply, matrix, quaternion
 from trs80arm.arm.contact.solids import Solid, box
-from trs80arm.arm.shapes import Box, Vector, interval, plus, upright
+from trs80arm.arm.shapes import SKIN, Box, Vector, interval, plus, upright
 
 ON_THE_TABLE = 0.02
 """Height of its lowest corner up to which something stands on the table, inches."""
 TOUCHED = 0.005
 """A pad feels what is within this of it, inches."""
+
+
+Polyhedron = tuple[tuple[Vector, ...], tuple[tuple[int, ...], ...]]
+"""Corners in inches, and faces as indices of them, counter-clockwise as seen from outside."""
 
 
 @dataclass(slots=True)
@@ -51,6 +56,18 @@ class Part(Body):
         half = ((high[0] - low[0]) / 2, (high[1] - low[1]) / 2, (high[2] - low[2]) / 2)
         axes = ((m[0], m[3], m[6]), (m[1], m[4], m[7]), (m[2], m[5], m[8]))
         return Box(plus(self.place, middle), axes, half)
+
+    @property
+    def polyhedra(self) -> tuple[Polyhedron, ...]:
+        """Its solids where they stand; none if it is a box."""
+        (solid, *more), low, high = self.shape.solids, self.shape.low, self.shape.high
+        if not more and all(
+            value - least < SKIN or most - value < SKIN
+            for corner in solid.vertices
+            for value, least, most in zip(corner, low, high, strict=True)
+        ):
+            return ()
+        return _polyhedra(self.placed)
 
     @property
     def upwards(self) -> Vector:
@@ -174,6 +191,17 @@ class Obstacle:
         """The same with all that follows."""
         return [Placed(solid, NOWHERE, IDENTITY) for solid in self.standing]
 
+    @cached_property
+    def polyhedra(self) -> tuple[Polyhedron, ...]:
+        """Its solids; none if it is a box."""
+        corners = self.box.corners()
+        if len(self.placed) == 1 and all(
+            min(math.dist(vertex, corner) for corner in corners) < SKIN
+            for vertex in self.placed[0].vertices
+        ):
+            return ()
+        return _polyhedra(self.placed)
+
     def __getstate__(self) -> dict[str, Any]:
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
@@ -269,6 +297,11 @@ class Turntable:
         x, y, _ = part.place
         reach = self.radius + part.shape.radius
         return (x - self.x) ** 2 + (y - self.y) ** 2 <= reach**2
+
+
+def _polyhedra(placed: Sequence[Placed]) -> tuple[Polyhedron, ...]:
+    """Solids as corners and faces."""
+    return tuple((tuple(solid.vertices), solid.faces) for solid in placed)
 
 
 def box_at(place: Box) -> Solid:

@@ -44,6 +44,10 @@ def solids_of(thing: Thing, body: int) -> Solids:
     material = part_material(thing.colour) if thing.kind is Kind.PART else _MATERIAL[thing.kind]
     if thing.kind is Kind.TURNTABLE:
         return _plate(thing.box, material, body)
+    if thing.solids:
+        return Solids.joined(
+            tuple(Solids.of(corners, faces, material, body) for corners, faces in thing.solids)
+        )
     return Solids.of(thing.box.corners(), _FACES, material, body)
 
 

@@ -13,11 +13,11 @@ from zlib import crc32
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.events import ArmEvent
-from trs80arm.arm.fixtures import LightBeam, Proximity, Sensor
+from trs80arm.arm.fixtures import LightBeam, Polyhedron, Proximity, Sensor
 from trs80arm.arm.geometry import ArmPoints, JointAngles, forward, inverse
 from trs80arm.arm.model import ArmModel, Pose
 from trs80arm.arm.settings import ArmSettings
-from trs80arm.arm.shapes import Box, upright
+from trs80arm.arm.shapes import Box, Vector, upright
 from trs80arm.machine.driver import Mode
 from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.rig import Key, Rig, Waiting
@@ -45,14 +45,15 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Thing:
-    """A box on the table.
+    """Something on the table.
 
     Attributes:
         kind: what it is.
         name: of it.
-        box: where it is, and how large.
+        box: where it is, and how large: itself, or the box around it.
         held: whether the hand holds it.
         colour: of a part, a number; parts of one feeder have one.
+        solids: of which it is made, if it is no box: the corners and faces of each.
     """
 
     kind: Kind
@@ -60,6 +61,14 @@ class Thing:
     box: Box
     held: bool = False
     colour: int = 0
+    solids: tuple[Polyhedron, ...] = ()
+
+    @property
+    def corners(self) -> list[Vector]:
+        """All its corners, inches."""
+        if not self.solids:
+            return self.box.corners()
+        return [corner for corners, _ in self.solids for corner in corners]
 
 
 @dataclass(frozen=True)
@@ -204,12 +213,14 @@ def things_of(bench: Bench) -> Iterator[Thing]:
         )
     for obstacle in bench.obstacles:
         if obstacle.name not in ("base", "body"):
-            yield Thing(Kind.OBSTACLE, obstacle.name, obstacle.box)
+            shape = obstacle.polyhedra
+            yield Thing(Kind.OBSTACLE, obstacle.name, obstacle.box, solids=shape)
     for sensor in bench.sensors:
         yield Thing(Kind.SENSOR, f"sensor {sensor.bit}", _sensor_box(sensor))
     colours = _colours(bench)
     for part in bench.parts.values():
-        yield Thing(Kind.PART, part.name, part.box, part.held, colours[_batch(part.name)])
+        colour = colours[_batch(part.name)]
+        yield Thing(Kind.PART, part.name, part.box, part.held, colour, part.polyhedra)
 
 
 def _batch(name: str) -> str:

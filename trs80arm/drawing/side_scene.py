@@ -177,7 +177,7 @@ def _side_block(thing: Thing, base: float) -> Shape:
     """A thing as it is seen from the side: its outline, tilted as it is."""
     if thing.kind is not Kind.PART:
         return Block(*_side_corners(thing, base), INK[thing.kind], FILL[thing.kind])
-    corners = [(turned(corner, base)[0], corner[2]) for corner in thing.box.corners()]
+    corners = [(turned(corner, base)[0], corner[2]) for corner in thing.corners]
     return solid(corners, INK[thing.kind], FILL[thing.kind])
 
 
@@ -186,7 +186,7 @@ def _in_the_hand(thing: Thing, posture: Posture) -> Shape:
     points, pitch = posture.points, posture.angles.pitch
     tip = skeleton(posture)[3]
     corners = []
-    for corner in thing.box.corners():
+    for corner in thing.corners:
         from_tip = minus(corner, points.fingertip)
         ahead = along(tip, pitch, dot(from_tip, points.pointing))
         corners.append(along(ahead, pitch + QUARTER, dot(from_tip, points.across)))

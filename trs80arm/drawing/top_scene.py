@@ -106,7 +106,7 @@ def _top_block(thing: Thing) -> list[Shape]:
         return _plate(box)
     (ux, uy, _), (vx, vy, _), _ = box.axes
     if thing.kind is Kind.PART:
-        return [solid([corner[:2] for corner in box.corners()], ink, FILL[thing.kind])]
+        return [solid([corner[:2] for corner in thing.corners], ink, FILL[thing.kind])]
     if abs(ux * uy) < TURNED or max(box.half[:2]) < 1:
         return [Block(*_top_corners(thing), ink, FILL[thing.kind])]
     (x, y, _), (a, b, _) = box.center, box.half

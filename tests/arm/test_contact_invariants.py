@@ -1,0 +1,126 @@
+"""Random programs on random benches: what holds of parts whatever BASIC does to them."""
+
+from __future__ import annotations
+
+import math
+import random
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from trs80arm import Rig
+from trs80arm.arm import BenchError, benchfile
+from trs80arm.arm.bench import Bench, deep
+from trs80arm.arm.fixtures import Part
+
+FRAME = 1 / 60
+RESTING, MOVING = 0.03, 0.15
+"""Inches to which parts may be found in each other at rest, and when something tumbles or jams."""
+
+SHAPES = (
+    "size = [{a}, {b}, {c}]",
+    "shape = 'cylinder'\ndiameter = {a}\nheight = {c}",
+    "shape = 'prism'\noutline = [[-{a}, -{b}], [{a}, -{b}], [0, {b}]]\nheight = {c}",
+    "shape = 'tray'\nsize = [2, 2, {a}]\nwall = 0.1",
+    "shape = 'holed'\nsize = [1.5, 1.5, {c}]\nhole = [0.6, 0.6]",
+)
+
+
+def random_bench(chance: random.Random) -> Bench:
+    """The open hand low above the table, up to five things around it."""
+    text = "[arm]\nat = [8, 0, 1.6]\nopening = 1.5\n"
+    for _ in range(chance.randrange(1, 6)):
+        a, b, c = (round(chance.uniform(0.3, 1.2), 2) for _ in range(3))
+        thing = (
+            f"[[part]]\nat = [{chance.uniform(6.5, 9.5):.2f}, {chance.uniform(-2, 2):.2f}]\n"
+            f"bottom = {chance.choice([0, 0, 0, 1.3])}\nturn = {chance.randrange(360)}\n"
+            f"weight = {chance.choice([0.5, 2, 8])}\n"
+            + chance.choice(SHAPES).format(a=a, b=b, c=c)
+            + "\n"
+        )
+        try:
+            benchfile.parse(text + thing)
+        except BenchError:
+            continue
+        text += thing
+    return benchfile.parse(text)
+
+
+def random_program(chance: random.Random) -> str:
+    """Down, close, squeeze, lift, swing, let go, or sweep, in some order."""
+    moves = [
+        "@STEP 60,0,132,-36",
+        "@CLOSE 60",
+        "@STEP 100,0,0,0,0,0,-30",
+        "@STEP 100,0,-132,36",
+        f"@STEP 60,{chance.randrange(-250, 250)}",
+        f"@STEP 60,0,0,0,{chance.randrange(-60, 60)},{chance.randrange(-60, 60)}",
+        "@STEP 60,0,0,0,0,0,150",
+    ]
+    if chance.random() < 0.5:
+        chance.shuffle(moves)
+    return "\n".join(f"{10 * k} {move}" for k, move in enumerate(moves, 1)) + "\n"
+
+
+def machine(seed: int) -> Rig:
+    chance = random.Random(seed)
+    rig = Rig(bench=random_bench(chance))
+    rig.load_text(random_program(chance))
+    rig.type("RUN\r")
+    return rig
+
+
+def parts(rig: Rig) -> list[Part]:
+    return list(rig.arm.bench.parts.values())
+
+
+def assert_possible(rig: Rig) -> None:
+    """Nothing is below the table, inside another, or nowhere."""
+    found = parts(rig)
+    for k, part in enumerate(found):
+        assert all(math.isfinite(value) and abs(value) < 100 for value in part.place)
+        assert part.bottom > -MOVING
+        for other in found[:k]:
+            depth = RESTING if part.asleep and other.asleep else MOVING
+            assert not any(deep(a, b, depth) for a in part.placed for b in other.placed)
+    assert rig.pose.z > -0.2
+
+
+def energy(part: Part) -> float:
+    """Of height and speed, inch-ounces; the spin left out."""
+    return part.weight * (part.place[2] + sum(v * v for v in part.velocity) / (2 * 386.09))
+
+
+@settings(max_examples=4, deadline=None, derandomize=True)
+@given(st.integers(0, 10**9))
+def test_whatever_a_program_does_parts_are_where_parts_can_be(seed: int) -> None:
+    rig = machine(seed)
+    for _ in range(40):
+        rig.run_for(15 * FRAME)
+        assert_possible(rig)
+    rig.run_until_waiting(60)
+    rig.run_for(2.0)
+    assert_possible(rig)
+    # Nothing moves by itself, and nobody gives it any energy.
+    for _ in range(10):
+        before = {part.name: (part.place, part.asleep, energy(part)) for part in parts(rig)}
+        rig.run_for(15 * FRAME)
+        total = sum(energy(part) for part in parts(rig))
+        assert total <= sum(had for _, _, had in before.values()) + 0.05
+        for part in parts(rig):
+            place, asleep, _ = before[part.name]
+            assert not asleep or part.place == place
+
+
+@settings(max_examples=3, deadline=None, derandomize=True)
+@given(st.integers(0, 10**9), st.lists(st.integers(1, 40), min_size=3, max_size=9))
+def test_runs_in_pieces_and_from_snapshots_are_the_same(seed: int, pieces: list[int]) -> None:
+    whole, sliced = machine(seed), machine(seed)
+    for piece in pieces:
+        whole.run_for(5 * piece * FRAME)
+        for _ in range(5):
+            sliced.run_for(piece * FRAME)
+        assert sliced.snapshot() == whole.snapshot()
+        fresh = Rig()
+        fresh.restore(sliced.snapshot())
+        sliced = fresh
