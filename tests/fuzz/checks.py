@@ -8,6 +8,9 @@ from trs80arm import Rig
 from trs80arm.machine.memory import ADDRESSES
 from trs80arm.machine.printer import PAPER
 
+DEEPEST = 0.01
+"""Inches by which a part that rests or is pressed down may give way to the table."""
+
 
 class BrokenError(AssertionError):
     """Something that must always hold does not."""
@@ -33,4 +36,4 @@ def rig_is_whole(rig: Rig) -> None:
     hold(len(rig.printer.sent) <= 2 * PAPER, "paper in memory")
     hold(len(rig.basic.state.stack) < 50, "activities lie on activities")
     for name, part in rig.arm.bench.parts.items():
-        hold(part.box.bottom > -1e-6, f"{name} is in the table")
+        hold(part.box.bottom > -DEEPEST, f"{name} is in the table")
