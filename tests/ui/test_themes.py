@@ -95,7 +95,7 @@ async def test_the_arm_is_no_dark_blue_on_black(sit_down: Opener) -> None:
     async with sit_down(120, 40, theme="ansi-dark") as sitting:
         style = sitting.app.desk.side.get_component_rich_style("panel--arm")
         assert style.color is not None
-        assert style.color.number == 12
+        assert style.color.number == 14
 
 
 @pytest.mark.parametrize("name", [theme.name for theme in THEMES])

@@ -49,6 +49,7 @@ from trs80arm.ui.commands.program import ProgramCommands
 from trs80arm.ui.commands.table import COMMANDS, Commands, Palette, bindings, command, listed
 from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ViewCommands
+from trs80arm.ui.contrast import readable
 from trs80arm.ui.heartbeat import Heartbeat
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.keyboard import Keyboard
@@ -197,6 +198,11 @@ class Trs80Arm(App[int]):
         """The tube's colours in themes that know no tube: those of any text."""
         colours = self.current_theme.to_color_system().generate()
         return {"tube": colours["foreground"], "tube-background": colours["background"]}
+
+    def get_css_variables(self) -> dict[str, str]:
+        """The theme's variables, those changed that could not be read."""
+        variables = super().get_css_variables()
+        return variables | readable(variables)
 
     def get_default_screen(self) -> Screen[None]:
         """The desk."""

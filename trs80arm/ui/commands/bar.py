@@ -31,8 +31,8 @@ class CommandBar(Widget):
     COMPONENT_CLASSES = {"bar--key", "bar--word"}  # noqa: RUF012
     DEFAULT_CSS = """
     CommandBar { height: 1; background: $panel; }
-    CommandBar .bar--key { color: $accent; background: $panel; text-style: bold; }
-    CommandBar .bar--word { color: $foreground; background: $panel; }
+    CommandBar .bar--key { color: $key; background: $panel; text-style: bold; }
+    CommandBar .bar--word { color: $word; background: $panel; }
     """
 
     def __init__(self, commands: Sequence[Command], *, id: str | None = None) -> None:

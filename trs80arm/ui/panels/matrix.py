@@ -98,9 +98,9 @@ class MatrixView(Widget):
         "matrix--label",
     }
     DEFAULT_CSS = """
-    MatrixView .matrix--key { color: $foreground; background: $panel; }
-    MatrixView .matrix--jog { color: $accent; background: $panel; text-style: bold; }
-    MatrixView .matrix--down { color: $background; background: $warning; text-style: bold; }
+    MatrixView .matrix--key { color: $word; background: $panel; }
+    MatrixView .matrix--jog { color: $key; background: $panel; text-style: bold; }
+    MatrixView .matrix--down { color: $on-warning; background: $warning; text-style: bold; }
     MatrixView .matrix--label { color: $text-muted; }
     """
 

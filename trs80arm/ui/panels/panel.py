@@ -53,25 +53,24 @@ class Panel(Widget, can_focus=False):
         & > .panel--metal { color: $foreground; }
         & > .panel--table { color: $secondary; }
         & > .panel--shadow { color: $secondary; }
-        & > .panel--obstacle { color: #cf9166; }
-        & > .panel--part-2 { color: #ff8f6b; }
-        & > .panel--part-3 { color: #6bb8ff; }
-        & > .panel--part-4 { color: #c98bff; }
-        & > .panel--part-5 { color: #ff7bb0; }
-        & > .panel--part-6 { color: #6fd8c0; }
-        &:light > .panel--obstacle { color: #7a4a24; }
-        &:light > .panel--part-2 { color: #a8320c; }
-        &:light > .panel--part-3 { color: #1257a0; }
-        &:light > .panel--part-4 { color: #6a2aa5; }
-        &:light > .panel--part-5 { color: #a01458; }
-        &:light > .panel--part-6 { color: #0c665a; }
+        & > .panel--obstacle { color: $obstacle; }
+        & > .panel--part-2 { color: $part-2; }
+        & > .panel--part-3 { color: $part-3; }
+        & > .panel--part-4 { color: $part-4; }
+        & > .panel--part-5 { color: $part-5; }
+        & > .panel--part-6 { color: $part-6; }
         &:ansi > .panel--obstacle { color: ansi_yellow; }
         &:ansi > .panel--part-2 { color: ansi_bright_red; }
         &:ansi > .panel--part-3 { color: ansi_bright_cyan; }
         &:ansi > .panel--part-4 { color: ansi_bright_magenta; }
         &:ansi > .panel--part-5 { color: ansi_magenta; }
         &:ansi > .panel--part-6 { color: ansi_cyan; }
-        &:ansi > .panel--arm { color: ansi_bright_blue; }
+        &:ansi:dark > .panel--arm { color: ansi_bright_cyan; }
+        &:ansi:dark > .panel--ghost { color: ansi_bright_red; }
+        &:ansi:dark > .panel--alarm { color: ansi_bright_red; }
+        &:ansi:light > .panel--arm { color: ansi_blue; }
+        &:ansi:light > .panel--part { color: ansi_red; }
+        &:ansi:light > .panel--lamp-on { color: ansi_red; }
     }
     """
     HELP = ""

@@ -29,11 +29,11 @@ class Dialog(ModalScreen[Answer | None], SeenThrough, Generic[Answer]):
     Dialog { align: center middle; background: $background 60%; }
     Dialog > .dialog {
         width: 76; max-width: 96%; height: auto; max-height: 96%;
-        border: round $primary; border-title-color: $accent; border-subtitle-color: $text-muted;
+        border: round $title; border-title-color: $text-accent; border-subtitle-color: $text-muted;
         background: $surface; padding: 0 1;
     }
     Dialog .hint { color: $text-muted; }
-    Dialog .wrong { color: $error; height: auto; }
+    Dialog .wrong { color: $text-error; height: auto; }
     Dialog OptionList {
         height: auto; max-height: 20; min-width: 8; border: none; background: $surface;
     }
@@ -43,7 +43,7 @@ class Dialog(ModalScreen[Answer | None], SeenThrough, Generic[Answer]):
     Dialog .buttons { height: auto; align-horizontal: right; margin-top: 1; }
     Dialog Button { margin-left: 2; padding: 0 1; background: $panel; }
     Dialog Button:focus {
-        background: $primary; color: $background; text-style: bold !important;
+        background: $primary; color: $on-primary; text-style: bold !important;
         background-tint: transparent;
     }
     """

@@ -47,7 +47,7 @@ class OpenScreen(Dialog[Path]):
     OpenScreen OptionList { width: 36; height: 100%; max-height: 100%; }
     OpenScreen #preview {
         width: 1fr; height: 100%; padding-left: 1; overflow: hidden;
-        border-left: solid $secondary 75%; color: $text-muted;
+        border-left: solid $frame; color: $text-muted;
     }
     """
 

@@ -67,7 +67,7 @@ class TeachScreen(Dialog[TeachResult]):
         height: auto; max-height: 40%; text-wrap: nowrap; text-overflow: clip;
     }
     TeachScreen #listing-box {
-        height: 1fr; border-top: solid $secondary 75%; border-title-color: $secondary;
+        height: 1fr; border-top: solid $frame; border-title-color: $title;
     }
     TeachScreen #listing { color: $text-muted; height: auto; }
     """
