@@ -353,7 +353,7 @@ async def test_help_is_one_page_that_says_why_keys_work_as_they_do(sit_down: Ope
 
 @piloted
 async def test_a_small_terminal_gets_a_message(sit_down: Opener) -> None:
-    async with sit_down(60, 20) as sitting:
+    async with sit_down(39, 20) as sitting:
         assert not sitting.app.desk.tube.display
         await sitting.pilot.resize_terminal(80, 24)
         await sitting.settle()

@@ -24,6 +24,7 @@ from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ViewCommands
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.keyboard import Keyboard
+from trs80arm.ui.layout import Lead
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.hand_move import HandMoveScreen
 from trs80arm.ui.screens.key_test import KeyTest
@@ -45,6 +46,7 @@ class Shown:
         self.tube_text = "READY"
         self.theme = "green"
         self.dialog_is_open = False
+        self.lead: Lead | None = None
 
     def use_glyphs(self, chosen: GlyphSet) -> None:
         self.glyph_set = chosen
@@ -60,6 +62,10 @@ class Shown:
 
     def zoom(self, name: str) -> None:
         self.done.append(("zoom", name))
+
+    def choose_lead(self) -> Lead | None:
+        self.lead = Lead.ARM if self.lead is None else None
+        return self.lead
 
     def toggle_arm_option(self, name: str) -> bool:
         self.done.append(("toggle", name))
@@ -349,6 +355,15 @@ def test_options_of_the_arms_views_say_whether_they_are_on(desk: Desk) -> None:
     desk.view.arm_option("trail")
     desk.view.arm_option("trail")
     assert desk.person.told == ["Trail on.", "Trail off."]
+
+
+def test_who_gives_the_room_away_is_told_how_to_have_it_back(desk: Desk) -> None:
+    desk.view.lead()
+    desk.view.lead()
+    assert desk.person.told == [
+        "The arm has the room. Ctrl+E: whichever needs it.",
+        "The arm has the room while it moves, else the tube.",
+    ]
 
 
 def test_latch_mode_is_switched_on_and_off(desk: Desk) -> None:

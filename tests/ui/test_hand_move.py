@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import pytest
-from textual.app import App
 
 from tests.drawing import samples
 from tests.goldens import check_golden
@@ -12,9 +11,10 @@ from trs80arm.desk.hands import MoveJoint, MoveTo
 from trs80arm.drawing.readings import Readings
 from trs80arm.options import ArmStyle
 from trs80arm.ui.screens.hand_move import HandMoveScreen
+from trs80arm.ui.themes import Themed
 
 
-class Desk(App[None]):
+class Desk(Themed[None]):
     """Nothing but the dialog, and what it asked for."""
 
     def __init__(self) -> None:

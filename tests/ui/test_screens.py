@@ -38,7 +38,7 @@ async def test_the_first_start(sit_down: Opener, width: int, height: int) -> Non
         check_golden(f"start-{shape(width, height)}", screen_text(sitting.app))
 
 
-@pytest.mark.parametrize(("width", "height"), SIZES)
+@pytest.mark.parametrize(("width", "height"), [*SIZES, (200, 60), (200, 24), (60, 60)])
 @piloted
 async def test_table_4_is_loaded(sit_down: Opener, width: int, height: int) -> None:
     async with sit_down(width, height, program=PROGRAMS / "table4.bas") as sitting:
@@ -53,6 +53,15 @@ async def test_the_arm_after_a_motion(sit_down: Opener, width: int, height: int)
         await sitting.type_line("CLS:@STEP 50,400,-300,200,100,-100,300")
         await sitting.pass_time(3)
         check_golden(f"moved-{shape(width, height)}", screen_text(sitting.app))
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES)
+@piloted
+async def test_manual_mode(sit_down: Opener, width: int, height: int) -> None:
+    async with sit_down(width, height) as sitting:
+        await sitting.type_line("@SET")
+        await sitting.settle()
+        check_golden(f"manual-{shape(width, height)}", screen_text(sitting.app))
 
 
 @pytest.mark.parametrize("bottom", ["motors", "log", "keyboard"])

@@ -3,7 +3,6 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from textual.app import App
 from textual.widgets import Input, OptionList
 
 from tests.desk.test_teach import pick_and_place
@@ -14,9 +13,10 @@ from tests.ui.screen_text import screen_text
 from trs80arm.desk.teach import Lesson
 from trs80arm.drawing.readings import Readings
 from trs80arm.ui.screens.teach import TeachResult, TeachScreen
+from trs80arm.ui.themes import Themed
 
 
-class Desk(App[None]):
+class Desk(Themed[None]):
     """Nothing but the dialog, and what it ended with."""
 
     def __init__(self, lesson: Lesson, folder: Path) -> None:

@@ -49,7 +49,6 @@ from trs80arm.ui.commands.program import ProgramCommands
 from trs80arm.ui.commands.table import COMMANDS, Commands, Palette, bindings, command, listed
 from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ViewCommands
-from trs80arm.ui.contrast import readable
 from trs80arm.ui.heartbeat import Heartbeat
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.keyboard import Keyboard
@@ -63,7 +62,7 @@ from trs80arm.ui.screens.palette import PaletteScreen
 from trs80arm.ui.terminal.driver import choose_driver
 from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
 from trs80arm.ui.terminal.no_codes import NoControlCodes
-from trs80arm.ui.themes import THEMES
+from trs80arm.ui.themes import THEMES, Themed
 
 COPY_EVERY = 5.0
 """Seconds of the wall between two looks at whether a recovery copy is due."""
@@ -83,7 +82,7 @@ ENDING = [
 """Told to end, or the terminal was closed: the program goes, but what is unsaved is kept."""
 
 
-class Trs80Arm(App[int]):
+class Trs80Arm(Themed[int]):
     """A TRS-80 and a MiniMover 5 in the terminal.
 
     Args:
@@ -193,16 +192,6 @@ class Trs80Arm(App[int]):
             self.push_screen(PaletteScreen(id="--command-palette"))
 
     # -- what Textual asks ------------------------------------------------------------------------
-
-    def get_theme_variable_defaults(self) -> dict[str, str]:
-        """The tube's colours in themes that know no tube: those of any text."""
-        colours = self.current_theme.to_color_system().generate()
-        return {"tube": colours["foreground"], "tube-background": colours["background"]}
-
-    def get_css_variables(self) -> dict[str, str]:
-        """The theme's variables, those changed that could not be read."""
-        variables = super().get_css_variables()
-        return variables | readable(variables)
 
     def get_default_screen(self) -> Screen[None]:
         """The desk."""

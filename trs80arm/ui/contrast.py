@@ -93,6 +93,7 @@ def _readable(variables: Mapping[str, str]) -> Iterator[tuple[str, str]]:
     if not known:
         yield from (
             ("frame", variables["secondary"]),
+            ("lead", variables["primary"]),
             ("title", variables["secondary"]),
             ("key", variables["accent"]),
             ("word", variables["foreground"]),
@@ -108,7 +109,8 @@ def _readable(variables: Mapping[str, str]) -> Iterator[tuple[str, str]]:
             yield name, legible(Color.parse(text), *grounds).hex
     for name, text in OF_PARTS.items():
         yield name, legible(Color.parse(text), background, surface).hex
-    yield "frame", legible(background.blend(secondary, 0.6), background, surface, least=LINE).hex
+    yield "frame", legible(background.blend(secondary, 0.35), background, surface, least=LINE).hex
+    yield "lead", legible(primary, background, surface).hex
     yield "title", legible(secondary, background, surface).hex
     yield "key", legible(accent, panel).hex
     yield "word", legible(foreground, panel).hex

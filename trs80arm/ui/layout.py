@@ -1,74 +1,200 @@
 """Where everything stands in a terminal of a given size: a pure function from size to regions.
 
-Panels stand in groups, and what is switched under the tube is a group. Three arrangements: all
-panels (from 116 x 36), tube with registers and a switched group (from 78 columns), tube with a
-switched group. Below 64 x 18 there is room for a message only.
+Panels stand in groups, and what is switched in at a key is a group. There is an arrangement for
+each shape of window: all in columns (large, huge, wide), in one stack (tall), and two in which tube
+and arm share the room, and the one that leads has most of it (compact, middle). Below 40 x 12 there
+is room for a message only.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from enum import Enum
+from itertools import pairwise
 
 from textual.geometry import Region
 
 from trs80arm.machine.video import COLUMNS, ROWS
 
-SMALLEST = (COLUMNS, ROWS + 2)
+SMALLEST = (40, 12)
 """Columns and rows below which nothing but a message is shown."""
 FURNITURE = 2
 """The status line and the footer."""
-EVERYTHING = (116, 36)
 SIDE_COLUMN = 14
 """Columns beside the tube from which on registers fit there."""
 SHORTEST_BOTTOM = 3
+TUBE_LINES = 6
+"""The least lines of the tube that are seen while the arm leads: the six registers stand beside."""
 _FRAME = 2
+_TUBE = COLUMNS + _FRAME
+_TUBE_ROWS = ROWS + _FRAME
 _NUMBERS = 10
-"""Rows of a panel of six joints with its heading and title."""
+"""Rows of a panel of six joints with its heading and frame."""
+_POSE = 12
+"""Rows of the pose in one column, with its frame."""
+_JOINTS = 36
+"""Columns of a panel of six joints with their names, with its frame."""
+_LISTING = 46
+"""Columns of the listing where it has a column of its own."""
 
 Plan = dict[str, Region]
 """The region of each panel that is shown, by the panel's id, from the top left of the screen."""
 
 
 TUBE, ARM, NUMBERS, MOTORS, LOG, KEYBOARD = "tube", "arm", "numbers", "motors", "log", "keyboard"
-"""The groups that have places of their own where there is room for all; any other one is switched
-in at the keyboard's place."""
-IN_PLACE = (TUBE, NUMBERS, MOTORS, LOG)
+LISTING, VARIABLES, PAPER = "listing", "variables", "paper"
+SPACE, SCOPE = "space", "scope"
+"""The groups that have places of their own where there is room; any other one is switched in."""
 
 Groups = Mapping[str, Sequence[str]]
 """The ids of the panels of each group, in order."""
 
 
-def shows_everything(width: int, height: int) -> bool:
-    """Whether there is room for all panels at once."""
-    return width >= EVERYTHING[0] and height >= EVERYTHING[1]
+class Lead(Enum):
+    """What has most of the room, and the brightest frame."""
+
+    TUBE = "tube"
+    ARM = "arm"
+
+
+class Frames(Enum):
+    """What separates the panels."""
+
+    RULED = "ruled"
+    """A line to the left of each panel that does not stand at the edge."""
+    TITLED = "titled"
+    """A line with a title over each panel."""
+    FULL = "framed"
+    """A frame around each panel."""
+
+
+class Arrangement(Enum):
+    """The shapes of window that are laid out on purpose."""
+
+    COMPACT = "compact"
+    MIDDLE = "middle"
+    LARGE = "large"
+    TALL = "tall"
+    WIDE = "wide"
+    HUGE = "huge"
+
+
+_IN_PLACE: dict[Arrangement, tuple[str, ...]] = {
+    Arrangement.COMPACT: (TUBE,),
+    Arrangement.MIDDLE: (TUBE, NUMBERS),
+    Arrangement.LARGE: (TUBE, NUMBERS, MOTORS, LOG),
+    Arrangement.TALL: (TUBE, NUMBERS),
+    Arrangement.WIDE: (TUBE, NUMBERS, LOG),
+    Arrangement.HUGE: (TUBE, NUMBERS, MOTORS, LOG, LISTING, VARIABLES, PAPER, SPACE, SCOPE),
+}
+"""The groups that are always seen, so that no key brings them."""
+
+
+def arrangement(width: int, height: int) -> Arrangement:
+    """The arrangement for a window."""
+    if width >= 170 and height >= 48:
+        return Arrangement.HUGE
+    if width >= 116 and height >= 36:
+        return Arrangement.LARGE
+    if width >= 150:
+        return Arrangement.WIDE
+    if height >= 40:
+        return Arrangement.TALL
+    if width >= 100 and height >= 28:
+        return Arrangement.MIDDLE
+    return Arrangement.COMPACT
+
+
+def frames(width: int, height: int) -> Frames:
+    """What separates the panels in a window."""
+    chosen = arrangement(width, height)
+    if chosen is Arrangement.COMPACT:
+        return Frames.RULED
+    narrow = chosen is Arrangement.TALL and width < _TUBE
+    return Frames.TITLED if narrow or height < _TUBE_ROWS + FURNITURE else Frames.FULL
+
+
+def shares_room(width: int, height: int) -> bool:
+    """Whether tube and arm share the room, so that it matters which of them leads."""
+    return arrangement(width, height) in (Arrangement.COMPACT, Arrangement.MIDDLE)
 
 
 def bottoms(groups: Groups, width: int, height: int) -> list[str]:
-    """The groups that can be shown under the tube, in order; the first is what it begins with."""
-    if shows_everything(width, height):
-        return [group for group in groups if group not in IN_PLACE]
-    beside = (TUBE,) if width < COLUMNS + SIDE_COLUMN else (TUBE, NUMBERS)
-    return [group for group in groups if group not in beside]
+    """The groups that can be switched in, in order; the first is what it begins with."""
+    chosen = arrangement(width, height)
+    in_place = _IN_PLACE[chosen]
+    if chosen is Arrangement.COMPACT and width >= COLUMNS + SIDE_COLUMN:
+        in_place = (TUBE, NUMBERS)
+    return [group for group in groups if group not in in_place]
 
 
-def plan(groups: Groups, width: int, height: int, bottom: str, zoomed: str | None = None) -> Plan:
-    """The regions of the panels.
+def plan(
+    groups: Groups,
+    width: int,
+    height: int,
+    bottom: str,
+    zoomed: str | None = None,
+    lead: Lead = Lead.TUBE,
+) -> Plan:
+    """The regions of the panels, their frames included.
 
     Args:
         groups: what there is to be shown.
         width: columns of the terminal.
         height: rows of the terminal.
-        bottom: the group that is shown under the tube.
+        bottom: the group that is switched in.
         zoomed: a panel or a group that has the whole room, or None.
+        lead: what has most of the room where tube and arm share it.
     """
     if width < SMALLEST[0] or height < SMALLEST[1]:
         return {}
-    body = height - FURNITURE
+    room = Region(0, 0, width, height - FURNITURE)
     if zoomed is not None:
-        return _abreast(groups, zoomed, Region(0, 0, width, body))
-    if shows_everything(width, height):
-        return _everything(groups, width, body, bottom)
-    return _switched(groups, width, body, bottom)
+        return _abreast(groups, zoomed, room)
+    match arrangement(width, height):
+        case Arrangement.COMPACT:
+            return _compact(groups, room, bottom, lead)
+        case Arrangement.MIDDLE:
+            return _middle(groups, room, bottom, lead)
+        case Arrangement.LARGE:
+            return _large(groups, room, bottom)
+        case Arrangement.TALL:
+            return _tall(groups, room, bottom)
+        case Arrangement.WIDE:
+            return _wide(groups, room, bottom)
+        case Arrangement.HUGE:
+            return _huge(groups, room, bottom)
+
+
+# -- dividing a room -------------------------------------------------------------------------------
+
+
+def _columns(room: Region, *widths: int) -> list[Region]:
+    """The room in columns of these widths; the last one has the rest."""
+    edges = [0]
+    for width in widths:
+        edges.append(min(room.width, edges[-1] + width))
+    edges.append(room.width)
+    return [
+        Region(room.x + left, room.y, right - left, room.height) for left, right in pairwise(edges)
+    ]
+
+
+def _rows(room: Region, *heights: int) -> list[Region]:
+    """The room in rows of these heights; the last one has the rest."""
+    edges = [0]
+    for height in heights:
+        edges.append(min(room.height, edges[-1] + height))
+    edges.append(room.height)
+    return [
+        Region(room.x, room.y + upper, room.width, lower - upper)
+        for upper, lower in pairwise(edges)
+    ]
+
+
+def _placed(groups: Groups, places: Iterable[tuple[str, Region]]) -> Plan:
+    """Groups of one panel in their places; those that there are none of are left out."""
+    return {groups[group][0]: region for group, region in places if group in groups}
 
 
 def _abreast(groups: Groups, name: str, room: Region) -> Plan:
@@ -85,42 +211,119 @@ def _abreast(groups: Groups, name: str, room: Region) -> Plan:
 
 def _stacked(panels: Sequence[str], room: Region, first: int) -> Plan:
     """Two panels, the first so many rows high, the other below it."""
-    upper, lower = panels
-    return {
-        upper: Region(room.x, room.y, room.width, first),
-        lower: Region(room.x, room.y + first, room.width, room.height - first),
-    }
+    return dict(zip(panels, _rows(room, first), strict=True))
 
 
-def _everything(groups: Groups, width: int, body: int, bottom: str) -> Plan:
-    tube = Region(0, 0, COLUMNS + _FRAME, ROWS + _FRAME)
-    rest = body - tube.height
-    third = width * 38 // 120
-    right = width - 2 * third
+# -- tube and arm share the room -------------------------------------------------------------------
+
+
+def _compact(groups: Groups, room: Region, bottom: str, lead: Lead) -> Plan:
+    tube_width = min(COLUMNS, room.width)
+    beside = room.width - tube_width
+    with_numbers = beside >= SIDE_COLUMN
+    if lead is Lead.ARM and bottom == ARM:
+        lines = max(TUBE_LINES, room.height // 3)
+        upper, lower = _rows(room, room.height - lines)
+        tube, rest = _columns(lower, tube_width)
+        regions = _placed(groups, [(TUBE, tube)]) | _abreast(groups, ARM, upper)
+        return regions | ({groups[NUMBERS][0]: rest} if with_numbers else {})
+    upper, lower = _rows(room, min(ROWS, room.height))
+    tube, rest = _columns(upper, tube_width)
+    regions = _placed(groups, [(TUBE, tube)])
+    if with_numbers:
+        regions |= _stacked(groups[NUMBERS], rest, _NUMBERS - 1)
+    if lower.height < SHORTEST_BOTTOM:
+        return regions
+    shown = ARM if with_numbers and bottom == NUMBERS else bottom
+    return regions | _abreast(groups, shown, lower)
+
+
+def _middle(groups: Groups, room: Region, bottom: str, lead: Lead) -> Plan:
+    left, right = _columns(room, _TUBE)
     side, top = groups[ARM]
-    [coils], [events] = groups[MOTORS], groups[LOG]
-    lower = tube.height + _NUMBERS
-    regions = {groups[TUBE][0]: tube, side: Region(tube.right, 0, width - tube.width, tube.height)}
-    regions |= _stacked(groups[NUMBERS], Region(0, tube.height, third, rest), _NUMBERS)
-    regions[coils] = Region(third, tube.height, third, _NUMBERS)
+    upper, lower = _rows(right, right.height - 2 * _NUMBERS + 3)
+    regions = {top: upper} | _stacked(groups[NUMBERS], lower, _NUMBERS - 1)
+    if lead is Lead.ARM and bottom == ARM:
+        first, second = _rows(left, left.height - TUBE_LINES - _FRAME)
+        return regions | {side: first} | _placed(groups, [(TUBE, second)])
+    first, second = _rows(left, _TUBE_ROWS)
+    regions |= _placed(groups, [(TUBE, first)])
+    return regions | ({side: second} if bottom == ARM else _abreast(groups, bottom, second))
+
+
+# -- room for all ----------------------------------------------------------------------------------
+
+
+def _numbers_and_motors(groups: Groups, room: Region, last: str) -> Plan:
+    """Registers and coils, and beside them the pose and one more panel, 20 rows or more."""
+    registers, pose = groups[NUMBERS]
+    left, right = _columns(room, _JOINTS)
+    regions = _stacked((registers, groups[MOTORS][0]), left, room.height // 2)
+    if last not in groups:
+        return regions | {pose: right}
+    return regions | _stacked((pose, groups[last][0]), right, _POSE)
+
+
+def _large(groups: Groups, room: Region, bottom: str) -> Plan:
+    left, right = _columns(room, _TUBE)
+    tube, lower = _rows(left, _TUBE_ROWS)
+    regions = _placed(groups, [(TUBE, tube)])
+    regions |= _stacked(groups[ARM], right, room.height * 3 // 5)
     if bottom == ARM:
-        regions[top] = Region(2 * third, tube.height, right, rest)
-        regions[events] = Region(third, lower, third, rest - _NUMBERS)
-    else:
-        regions[top] = Region(2 * third, tube.height, right, _NUMBERS)
-        room = Region(third, lower, width - third, rest - _NUMBERS)
-        regions |= _abreast(groups, bottom, room)
+        return regions | _numbers_and_motors(groups, lower, LOG)
+    registers, rest = _rows(lower, _NUMBERS)
+    return regions | _abreast(groups, NUMBERS, registers) | _abreast(groups, bottom, rest)
+
+
+def _huge(groups: Groups, room: Region, bottom: str) -> Plan:
+    left, middle, right = _columns(room, _TUBE, room.width - _TUBE - _LISTING)
+    tube, block, log = _rows(left, _TUBE_ROWS, 2 * _NUMBERS)
+    listing, variables = _rows(right, right.height * 3 // 5)
+    regions = _numbers_and_motors(groups, block, PAPER)
+    regions |= _placed(
+        groups, [(TUBE, tube), (LOG, log), (LISTING, listing), (VARIABLES, variables)]
+    )
+    side, top = groups[ARM]
+    lowest = SCOPE if bottom == ARM else bottom
+    upper, lower = _rows(middle, middle.height * 3 // 4 if lowest in groups else middle.height)
+    if lowest in groups:
+        regions |= _abreast(groups, lowest, lower)
+    first, second = _rows(upper, upper.height * 2 // 3)
+    regions[side] = first
+    if SPACE in groups:
+        second, space = _columns(second, second.width // 2)
+        regions |= _placed(groups, [(SPACE, space)])
+    regions[top] = second
     return regions
 
 
-def _switched(groups: Groups, width: int, body: int, bottom: str) -> Plan:
-    regions = {groups[TUBE][0]: Region(0, 0, COLUMNS, ROWS)}
-    beside = width - COLUMNS
-    if beside >= SIDE_COLUMN:
-        room = Region(COLUMNS, 0, beside, ROWS)
-        regions |= _stacked(groups[NUMBERS], room, _NUMBERS - 1)
-    room = Region(0, ROWS, width, body - ROWS)
-    if room.height < SHORTEST_BOTTOM:
-        return regions
-    shown = ARM if beside >= SIDE_COLUMN and bottom == NUMBERS else bottom
-    return regions | _abreast(groups, shown, room)
+def _wide(groups: Groups, room: Region, bottom: str) -> Plan:
+    left, numbers, right = _columns(room, _TUBE, _JOINTS)
+    tube, log = _rows(left, min(_TUBE_ROWS, room.height))
+    regions = _placed(groups, [(TUBE, tube)])
+    if log.height >= SHORTEST_BOTTOM:
+        regions |= _placed(groups, [(LOG, log)])
+    regions |= _stacked(groups[NUMBERS], numbers, min(_NUMBERS, room.height // 2))
+    if bottom == ARM:
+        return regions | _abreast(groups, ARM, right)
+    side, _ = groups[ARM]
+    first, second = _columns(right, right.width // 2)
+    return regions | {side: first} | _abreast(groups, bottom, second)
+
+
+def _tall(groups: Groups, room: Region, bottom: str) -> Plan:
+    framed = room.width >= _TUBE
+    tube_rows = _TUBE_ROWS if framed else ROWS + 1
+    first, rest = _rows(room, tube_rows)
+    side, top = groups[ARM]
+    tube, beside = _columns(first, min(_TUBE, room.width))
+    regions = _placed(groups, [(TUBE, tube)])
+    if beside.width >= SIDE_COLUMN + _FRAME:
+        regions |= _stacked(groups[NUMBERS], beside, _NUMBERS - 1)
+        arms, lowest = _rows(rest, rest.height * 4 // 5)
+        shown = LOG if bottom == ARM else bottom
+    else:
+        arms, lowest = _rows(rest, rest.height - _NUMBERS - 1)
+        shown = NUMBERS if bottom == ARM else bottom
+    regions |= _stacked((side, top), arms, arms.height * 3 // 5)
+    return regions | _abreast(groups, shown, lowest)

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
+from textual.app import App
 from textual.theme import Theme
+
+from trs80arm.ui.contrast import readable
+
+Result = TypeVar("Result")
 
 GREEN = Theme(
     name="green",
@@ -88,3 +95,17 @@ PAPER = Theme(
 """For terminals with a light background."""
 
 THEMES: tuple[Theme, ...] = (GREEN, WHITE, AMBER, CONTRAST, PAPER)
+
+
+class Themed(App[Result]):
+    """An application with the own themes, and with colours that can be read in every theme."""
+
+    def get_theme_variable_defaults(self) -> dict[str, str]:
+        """The tube's colours in themes that know no tube: those of any text."""
+        colours = self.current_theme.to_color_system().generate()
+        return {"tube": colours["foreground"], "tube-background": colours["background"]}
+
+    def get_css_variables(self) -> dict[str, str]:
+        """The theme's variables, those changed that could not be read."""
+        variables = super().get_css_variables()
+        return variables | readable(variables)

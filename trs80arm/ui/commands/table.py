@@ -225,6 +225,14 @@ COMMANDS: tuple[Command, ...] = (
         "Zoom",
         also="zoom maximize full",
     ),
+    Command(
+        "lead",
+        lambda to: to.view.lead(),
+        "View: room for the arm, or for the tube",
+        "Give the room to the other of arm and tube; again: to whichever needs it.",
+        "ctrl+e",
+        also="space larger lead swap",
+    ),
     *panel_commands(PANELS),
     Command(
         "arm_style",

@@ -8,6 +8,7 @@ from trs80arm.desk.asking import Asking, Choice, ListQuestion, Say
 from trs80arm.desk.remembered import Remembered
 from trs80arm.drawing.glyphs import GLYPHS
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet
+from trs80arm.ui.layout import Lead
 
 GLYPH_NOTES = {
     GlyphSet.SEXTANT: "solid, exact; most terminals have them",
@@ -27,6 +28,11 @@ LACKING = {
     GlyphSet.QUADRANT: (ArmStyle.SEXTANT,),
 }
 """The styles whose characters a terminal with such glyphs is taken not to have."""
+LEADS = {
+    Lead.TUBE: "The tube has the room. Ctrl+E: whichever needs it.",
+    Lead.ARM: "The arm has the room. Ctrl+E: whichever needs it.",
+    None: "The arm has the room while it moves, else the tube.",
+}
 _SAMPLE = bytes((129, 132, 144, 136, 151, 171, 183, 191))
 
 
@@ -54,6 +60,9 @@ class View(Protocol):
 
     def zoom(self, name: str) -> None:
         """One panel or group on all of the screen, and back."""
+
+    def choose_lead(self) -> Lead | None:
+        """The other one leads, and after that whichever has something to show."""
 
     def toggle_arm_option(self, name: str) -> bool:
         """Turn `envelope`, `trail` or `labels` on or off; whether it is on now."""
@@ -104,6 +113,10 @@ class ViewCommands:
     def zoom(self, name: str) -> None:
         """One panel on all of the screen, and back."""
         self._view.zoom(name)
+
+    def lead(self) -> None:
+        """Give the room to the arm or to the tube, and the next time to whichever needs it."""
+        self._say(LEADS[self._view.choose_lead()])
 
     # -- the arm ----------------------------------------------------------------------------------
 

@@ -8,7 +8,13 @@ from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, signed
 from trs80arm.ui.panels.panel import Panel
 
-_WIDE = 34
+_WIDE = 32
+_ROOMY = 34
+_COLUMN = 16
+_FIRST = 6
+"""Cells for a name in the first column, and in the second where there is room."""
+_SECOND = 5
+"""Cells for a name in the second column."""
 
 
 class PosePanel(Panel):
@@ -27,33 +33,39 @@ fingers; force what they press with, `*` once the grip switch has closed (2 oz).
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
         """One column, or two where there is room."""
         pose, angles = readings.pose, readings.posture.angles
+        narrow = _FIRST if width >= _COLUMN else _SECOND
         place = [
-            _entry("X", pose.x, 2, "in"),
-            _entry("Y", pose.y, 2, "in"),
-            _entry("Z", pose.z, 2, "in"),
-            _entry("pitch", pose.pitch, 1, "°"),
-            _entry("roll", pose.roll, 1, "°"),
+            _entry("X", pose.x, 2, "in", narrow),
+            _entry("Y", pose.y, 2, "in", narrow),
+            _entry("Z", pose.z, 2, "in", narrow),
+            _entry("pitch", pose.pitch, 1, "°", narrow),
+            _entry("roll", pose.roll, 1, "°", narrow),
         ]
-        hand = [_entry("hand", pose.opening, 2, "in"), _force(readings)]
+        size = _SECOND if _WIDE <= width < _ROOMY else narrow
+        hand = [_entry("hand", pose.opening, 2, "in", size), _force(readings, size)]
         joints = [
-            _entry("T1", degrees(angles.base), 1, "°"),
-            _entry("T2", degrees(angles.shoulder), 1, "°"),
-            _entry("T3", degrees(angles.elbow), 1, "°"),
+            _entry("T1", degrees(angles.base), 1, "°", size),
+            _entry("T2", degrees(angles.shoulder), 1, "°", size),
+            _entry("T3", degrees(angles.elbow), 1, "°", size),
         ]
         if width < _WIDE:
             return [*place, *hand, *joints]
         return [
-            (*left, ("  ", Ink.PLAIN), *right)
+            (*left, (" " * (size - _SECOND + 1), Ink.PLAIN), *right)
             for left, right in zip(place, [*joints, *hand], strict=True)
         ]
 
 
-def _entry(name: str, value: float, digits: int, unit: str) -> Row:
+def _entry(name: str, value: float, digits: int, unit: str, size: int = _FIRST) -> Row:
     number = signed(value, digits)
-    return ((f"{name:6}", Ink.LABEL), (f"{number:>7} {unit:2}", Ink.PLAIN))
+    return ((f"{name:{size}}", Ink.LABEL), (f"{number:>7} {unit:2}", Ink.PLAIN))
 
 
-def _force(readings: Readings) -> Row:
+def _force(readings: Readings, size: int) -> Row:
     closed = readings.switch_closed
     ink = Ink.STRONG if closed else Ink.PLAIN
-    return (("force", Ink.LABEL), ("*" if closed else " ", ink), (f"{readings.force:7.2f} lb", ink))
+    return (
+        ("force", Ink.LABEL),
+        ("*" if closed else " ", ink),
+        (f"{readings.force:{size + 1}.2f} lb", ink),
+    )

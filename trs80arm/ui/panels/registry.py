@@ -13,6 +13,7 @@ from enum import Enum
 from trs80arm.ui import layout
 from trs80arm.ui.panels.coils import CoilsPanel
 from trs80arm.ui.panels.events import EventsLog
+from trs80arm.ui.panels.inspector import ListingPanel, PaperPanel, VariablesPanel
 from trs80arm.ui.panels.matrix import MatrixView
 from trs80arm.ui.panels.panel import Panel
 from trs80arm.ui.panels.pose import PosePanel
@@ -133,6 +134,34 @@ PANELS: tuple[PanelRow, ...] = (
         layout.KEYBOARD,
         shows="The TRS-80's keys, to see and to click.",
         key="ctrl+k",
+    ),
+    PanelRow(
+        "listing",
+        "Listing",
+        ListingPanel,
+        Cadence.NUMBERS,
+        layout.LISTING,
+        shows="The program in memory, and where it is.",
+        key="ctrl+l",
+        fills="The listing fills the screen.",
+    ),
+    PanelRow(
+        "variables",
+        "Variables",
+        VariablesPanel,
+        Cadence.NUMBERS,
+        layout.VARIABLES,
+        shows="The program's variables and what they hold.",
+        fills="The variables fill the screen.",
+    ),
+    PanelRow(
+        "paper",
+        "Paper and tapes",
+        PaperPanel,
+        Cadence.NUMBERS,
+        layout.PAPER,
+        shows="What was printed, and the cassettes.",
+        fills="The paper fills the screen.",
     ),
 )
 

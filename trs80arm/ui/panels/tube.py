@@ -16,6 +16,9 @@ from trs80arm.drawing.glyphs import GLYPHS
 from trs80arm.machine.video import COLUMNS, ROWS
 from trs80arm.options import GlyphSet
 
+_GRAPHICS = 128
+"""The first code of the graphics characters."""
+_BLANK = b" "
 MANY_ROWS = ROWS // 2
 """From this many changed rows on the whole widget is drawn at once."""
 
@@ -33,7 +36,14 @@ class Picture(Protocol):
 
 
 class Tube(Widget):
-    """The screen of the TRS-80."""
+    """The screen of the TRS-80.
+
+    Attributes:
+        first_row: the first row that is shown, where there is no room for all.
+        first_column: the first column that is.
+        wrote_elsewhere: whether something new was written above the rows that are shown, as PRINT@
+            and SET do, and not scrolled there.
+    """
 
     HELP = """
     # The tube
@@ -54,6 +64,14 @@ class Tube(Widget):
         self._strips: dict[tuple[bytes, bool], Strip] = {}
         self._cursor: int | None = None
         self._cursor_hidden = False
+        self.first_row = 0
+        self.first_column = 0
+        self.wrote_elsewhere = False
+
+    @property
+    def graphics(self) -> bool:
+        """Whether there are graphics on the tube."""
+        return any(max(row) >= _GRAPHICS for row in self._rows)
 
     @property
     def glyph_set(self) -> GlyphSet:
@@ -86,11 +104,33 @@ class Tube(Widget):
         if (cursor, cursor_hidden) != (self._cursor, self._cursor_hidden):
             dirty |= {at // COLUMNS for at in (cursor, self._cursor) if at is not None}
             self._cursor, self._cursor_hidden = cursor, cursor_hidden
+        before = list(self._rows)
         changed = [row for row in sorted(dirty) if self._take(row, picture.row(row))]
-        if len(changed) > MANY_ROWS:
+        moved = self._look_at(cursor)
+        self.wrote_elsewhere = any(
+            row < self.first_row and self._rows[row].strip() for row in changed
+        ) and not _scrolled(before, self._rows)
+        if moved or len(changed) > MANY_ROWS:
             self.refresh()
         elif changed:
-            self.refresh(*(Region(0, row, COLUMNS, 1) for row in changed))
+            self.refresh(*(Region(0, row - self.first_row, COLUMNS, 1) for row in changed))
+
+    def _look_at(self, cursor: int | None) -> bool:
+        """Where it has not the room for all, show its last lines, and the columns of the cursor.
+
+        Returns:
+            Whether it shows other cells than before.
+        """
+        width, height = self.size
+        written = [row for row in range(ROWS) if self._rows[row].strip(_BLANK)]
+        last = max([*written, 0 if cursor is None else cursor // COLUMNS])
+        row = min(max(0, last - height + 1), max(0, ROWS - height))
+        column = 0
+        if cursor is not None and 0 < width < COLUMNS:
+            column = max(0, min(COLUMNS - width, cursor % COLUMNS - width + 1))
+        before = self.first_row, self.first_column
+        self.first_row, self.first_column = row, column
+        return before != (row, column)
 
     def _take(self, row: int, codes: bytes) -> bool:
         cursor = self._cursor
@@ -120,6 +160,7 @@ class Tube(Widget):
 
     def render_line(self, y: int) -> Strip:
         """One row in one style."""
+        y += self.first_row
         if not 0 <= y < ROWS:
             return Strip.blank(self.size.width, self.rich_style)
         key = (self._rows[y], self._wide)
@@ -129,4 +170,10 @@ class Tube(Widget):
                 self._strips.clear()
             strip = Strip([Segment(self._text(y), self.rich_style)], COLUMNS)
             self._strips[key] = strip
+        strip = strip.crop(self.first_column) if self.first_column else strip
         return strip.adjust_cell_length(self.size.width, self.rich_style)
+
+
+def _scrolled(before: list[bytes], now: list[bytes]) -> bool:
+    """Whether what is seen is what was seen, some lines further up."""
+    return any(now[: ROWS - by] == before[by:] for by in range(1, ROWS // 2))

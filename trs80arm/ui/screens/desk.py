@@ -18,12 +18,16 @@ from textual.widget import Widget
 from textual.widgets import Static
 
 from trs80arm.drawing.readings import Readings
+from trs80arm.inspection import Inspection
+from trs80arm.machine.video import COLUMNS
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet
-from trs80arm.rig import Rig
+from trs80arm.rig import Rig, Waiting
 from trs80arm.trace.history import History
 from trs80arm.ui import layout
 from trs80arm.ui.keys.host_keys import trs80_keys
+from trs80arm.ui.layout import Lead
 from trs80arm.ui.panels.arm_view import ArmView
+from trs80arm.ui.panels.inspector import Inspector
 from trs80arm.ui.panels.registry import Cadence, PanelRow, groups
 from trs80arm.ui.panels.scope_panel import ScopePanel
 from trs80arm.ui.panels.status import Pace, StatusLine
@@ -31,6 +35,9 @@ from trs80arm.ui.panels.tube import Tube
 from trs80arm.ui.terminal.layers import Layer
 
 BLINK_SECONDS = 0.5
+STAY = 3.0
+"""Seconds of the wall for which the arm keeps the room after it moved, and the tube after it was
+written on elsewhere than at its end."""
 NUMBERS_EVERY = 0.1
 """Seconds of the wall between two looks of the panels with numbers."""
 PICTURES_EVERY = 0.045
@@ -85,6 +92,7 @@ class DeskScreen(Layer):
         self._scopes = [panel for panel in self.panels.values() if isinstance(panel, ScopePanel)]
         [self.tube] = (panel for panel in self.panels.values() if isinstance(panel, Tube))
         self._arm_views = [panel for panel in self.panels.values() if isinstance(panel, ArmView)]
+        self._inspectors = [panel for panel in self.panels.values() if isinstance(panel, Inspector)]
         self.side = self._arm_views[0]
         self.status = StatusLine(id="status")
         self._bar = bar
@@ -97,6 +105,10 @@ class DeskScreen(Layer):
         self.numbers_due = 0.0
         self._pictures_due = 0.0
         self.still = False
+        self._chosen_lead: Lead | None = None
+        self._moving_lead = Lead.TUBE
+        self._moved_at = self._wrote_at = -STAY
+        self._coils: tuple[int, ...] = (0,) * 7
         self._stood: tuple[object, ...] = ()
 
     def compose(self) -> ComposeResult:
@@ -126,19 +138,54 @@ class DeskScreen(Layer):
     def lay_out(self) -> None:
         """Put the panels where the layout has them."""
         width, height = self.app.size
-        places = layout.plan(self._groups, width, height, self.bottom, self.zoomed)
-        framed = layout.shows_everything(width, height) and self.zoomed is None
+        places = layout.plan(self._groups, width, height, self.bottom, self.zoomed, self.leading)
+        frames = layout.frames(width, height) if self.zoomed is None else layout.Frames.TITLED
+        leading = self.tube if self.leading is Lead.TUBE else self.side
         for name, panel in self.panels.items():
             region = places.get(name)
             panel.display = region is not None
             if region is not None:
                 panel.styles.offset = (region.x, region.y)
                 panel.styles.width, panel.styles.height = region.width, region.height
-                panel.set_class(framed or self.zoomed is not None, "titled")
-        self.tube.set_class(framed, "framed")
+                for kind in layout.Frames:
+                    with_rule = kind is not layout.Frames.RULED or region.x > 0
+                    panel.set_class(frames is kind and with_rule, kind.value)
+                panel.set_class(panel is leading, "leading")
         self._too_small.display = not places
         self._too_small.update(TOO_SMALL.format(*layout.SMALLEST, width, height))
         self.numbers_due = 0.0
+
+    @property
+    def leading(self) -> Lead:
+        """What has most of the room: what was chosen, else the arm while it moves."""
+        return self._chosen_lead or self._moving_lead
+
+    def choose_lead(self) -> Lead | None:
+        """The other one leads from now on, and after that whichever has something to show.
+
+        Returns:
+            What leads from now on; None if it follows what happens.
+        """
+        if self._chosen_lead is None:
+            self._chosen_lead = Lead.TUBE if self.leading is Lead.ARM else Lead.ARM
+        else:
+            self._chosen_lead = None
+        self.lay_out()
+        return self._chosen_lead
+
+    def _follow(self, readings: Readings, now: float) -> None:
+        """The arm leads while it moves, unless the tube has more to show than its last lines."""
+        if readings.waiting is Waiting.SET or readings.coils != self._coils:
+            self._moved_at = now
+        self._coils = readings.coils
+        if self.tube.wrote_elsewhere:
+            self._wrote_at = now
+        tube = self.tube.graphics or now < self._wrote_at + STAY
+        moves = now < self._moved_at + STAY and not tube
+        lead = Lead.ARM if moves else Lead.TUBE
+        if lead is not self._moving_lead:
+            self._moving_lead = lead
+            self.lay_out()
 
     def _bottoms(self) -> list[str]:
         return layout.bottoms(self._groups, *self.app.size)
@@ -256,9 +303,11 @@ class DeskScreen(Layer):
         readings = Readings.of(rig, self.history)
         stands = (readings.posture, readings.things, readings.coils, len(readings.events))
         self.still, self._stood = stands == self._stood, stands
+        self._follow(readings, now)
         numbers = now >= self.numbers_due
         if numbers:
             self.numbers_due = now + NUMBERS_EVERY
+            self._inspect(rig)
         # The last of a motion is not to be missed.
         pictures = self.still or now >= self._pictures_due
         if pictures:
@@ -271,8 +320,19 @@ class DeskScreen(Layer):
         if numbers:
             self.status.show(readings, pace, keys=keys, notice=notice)
 
+    def _inspect(self, rig: Rig) -> None:
+        """Look into the machine for the panels that show its memory, if any is seen."""
+        seen = [panel for panel in self._inspectors if panel.display]
+        if seen:
+            inspection = Inspection.of(rig)
+            for panel in seen:
+                panel.inspect(inspection)
+
     def _point_terminal_at(self, cell: int) -> None:
         """Let the terminal's own cursor follow, for braille displays and input methods."""
-        place = self.tube.content_region.offset + Offset(cell % 64, cell // 64)
+        tube = self.tube
+        column = cell % COLUMNS - tube.first_column
+        row = cell // COLUMNS - tube.first_row
+        place = tube.content_region.offset + Offset(column, row)
         if self.app.cursor_position != place:
             self.app.cursor_position = place

@@ -1,0 +1,131 @@
+"""Panels of what is in the machine's memory: they are shown an `Inspection` beside the readings."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from textual.events import MouseScrollDown, MouseScrollUp
+
+from trs80arm.drawing.readings import Readings
+from trs80arm.drawing.rows import Ink, Row
+from trs80arm.inspection import Inspection, line_text
+from trs80arm.ui.panels.panel import Panel
+
+_AHEAD = 3
+"""One line in so many of a listing's panel stands above the line that is executed."""
+
+
+class Inspector(Panel):
+    """A panel of an inspection; subclasses say in `rows` what of it is seen."""
+
+    NOTHING: ClassVar[str]
+
+    def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
+        super().__init__(id=id, classes=classes)
+        self._inspection = Inspection()
+        self._scrolled = 0
+
+    def inspect(self, inspection: Inspection) -> None:
+        """Show what is in memory from now on."""
+        self._inspection = inspection
+
+    def rows(self, inspection: Inspection) -> list[Row]:
+        """All that there is to be seen."""
+        raise TypeError(f"{type(self).__name__} does not say what is seen")
+
+    def first(self, rows: list[Row], height: int) -> int:
+        """The first row that is shown while nobody scrolls."""
+        return 0
+
+    def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
+        """The rows that fit, from where the wheel has scrolled to."""
+        rows = self.rows(self._inspection)
+        if not rows:
+            return [((self.NOTHING, Ink.LABEL),)]
+        most = max(0, len(rows) - height)
+        first = min(max(0, self.first(rows, height)), most)
+        self._scrolled = min(max(self._scrolled, -first), most - first)
+        return rows[first + self._scrolled :][:height]
+
+    def on_mouse_scroll_up(self, event: MouseScrollUp) -> None:
+        """Look further up."""
+        self._scrolled -= 1
+        self.redraw()
+
+    def on_mouse_scroll_down(self, event: MouseScrollDown) -> None:
+        """Look further down."""
+        self._scrolled += 1
+        self.redraw()
+
+
+class ListingPanel(Inspector):
+    """The program in memory, with the line that is executed next."""
+
+    NOTHING = "no program in memory"
+    HELP = """
+## Listing
+
+The program in memory, as LIST shows it. `>` marks the line that is executed next. The mouse wheel
+looks elsewhere.
+"""
+
+    def rows(self, inspection: Inspection) -> list[Row]:
+        """A row for each line."""
+        return [
+            (
+                (">" if line[0] == inspection.next_line else " ", Ink.ALARM),
+                (line_text(line), Ink.STRONG if line[0] == inspection.next_line else Ink.PLAIN),
+            )
+            for line in inspection.lines
+        ]
+
+    def first(self, rows: list[Row], height: int) -> int:
+        """So that the line that is executed is in the upper third."""
+        numbers = [number for number, _ in self._inspection.lines]
+        if self._inspection.next_line not in numbers:
+            return 0
+        return numbers.index(self._inspection.next_line) - height // _AHEAD
+
+
+class VariablesPanel(Inspector):
+    """The variables and what they hold."""
+
+    NOTHING = "no variables"
+    HELP = """
+## Variables
+
+The program's variables in the order in which they were created, then its arrays with the first of
+their elements. The mouse wheel looks further down.
+"""
+
+    def rows(self, inspection: Inspection) -> list[Row]:
+        """A row for each variable."""
+        variables = inspection.variables
+        width = min(12, max((len(variable.name) for variable in variables), default=0)) + 1
+        return [
+            ((f"{variable.name:{width}}", Ink.LABEL), (variable.value, Ink.PLAIN))
+            for variable in variables
+        ]
+
+
+class PaperPanel(Inspector):
+    """The end of the printer's paper, and which cassettes there are."""
+
+    NOTHING = "nothing printed; no cassette"
+    HELP = """
+## Paper and tapes
+
+What LPRINT and LLIST have printed, the newest at the bottom, and the names of the cassettes. The
+mouse wheel looks back.
+"""
+
+    def rows(self, inspection: Inspection) -> list[Row]:
+        """The paper's lines, and below them the cassettes."""
+        rows: list[Row] = [((line, Ink.PLAIN),) for line in inspection.paper]
+        if inspection.cassettes:
+            rows.append((("cassettes ", Ink.LABEL), (", ".join(inspection.cassettes), Ink.PLAIN)))
+        return rows
+
+    def first(self, rows: list[Row], height: int) -> int:
+        """So that the newest is seen."""
+        return len(rows) - height
