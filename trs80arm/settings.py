@@ -149,14 +149,14 @@ def load(
     values: dict[str, dict[str, Any]] = {name: {} for name in tables()}
     sources: dict[tuple[str, str], Source] = {}
     for name, key, text, source in _from_flags(defaults):
-        values[name][key] = _value(text)
+        values[name][key] = plain_value(text)
         sources[name, key] = partial(str, source)
     for name, table in _tables_of(content, where).items():
         for key, value in table.items():
             values[name][key] = value
             sources[name, key] = partial(_place, where, content, name, key)
     for name, key, text, source in (*_from_environment(environment), *_from_flags(options)):
-        values[name][key] = _value(text)
+        values[name][key] = plain_value(text)
         sources[name, key] = partial(str, source)
     made = {name: _checked(name, cls, values[name], sources) for name, cls in tables().items()}
     return Settings(**made)
@@ -230,7 +230,7 @@ def _from_flags(options: Iterable[str]) -> list[tuple[str, str, str, str]]:
     return found
 
 
-def _value(text: str) -> Any:
+def plain_value(text: str) -> Any:
     """What a flag or variable says: a TOML value if it is one, else the text itself."""
     try:
         return tomllib.loads(f"value = {text}")["value"]
@@ -287,34 +287,56 @@ def _place(where: Path, content: str, table: str | None, key: str) -> str:
 # -- remembering -----------------------------------------------------------------------------------
 
 
-def remember(path: Path, key: str, value: str | int | bool, table: str = "terminal") -> None:
+def remember(path: Path, key: str, value: Any, table: str = "terminal") -> None:
     """Set one key in the settings file; everything else in it stays as it is, comments too.
 
     Raises:
         SettingsError: the file is no settings file as it stands; it is then as before.
         OSError: the file cannot be read or written; it is then as before.
     """
-    try:
-        # Bytes, for the line ends of the file are to stay.
-        with open_to_read(path) as file:
-            content = file.read().decode("utf-8")
-    except FileNotFoundError:
-        content = ""
-    except UnicodeDecodeError:
-        raise SettingsError(f"{path}: not a text file") from None
+    content = _content(path)
     changed = _with_entry(path, content, table, key, value)
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, changed.encode())
 
 
-def _with_entry(path: Path, content: str, table: str, key: str, value: str | int | bool) -> str:
+def forget(path: Path, key: str, table: str = "terminal") -> None:
+    """Take one key out of the settings file, so that it has its default; the rest stays as it is.
+
+    Raises:
+        SettingsError: the file is no settings file as it stands; it is then as before.
+        OSError: the file cannot be read or written; it is then as before.
+    """
+    content = _content(path)
+    changed = _with_entry(path, content, table, key, None)
+    if changed != content:
+        write_whole(path, changed.encode())
+
+
+def _content(path: Path) -> str:
+    try:
+        # Bytes, for the line ends of the file are to stay.
+        with open_to_read(path) as file:
+            return file.read().decode("utf-8")
+    except FileNotFoundError:
+        return ""
+    except UnicodeDecodeError:
+        raise SettingsError(f"{path}: not a text file") from None
+
+
+def _with_entry(path: Path, content: str, table: str, key: str, value: Any) -> str:
+    """The content with the key set, or without it where the value is None."""
     try:
         document = tomlkit.parse(content)
         if not isinstance(document.get(table, {}), Mapping):
             raise SettingsError(f"{path}: {table} must be a table, [{table}]")
-        if table not in document:
-            document[table] = tomlkit.table()
-        cast(MutableMapping[str, Any], document[table])[key] = value
+        if value is None:
+            if table in document:
+                cast(MutableMapping[str, Any], document[table]).pop(key, None)
+        else:
+            if table not in document:
+                document[table] = tomlkit.table()
+            cast(MutableMapping[str, Any], document[table])[key] = value
         changed = tomlkit.dumps(document)
     except (TOMLKitError, ValueError, RecursionError) as error:
         raise SettingsError(f"{path}: {_one_line(error)}") from None

@@ -27,6 +27,7 @@ from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.layout import Lead
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.hand_move import HandMoveScreen
+from trs80arm.ui.screens.help import Topic
 from trs80arm.ui.screens.key_test import KeyTest
 from trs80arm.ui.screens.settings import SettingsScreen
 from trs80arm.ui.screens.teach import TeachResult, TeachScreen
@@ -134,7 +135,7 @@ class Desk(Sitting):
             self.shown,
             person,
             self.shown,
-            lambda: "# Help",
+            lambda: [Topic("Help", "What is done.")],
         )
 
     @property

@@ -2,13 +2,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from textual.app import App, ComposeResult
+from textual.app import ComposeResult
 from textual.geometry import Region
 
 from tests.drawing import samples
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
 from trs80arm.ui.panels.registers import RegistersPanel
+from trs80arm.ui.themes import Themed
 
 
 class Watched(RegistersPanel):
@@ -23,7 +24,7 @@ class Watched(RegistersPanel):
         return super().refresh(*regions, **options)
 
 
-class Desk(App[None]):
+class Desk(Themed[None]):
     CSS = "Watched { width: 40; height: 9; }"
 
     def __init__(self) -> None:

@@ -56,7 +56,7 @@ from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 from trs80arm.ui.panels.status import Pace
 from trs80arm.ui.screens.desk import DeskScreen, Typed
-from trs80arm.ui.screens.help import page
+from trs80arm.ui.screens.help import topics
 from trs80arm.ui.screens.key_test import KeyTest
 from trs80arm.ui.screens.palette import PaletteScreen
 from trs80arm.ui.terminal.driver import choose_driver
@@ -151,6 +151,7 @@ class Trs80Arm(Themed[int]):
         """The groups of commands, each with what it needs."""
         session, lesson, keyboard, desk = self.session, self.lesson, self.keyboard, self.desk
         reach = Reach(self.options.own_folder)
+        panels_help = [panel.HELP for panel in (*desk.panels.values(), desk.status)]
         dialogs, say = Dialogs(self, reach), self.say
         files = SessionFiles(session, self.recovery, recent, dialogs, say, reach)
         arm = ArmCommands(session, lesson, files, dialogs, say, dialogs, lambda: desk.arm_style)
@@ -177,7 +178,7 @@ class Trs80Arm(Themed[int]):
                 self,
                 dialogs,
                 dialogs,
-                lambda: page(keyboard.in_use, listed()),
+                lambda: topics(keyboard.in_use, listed(), panels_help),
             ),
         )
 

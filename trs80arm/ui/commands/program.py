@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
@@ -10,15 +9,17 @@ from trs80arm.desk.asking import Asking, Choice, ListQuestion
 from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.pacing import Pacer
 from trs80arm.desk.session import Session
+from trs80arm.desk.settings_book import SettingsBook
 from trs80arm.desk.stage import Stage
-from trs80arm.options import TerminalOptions
+from trs80arm.drawing.glyphs import choose
+from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, Speed, TerminalOptions
 from trs80arm.plain_values import as_table
 from trs80arm.rig import Waiting
 from trs80arm.ui.asking import Screens
 from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.view import View
 from trs80arm.ui.keys.keyboard import Keyboard
-from trs80arm.ui.screens.help import HelpScreen
+from trs80arm.ui.screens.help import AFTER_A_SLIP, WHILE_WAITING, HelpScreen, Topic
 from trs80arm.ui.screens.settings import SettingsScreen
 
 
@@ -60,7 +61,7 @@ class ProgramCommands:
         shell: what Textual does for every program.
         ask: a way to ask.
         screens: shows the pages.
-        help_text: the page of help for the keys as they work now.
+        topics: of the help, for the keys as they work now.
     """
 
     def __init__(
@@ -76,7 +77,7 @@ class ProgramCommands:
         shell: Shell,
         ask: Asking,
         screens: Screens,
-        help_text: Callable[[], str],
+        topics: Callable[[], Sequence[Topic]],
     ) -> None:
         self._session = session
         self._pacer = pacer
@@ -89,11 +90,15 @@ class ProgramCommands:
         self._shell = shell
         self._ask = ask
         self._screens = screens
-        self._help_text = help_text
+        self._topics = topics
+        self._settings_book = self._book()
 
     def help(self) -> None:
-        """The page of help."""
-        self._screens.open(HelpScreen(self._help_text()))
+        """The help, at what is being done."""
+        session = self._session
+        slipped = session.last_slip is not None
+        first = AFTER_A_SLIP if slipped else WHILE_WAITING.get(session.waiting, "")
+        self._screens.open(HelpScreen(self._topics(), first))
 
     def theme(self) -> None:
         """Choose a theme; each is seen while it is marked."""
@@ -125,12 +130,37 @@ class ProgramCommands:
         return self._session.waiting not in idle or self._session.typing
 
     def settings(self) -> None:
-        """What is set."""
-        shown = {
-            name: {key: json.dumps(value) for key, value in table.items()}
-            for name, table in self._tables().items()
-        }
-        self._screens.open(SettingsScreen(self._options.settings_file, shown))
+        """What is set, what it means, and how to have it otherwise."""
+        self._screens.open(SettingsScreen(self._settings_book))
+
+    def _try_theme(self, name: str) -> None:
+        if name not in self._shell.theme_names:
+            raise ValueError(f"there is no theme {name}")
+        self._shell.show_theme(name)
+
+    def _book(self) -> SettingsBook:
+        """The settings, with who takes which of them at once."""
+        view, keyboard = self._view, self._keyboard
+
+        def use_cursor(value: str) -> None:
+            view.cursor_style = CursorStyle(value)
+
+        def use_keys(value: str) -> None:
+            keyboard.let_go()
+            keyboard.mode = KeyMode(value)
+
+        return SettingsBook(
+            self._options.settings_file,
+            self._tables,
+            {
+                "terminal.speed": lambda value: self._pacer.set_speed(Speed(str(value)).factor),
+                "terminal.keys": use_keys,
+                "terminal.glyphs": lambda value: view.use_glyphs(choose(GlyphSet(value))),
+                "terminal.theme": self._try_theme,
+                "terminal.arm": lambda value: view.use_arm_style(ArmStyle(value)),
+                "terminal.cursor": use_cursor,
+            },
+        )
 
     def _tables(self) -> dict[str, dict[str, Any]]:
         rig, speed = self._session.rig.settings, self._pacer.speed
@@ -150,6 +180,7 @@ class ProgramCommands:
                 "ram": rig.ram_kib,
                 "memory_size": rig.memory_size,
                 "armbasic": rig.armbasic,
+                "blocks": rig.blocks,
                 "ghosting": rig.ghosting,
                 "tapes": str(rig.tape_folder or ""),
                 "printer": str(rig.printer_file or ""),

@@ -92,8 +92,8 @@ COMMANDS: tuple[Command, ...] = (
     Command(
         "help",
         lambda to: to.program.help(),
-        "Help: one page",
-        "This page: keys, BREAK, programs to try.",
+        "Help",
+        "The help: searched, and opened at what is being done.",
         "f1",
         "Help",
         also="manual keys ?",
@@ -524,8 +524,8 @@ COMMANDS: tuple[Command, ...] = (
     Command(
         "settings",
         lambda to: to.program.settings(),
-        "Settings: show",
-        "What is set, and where.",
+        "Settings",
+        "Every setting with its meaning and default, to change and save.",
         also="options preferences config",
     ),
     Command(

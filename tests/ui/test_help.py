@@ -1,0 +1,92 @@
+"""The help opens at what is being done, and is searched."""
+
+from __future__ import annotations
+
+import pytest
+from textual.widgets import Input, Markdown
+
+from tests.ui.conftest import Opener, Sitting
+from tests.ui.piloted import piloted
+from tests.ui.screen_text import screen_text
+from trs80arm.options import KeyMode
+from trs80arm.ui.screens.help import (
+    AFTER_A_SLIP,
+    WHILE_WAITING,
+    HelpScreen,
+    Topic,
+    page,
+    topics,
+)
+
+TOPICS = [Topic("One", "about the ARM"), Topic("Two", "of tapes"), Topic("Three", "arm and tapes")]
+
+
+async def first_topic(sitting: Sitting) -> str:
+    """The heading at the top of the help."""
+    await sitting.press("f1")
+    await sitting.settle()
+    screen = sitting.app.screen
+    assert isinstance(screen, HelpScreen)
+    heading = screen.query_one(Markdown).source.splitlines()[0]
+    return str(heading).removeprefix("## ")
+
+
+def test_what_is_wanted_first_comes_first_and_the_rest_in_order() -> None:
+    assert page(TOPICS, "Two").splitlines()[::4] == ["## Two", "## One", "## Three"]
+
+
+def test_topics_with_all_the_words_are_found() -> None:
+    assert page(TOPICS, "", "TAPES arm") == "## Three\n\narm and tapes"
+
+
+def test_words_that_nothing_has_are_told() -> None:
+    assert page(TOPICS, "", "spoon") == "Nothing here has `spoon`."
+
+
+def test_every_topic_that_it_opens_at_is_there() -> None:
+    titles = {topic.title for topic in topics(KeyMode.REPEAT, [], [])}
+    assert {AFTER_A_SLIP, *WHILE_WAITING.values()} <= titles
+
+
+def test_what_panels_say_of_themselves_is_found() -> None:
+    found = topics(KeyMode.REPEAT, [], ["\n## Coils\n\nA lamp each.\n"])
+    assert found[-1] == Topic("Coils", "A lamp each.")
+
+
+@pytest.mark.parametrize(
+    ("lines", "title"),
+    [
+        ([], "In a minute"),
+        (["@SET"], "Manual mode"),
+        (["10 INPUT A", "RUN"], "A program asks for something"),
+        (["10 PRINT 1", "EDIT 10"], "In EDIT"),
+        (["AUTO"], "In AUTO"),
+    ],
+)
+@piloted
+async def test_it_opens_at_what_is_being_done(
+    sit_down: Opener, lines: list[str], title: str
+) -> None:
+    async with sit_down() as sitting:
+        for line in lines:
+            await sitting.type_line(line)
+        assert await first_topic(sitting) == title
+
+
+@piloted
+async def test_after_a_slip_it_opens_at_that(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await sitting.type_line("@STEP 50,0,0,-3000")
+        assert await first_topic(sitting) == AFTER_A_SLIP
+
+
+@piloted
+async def test_typing_searches_it(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await sitting.press("f1")
+        await sitting.press(*"cassettes")
+        await sitting.settle()
+        assert sitting.app.screen.query_one(Input).value == "cassettes"
+        text = screen_text(sitting.app)
+        assert "Paper and tapes" in text
+        assert "In a minute" not in text
