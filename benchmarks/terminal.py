@@ -1,11 +1,13 @@
-"""How much the terminal costs, and how quick it is.
+"""How much the terminal costs, and how quick it is, through a real pty.
 
-Three figures, each through a real pty: the share of one core that the running Table 4
-demonstration takes at 120 x 40 and 30 frames a second; the time from a key's bytes in the pty to
-its switch in the matrix, at speed 1 and flat out; how far the virtual clock strays from the wall's
-over a minute.
+- the time from the start to the first whole frame, least of several starts;
+- the share of one core and the bytes a second: at READY, in a pause, with a dialog open, while
+  Table 4's demonstration runs, and while it runs behind a dialog, at some sizes of the window;
+- the time from the bytes of a key to its switch in the matrix, and to its letter on the screen, at
+  speed 20, for at speed 1 the ROM alone takes 51.6 ms from the one to the other;
+- how far the virtual clock strays from the wall's.
 
-    python benchmarks/terminal.py [--seconds 60]
+    python -m benchmarks.terminal [--seconds 10] [--sizes 80x24 120x40 200x60]
 """
 
 from __future__ import annotations
@@ -17,53 +19,60 @@ import pty
 import select
 import subprocess
 import sys
+import tempfile
 import termios
 import threading
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
+STARTS = 5
+KEYS = 40
+PAUSE, DIALOG, HELP, ESCAPE = "\x1b[17~", "\x1b[19~", "\x1bOP", "\x1b"
 PROGRAM = """
-import json, os, sys, time, threading
-from trs80arm.ui.app import Trs80Arm as Desk
-from trs80arm.ui.keys.keyboard import Keyboard
+import json, sys, threading, time
 report = open(sys.argv.pop(1), "a", buffering=1)
-real_draw, real_tick = Desk.draw, Desk.tick
-def tick(self):
-    real_tick(self)
-    now = time.monotonic()
-    if now >= getattr(self, "_told", 0):
-        self._told = now + 1
-        report.write(json.dumps(["clock", now, self.session.time, time.process_time()]) + "\\n")
-Desk.tick = tick
-def draw(self, now=None):
-    self._frames = getattr(self, "_frames", 0) + 1
-    began = time.perf_counter()
-    real_draw(self, now)
-    self._cost = getattr(self, "_cost", 0) + time.perf_counter() - began
-    if self._frames % 100 == 0:
-        report.write(json.dumps(["frames", time.monotonic(), self._frames, self._cost]) + "\\n")
-Desk.draw = draw
-from trs80arm.rig import Rig
 from trs80arm.machine.keyboard import Matrix
 real_press = Matrix.press
 def press(self, key):
     real_press(self, key)
     report.write(json.dumps(["press", time.monotonic(), str(key)]) + "\\n")
 Matrix.press = press
+from trs80arm.ui.app import Trs80Arm
+real_ready = Trs80Arm.on_ready
+def on_ready(self):
+    def tell():
+        while True:
+            entry = ["clock", time.monotonic(), self.session.time, time.process_time()]
+            report.write(json.dumps(entry) + "\\n")
+            time.sleep(0.5)
+    threading.Thread(target=tell, daemon=True).start()
+    real_ready(self)
+Trs80Arm.on_ready = on_ready
 from trs80arm.cli import main
 main()
 """
 
 
 class Sitting:
-    """The program in a pty whose output is read and thrown away."""
+    """The program in a pty whose output is read.
 
-    def __init__(self, folder: Path, *arguments: str) -> None:
+    Args:
+        folder: for its files.
+        size: columns and rows.
+        arguments: of the program.
+        watched: whether the program reports on itself, which costs it a little.
+    """
+
+    def __init__(
+        self, folder: Path, size: tuple[int, int], *arguments: str, watched: bool = True
+    ) -> None:
         self.report = folder / f"report-{time.monotonic_ns()}.jsonl"
         self.report.touch()
         self.master, slave = pty.openpty()
-        termios.tcsetwinsize(slave, (40, 120))
+        termios.tcsetwinsize(slave, (size[1], size[0]))
         environment = os.environ | {
             "TERM": "xterm-256color",
             "COLORTERM": "truecolor",
@@ -71,8 +80,10 @@ class Sitting:
             "TRS80ARM_STATE": str(folder / "state"),
             "TRS80ARM_CONFIG": str(folder / "settings.toml"),
         }
+        how = ["-c", PROGRAM, str(self.report)] if watched else ["-m", "trs80arm"]
+        self.began = time.monotonic()
         self.process = subprocess.Popen(
-            [sys.executable, "-c", PROGRAM, str(self.report), *arguments],
+            [sys.executable, *how, *arguments],
             stdin=slave,
             stdout=slave,
             stderr=slave,
@@ -81,15 +92,28 @@ class Sitting:
         )
         os.close(slave)
         self.bytes = 0
+        self.output = b""
+        self.heard = threading.Condition()
         threading.Thread(target=self._read, daemon=True).start()
 
     def _read(self) -> None:
         while self.process.poll() is None:
             if select.select([self.master], [], [], 0.1)[0]:
                 try:
-                    self.bytes += len(os.read(self.master, 65536))
+                    data = os.read(self.master, 65536)
                 except OSError:
                     return
+                with self.heard:
+                    self.bytes += len(data)
+                    self.output = (self.output + data)[-200_000:]
+                    self.heard.notify_all()
+
+    def wait_for(self, text: bytes, seconds: float = 30.0) -> float:
+        """Wait until something is written; when it was."""
+        with self.heard:
+            if not self.heard.wait_for(lambda: text in self.output, seconds):
+                raise TimeoutError(text)
+        return time.monotonic()
 
     def send(self, data: str) -> float:
         """Press; when it was done."""
@@ -102,67 +126,98 @@ class Sitting:
         lines = self.report.read_text().splitlines()
         return [entry[1:] for entry in map(json.loads, lines) if entry[0] == what]
 
-    def leave(self) -> None:
-        """End the program."""
-        self.send("\x11")
-        time.sleep(0.3)
-        self.send("\x03")
-        self.process.wait(timeout=20)
+    def measure(self, what: str, seconds: float) -> None:
+        """Print the share of one core, and the bytes a second, over some seconds."""
+        before, bytes_before = self.told("clock")[-1], self.bytes
+        time.sleep(seconds)
+        after = self.told("clock")[-1]
+        passed = after[0] - before[0]
+        share = (after[2] - before[2]) / passed
+        written = (self.bytes - bytes_before) / passed / 1000
+        print(f"  {what:24} {share:6.1%} of one core {written:8.1f} kB/s")
 
 
-def measure_demo(folder: Path, seconds: float) -> None:
-    """CPU share, frames, and the clock over the running demonstration."""
-    sitting = Sitting(folder, "demo")
-    time.sleep(25)
-    before = (sitting.told("clock")[-1], sitting.told("frames")[-1], sitting.bytes)
-    time.sleep(seconds)
-    after = (sitting.told("clock")[-1], sitting.told("frames")[-1], sitting.bytes)
-    sitting.leave()
-    sitting_time = after[0][0] - before[0][0]
-    share = (after[0][2] - before[0][2]) / sitting_time
-    drift = (after[0][1] - before[0][1]) / sitting_time - 1
-    frames = (after[1][1] - before[1][1]) / (after[1][0] - before[1][0])
-    cost = (after[1][2] - before[1][2]) / (after[1][1] - before[1][1])
-    print(f"demo at 120x40: {share:.1%} of one core, {frames:.1f} frames/s,", end=" ")
-    print(
-        f"{cost * 1000:.2f} ms to draw one, {(after[2] - before[2]) / sitting_time / 1000:.1f} kB/s"
-    )
-    print(f"clock against the wall over {sitting_time:.0f} s: {drift:+.2%}")
+@contextmanager
+def sitting(size: tuple[int, int], *arguments: str, watched: bool = True) -> Iterator[Sitting]:
+    """A sitting that is ended afterwards."""
+    with tempfile.TemporaryDirectory() as name:
+        opened = Sitting(Path(name), size, *arguments, watched=watched)
+        try:
+            yield opened
+        finally:
+            opened.process.terminate()
+            opened.process.wait(timeout=20)
 
 
-def measure_latency(folder: Path, speed: str, program: Path, keys: int = 60) -> None:
-    """From the bytes of a key to its switch."""
-    sitting = Sitting(folder, str(program), "--run", "--speed", speed)
-    time.sleep(6)
-    sent = []
-    for _ in range(keys):
-        sent.append(sitting.send("a"))
-        time.sleep(0.23)
-    time.sleep(0.5)
-    pressed = [moment for moment, key in sitting.told("press") if key == "A"]
-    sitting.leave()
-    waits = sorted(1000 * (down - up) for up, down in zip(sent, pressed, strict=False))
-    print(
-        f"key to matrix at speed {speed}, {len(waits)} of {keys} keys: median "
-        f"{waits[len(waits) // 2]:.1f} ms, 95 % {waits[int(len(waits) * 0.95)]:.1f} ms, "
-        f"most {waits[-1]:.1f} ms"
-    )
+def measure_start(size: tuple[int, int]) -> None:
+    """From the start of Python to the last words of the greeting on the screen."""
+    times = []
+    for _ in range(STARTS):
+        with sitting(size, watched=False) as program:
+            times.append(program.wait_for(b"F10 LEAVES.") - program.began)
+    print(f"  first frame: {min(times):.2f} s (most {max(times):.2f} s)")
+
+
+def measure_costs(size: tuple[int, int], seconds: float) -> None:
+    """What it costs while nothing happens, and while everything does."""
+    with sitting(size) as idle:
+        time.sleep(4)
+        idle.measure("at READY", seconds)
+        for key, what in ((HELP, "help open"), (DIALOG, "a list open")):
+            idle.send(key)
+            time.sleep(2)
+            idle.measure(what, seconds)
+            idle.send(ESCAPE)
+            time.sleep(1)
+        idle.send(PAUSE)
+        time.sleep(2)
+        idle.measure("paused", seconds)
+    with sitting(size, "demo") as demo:
+        time.sleep(25)
+        before = demo.told("clock")[-1]
+        demo.measure("the demonstration", seconds)
+        demo.send(DIALOG)
+        time.sleep(2)
+        demo.measure("behind a list", seconds)
+        after = demo.told("clock")[-1]
+        drift = (after[1] - before[1]) / (after[0] - before[0]) - 1
+        print(f"  clock against the wall: {drift:+.2%}")
+
+
+def measure_latency(size: tuple[int, int]) -> None:
+    """From the bytes of a key to its switch, and to the letter at the prompt."""
+    to_matrix, to_screen = [], []
+    # A cursor that blinks is not always to be seen behind its letter.
+    with sitting(size, "--cursor", "steady", "--speed", "20") as program:
+        program.wait_for(b"F10 LEAVES.")
+        time.sleep(4)
+        for number in range(KEYS):
+            letter = chr(ord("A") + number % 26)
+            with program.heard:
+                program.output = b""
+            sent = program.send(letter.lower())
+            to_screen.append(program.wait_for(letter.encode() + b"_") - sent)
+            pressed = [moment for moment, key in program.told("press") if key == letter]
+            to_matrix.append(pressed[-1] - sent)
+            time.sleep(0.25)
+    for what, waits in (("the matrix", to_matrix), ("the screen", to_screen)):
+        ordered = sorted(1000 * wait for wait in waits)
+        middle, late = ordered[len(ordered) // 2], ordered[int(len(ordered) * 0.95)]
+        print(f"  key to {what}: median {middle:.1f} ms, 95 % {late:.1f} ms")
 
 
 def main() -> None:
     """Measure and print."""
-    import tempfile
-
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seconds", type=float, default=60.0)
+    parser.add_argument("--seconds", type=float, default=10.0)
+    parser.add_argument("--sizes", nargs="+", default=["80x24", "120x40", "200x60"])
     chosen = parser.parse_args()
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        loop = folder / "loop.bas"
-        loop.write_text("10 A$=INKEY$\n20 X=X+1\n30 GOTO 10\n")
-        measure_latency(folder, "1", loop)
-        measure_latency(folder, "max", loop)
-        measure_demo(folder, chosen.seconds)
+    for name in chosen.sizes:
+        width, height = map(int, name.split("x"))
+        print(f"{name}:")
+        measure_start((width, height))
+        measure_latency((width, height))
+        measure_costs((width, height), chosen.seconds)
 
 
 if __name__ == "__main__":

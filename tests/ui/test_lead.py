@@ -74,7 +74,9 @@ async def test_what_is_printed_elsewhere_while_the_arm_moves_is_seen(sit_down: O
 @piloted
 async def test_lines_that_scroll_up_are_not_something_new(sit_down: Opener) -> None:
     async with sit_down(80, 24) as sitting:
-        sitting.app.session.rig.type("10 PRINT I:I=I+1:@STEP 50,10:GOTO 10\rRUN\r")
+        sitting.app.session.rig.type(
+            "10 PRINT I;:PRINT I,I,I,I,I,I,I:I=I+1:@STEP 50,10:GOTO 10\rRUN\r"
+        )
         await sitting.pass_time(8)
         assert sitting.app.desk.leading is Lead.ARM
         assert rows(sitting)[0] < 16

@@ -66,7 +66,7 @@ from trs80arm.ui.themes import THEMES, Themed
 
 COPY_EVERY = 5.0
 """Seconds of the wall between two looks at whether a recovery copy is due."""
-BEHIND_FPS = 10
+BEHIND_FPS = 5
 """The most frames a second while a dialog is open."""
 NOTICE_SECONDS = 6.0
 """How long a notice stands in the status line."""

@@ -175,5 +175,5 @@ class Tube(Widget):
 
 
 def _scrolled(before: list[bytes], now: list[bytes]) -> bool:
-    """Whether what is seen is what was seen, some lines further up."""
-    return any(now[: ROWS - by] == before[by:] for by in range(1, ROWS // 2))
+    """Whether what is seen is what was seen, some lines further up; the last one may have grown."""
+    return any(now[: ROWS - 1 - by] == before[by:-1] for by in range(1, ROWS - 1))
