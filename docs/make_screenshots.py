@@ -76,10 +76,15 @@ async def manual(sitting: Sitting) -> None:
 async def table4(sitting: Sitting) -> None:
     """Table 4 at work."""
     await sitting.type("RUN\r")
-    sitting.app.session.rig.hold(["6"], 1.0)
-    await sitting.pass_time(1.4)
     sitting.app.session.rig.hold(["0"], 0.1)
-    await sitting.pass_time(19)
+    await sitting.pass_time(14.5)
+
+
+async def jogged(sitting: Sitting) -> None:
+    """Manual mode in a small window, with a key held."""
+    await sitting.type("@SET\r")
+    sitting.app.keyboard.held.latch(("1",))
+    await sitting.pass_time(0.6)
 
 
 async def slipped(sitting: Sitting) -> None:
@@ -179,7 +184,9 @@ async def main() -> None:
     FOLDER.mkdir(exist_ok=True)
     program = PROGRAMS / "table4.bas"
     await shoot("start", (120, 40), start)
-    await shoot("small", (80, 24), start)
+    await shoot("small", (80, 24), jogged)
+    await shoot("huge", (200, 60), table4, program=program)
+    await shoot("settings", (100, 30), action("settings"))
     await shoot("table4", (120, 40), table4, program=program)
     await shoot("braille", (120, 40), table4, program=program, arm=ArmStyle.BRAILLE)
     space = filling("space", table4)

@@ -80,14 +80,17 @@ class TerminalSettings:
     """The table `[terminal]`.
 
     Attributes:
-        speed: "1", "2", "5", "20" or "max".
-        keys: "auto", "events", "repeat" or "latch".
-        glyphs: "auto", "sextant", "braille", "quadrant" or "ascii".
-        theme: "green", "white", "amber", "contrast", "paper", or any theme of Textual.
-        arm: "ascii", "half", "sextant", "braille" or "outline".
-        cursor: "blink" or "steady".
+        speed: how fast the machine's time goes: 1 as it was, 2, 5 or 20 times, or max.
+        keys: how presses become held keys: events (real releases), repeat (a timer), latch (on and
+            off), or auto, which takes releases where the terminal reports them.
+        glyphs: the characters of the tube's graphics: sextant, braille, quadrant, ascii, or auto.
+        theme: the colours: green, white, amber, contrast, paper, or any theme of Textual.
+        arm: how the arm is drawn: solid in ascii, half blocks, sextants or braille dots, or in bare
+            lines (outline).
+        cursor: whether the tube's cursor blinks, or is steady as the ROM's own.
         fps: the most frames a second, 1 to 60.
-        tap_ms, repeat_ms: how long the timer holds a key after a press and after a repeat.
+        tap_ms: how long the timer holds a key after a press, milliseconds.
+        repeat_ms: how long the timer holds a key after a repeat, milliseconds.
     """
 
     speed: Speed = Speed.ONE

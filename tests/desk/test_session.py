@@ -135,7 +135,7 @@ def test_a_slip_is_told_once_with_its_reason() -> None:
     assert slip is not None
     assert slip.reason is not None
     assert session.new_slip() is None
-    assert session.last_slip is not None
+    assert session.slip is not None
 
 
 def test_an_arm_that_lost_nothing_has_nothing_to_tell() -> None:
@@ -143,7 +143,7 @@ def test_an_arm_that_lost_nothing_has_nothing_to_tell() -> None:
     typed(session, "@STEP 50,100")
     session.rig.run_for(5)
     assert session.new_slip() is None
-    assert session.last_slip is None
+    assert session.slip is None
 
 
 def test_going_home_puts_arm_parts_and_registers_back_and_keeps_the_program() -> None:
@@ -179,3 +179,13 @@ def test_a_second_slip_is_told_after_the_first_was_made_good() -> None:
     assert session.new_slip() is None
     slipped(session)
     assert session.new_slip() is not None
+
+
+def test_of_slips_that_follow_each_other_the_first_is_told() -> None:
+    session = slipped(Session())
+    first = session.slip
+    typed(session, "@STEP 50,0,3000")
+    session.rig.run_for(20)
+    assert first is not None
+    assert session.slip is not None
+    assert session.slip.number == first.number

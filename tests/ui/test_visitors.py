@@ -71,6 +71,7 @@ async def test_the_address_opens_the_page_and_its_socket() -> None:
         assert page.status == 200
         text = await page.text()
         assert "googleapis" not in text
+        assert "css/xterm.css" in text
         assert f"ws://127.0.0.1:{client.port}/ws" in text
         assert "default-src 'self'" in page.headers["Content-Security-Policy"]
         assert "HttpOnly" in page.headers["Set-Cookie"]

@@ -75,7 +75,6 @@ class Session:
         self._play_end = 0
         self._play_fault: str | None = None
         self._told_faults: set[str] = set()
-        self._told_slip = False
         self.keepsakes = Keepsakes(lambda: self.rig)
         rig = Rig(self._settings, file.bench if file else None)
         if greeting:
@@ -88,6 +87,8 @@ class Session:
         self._safe: ProgramLines = []
         self.path = None
         self.keepsakes.forget()
+        self._told_slip = False
+        self._last_event = -1
         self._tell_of_new_machine()
 
     def watch_machine(self, observer: Callable[[], None]) -> None:
@@ -304,20 +305,28 @@ class Session:
         self.ready()
         text = self._journal.bench_text
         self.rig.set_bench(benchfile.parse(text, "bench") if text else Bench.standard())
+        self._note_events()
 
     def new_slip(self) -> ArmEvent | None:
         """The slip by which the arm ceased to be where its registers say, told once; else None."""
-        lost = any(abs(steps) >= RING for steps in self.rig.state.slipped)
-        told, self._told_slip = self._told_slip, lost
-        return self.last_slip if lost and not told else None
+        slip = self.slip
+        if slip is None:
+            self._note_events()
+        told, self._told_slip = self._told_slip, slip is not None
+        return None if told else slip
 
     @property
-    def last_slip(self) -> ArmEvent | None:
-        """The last time that a motor lost steps; None if none has, or it has been made good."""
+    def slip(self) -> ArmEvent | None:
+        """The first slip since the arm was where its registers say; None while it is there."""
         if not any(abs(steps) >= RING for steps in self.rig.state.slipped):
             return None
-        events = reversed(self.rig.arm.events)
-        return next((event for event in events if event.kind is EventKind.SLIP), None)
+        slips = (event for event in self.rig.arm.events if event.kind is EventKind.SLIP)
+        return next((event for event in slips if event.number > self._last_event), None)
+
+    def _note_events(self) -> None:
+        """All that has happened so far has been made good."""
+        events = self.rig.arm.events
+        self._last_event = events[-1].number if events else -1
 
     # -- recordings -------------------------------------------------------------------------------
 

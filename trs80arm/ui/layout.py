@@ -94,7 +94,7 @@ def arrangement(width: int, height: int) -> Arrangement:
     """The arrangement for a window."""
     if width >= 170 and height >= 48:
         return Arrangement.HUGE
-    if width >= 116 and height >= 36:
+    if width >= 116 and height >= 38:
         return Arrangement.LARGE
     if width >= 150:
         return Arrangement.WIDE
@@ -255,10 +255,11 @@ def _middle(groups: Groups, room: Region, bottom: str, lead: Lead) -> Plan:
 
 
 def _numbers_and_motors(groups: Groups, room: Region, last: str) -> Plan:
-    """Registers and coils, and beside them the pose and one more panel, 20 rows or more."""
+    """Registers and coils, and beside them the pose and one more panel, 18 rows or more."""
     registers, pose = groups[NUMBERS]
     left, right = _columns(room, _JOINTS)
-    regions = _stacked((registers, groups[MOTORS][0]), left, room.height // 2)
+    first = min(room.height // 2, room.height - _NUMBERS)
+    regions = _stacked((registers, groups[MOTORS][0]), left, first)
     if last not in groups:
         return regions | {pose: right}
     return regions | _stacked((pose, groups[last][0]), right, _POSE)

@@ -42,7 +42,7 @@ COOKIE = "trs80arm"
 """Holds the token."""
 VISITOR = "trs80arm-visitor"
 """Holds the name of a visitor's folder."""
-_OUTSIDE = re.compile(rb"<link\b[^>]*\bhref=[\"']https?://[^>]*>")
+_LINK = re.compile(rb"<link\b[^>]*\bhref=[\"'](https?://[^\"'>]*)[^>]*>")
 _POLICY = (
     "default-src 'self'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline'; "
     "img-src 'self' data:; font-src 'self' data:; worker-src 'self' blob:; "
@@ -116,7 +116,7 @@ class Visitors(Server):
         self.public_url = f"http://{request.host}"
         response = await handler(request)
         if isinstance(response, web.Response) and isinstance(response.body, bytes):
-            response.body = _OUTSIDE.sub(b"", response.body)
+            response.body = _without_outside(response.body, self.public_url)
         response.headers["Content-Security-Policy"] = _POLICY.format(host=request.host)
         response.headers["Referrer-Policy"] = "no-referrer"
         response.headers["X-Content-Type-Options"] = "nosniff"
@@ -291,3 +291,9 @@ def _within(value: int, limits: tuple[int, int]) -> int:
 def _ascii(*texts: str) -> list[str]:
     """Those that can be compared in constant time."""
     return [text for text in texts if text.isascii()]
+
+
+def _without_outside(page: bytes, own: str) -> bytes:
+    """A page without links to elsewhere; its own style sheet stays."""
+    ours = f"{own}/".encode()
+    return _LINK.sub(lambda link: link[0] if link[1].startswith(ours) else b"", page)

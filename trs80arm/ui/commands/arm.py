@@ -113,7 +113,7 @@ class ArmCommands:
         self._ask.ask(Question("Come back", self._what_happened(), answers), self._come_back)
 
     def _what_happened(self) -> str:
-        slip = self._session.last_slip
+        slip = self._session.slip
         names = self._session.rig.joint_names
         lost = ", ".join(
             f"{name} {steps:+d}"

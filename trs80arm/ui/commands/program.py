@@ -96,7 +96,7 @@ class ProgramCommands:
     def help(self) -> None:
         """The help, at what is being done."""
         session = self._session
-        slipped = session.last_slip is not None
+        slipped = session.slip is not None
         first = AFTER_A_SLIP if slipped else WHILE_WAITING.get(session.waiting, "")
         self._screens.open(HelpScreen(self._topics(), first))
 

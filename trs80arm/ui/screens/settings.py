@@ -39,7 +39,9 @@ class SettingsScreen(Dialog[None]):
     ]
     DEFAULT_CSS = """
     SettingsScreen > .dialog { width: 100; height: 96%; }
-    SettingsScreen OptionList { height: 1fr; max-height: 100%; }
+    SettingsScreen OptionList {
+        height: 1fr; max-height: 100%; text-wrap: nowrap; text-overflow: ellipsis;
+    }
     SettingsScreen #meaning { height: 6; border-top: solid $frame; }
     """
 
