@@ -22,12 +22,12 @@ from trs80arm.ui.commands.program import ProgramCommands
 from trs80arm.ui.commands.table import COMMANDS
 from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ViewCommands
+from trs80arm.ui.help_topics import Topic
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.layout import Lead
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.hand_move import HandMoveScreen
-from trs80arm.ui.screens.help import Topic
 from trs80arm.ui.screens.key_test import KeyTest
 from trs80arm.ui.screens.settings import SettingsScreen
 from trs80arm.ui.screens.teach import TeachResult, TeachScreen

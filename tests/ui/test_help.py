@@ -9,14 +9,8 @@ from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
 from trs80arm.options import KeyMode
-from trs80arm.ui.screens.help import (
-    AFTER_A_SLIP,
-    WHILE_WAITING,
-    HelpScreen,
-    Topic,
-    page,
-    topics,
-)
+from trs80arm.ui.help_topics import AFTER_A_SLIP, WHILE_WAITING, Topic, page, topics
+from trs80arm.ui.screens.help import HelpScreen
 
 TOPICS = [Topic("One", "about the ARM"), Topic("Two", "of tapes"), Topic("Three", "arm and tapes")]
 

@@ -50,13 +50,13 @@ from trs80arm.ui.commands.table import COMMANDS, Commands, Palette, bindings, co
 from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ViewCommands
 from trs80arm.ui.heartbeat import Heartbeat
+from trs80arm.ui.help_topics import topics
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 from trs80arm.ui.panels.status import Pace
 from trs80arm.ui.screens.desk import DeskScreen, Typed
-from trs80arm.ui.screens.help import topics
 from trs80arm.ui.screens.key_test import KeyTest
 from trs80arm.ui.screens.palette import PaletteScreen
 from trs80arm.ui.terminal.driver import choose_driver

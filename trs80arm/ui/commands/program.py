@@ -18,8 +18,8 @@ from trs80arm.rig import Waiting
 from trs80arm.ui.asking import Screens
 from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.view import View
+from trs80arm.ui.help_topics import AFTER_A_SLIP, WHILE_WAITING, Topic
 from trs80arm.ui.keys.keyboard import Keyboard
-from trs80arm.ui.screens.help import AFTER_A_SLIP, WHILE_WAITING, HelpScreen, Topic
 from trs80arm.ui.screens.settings import SettingsScreen
 
 
@@ -95,6 +95,9 @@ class ProgramCommands:
 
     def help(self) -> None:
         """The help, at what is being done."""
+        # Markdown takes long to be imported, and the first frame does not need it.
+        from trs80arm.ui.screens.help import HelpScreen
+
         session = self._session
         slipped = session.slip is not None
         first = AFTER_A_SLIP if slipped else WHILE_WAITING.get(session.waiting, "")
