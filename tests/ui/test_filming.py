@@ -128,7 +128,7 @@ def test_a_run_is_filmed_with_its_answers_until_it_has_ended(tmp_path: Path, pro
     [
         (("-o", "film.mp4"), "a film is a"),
         (("-o", "film.svg", "--size", "wide"), "COLUMNSxROWS"),
-        (("-o", "film.svg", "--size", "20x5"), "needs 64 columns"),
+        (("-o", "film.svg", "--size", "20x5"), "needs 40 columns"),
         (("-o", "film.svg", "--do", "dance"), "no such command"),
         (("-o", "film.svg", "--set", "6:fast"), "6:fast"),
         (("-o", "film.svg", "--font", "x.ttf"), "--font is for a GIF"),
