@@ -64,6 +64,16 @@ def test_whoever_wakes_it_keeps_it_awake_for_a_while() -> None:
     assert program.heartbeat.resting
 
 
+def test_a_resting_program_is_brought_up_to_now_before_what_woke_it() -> None:
+    program = Program()
+    program.heartbeat.beat()
+    before = program.ticks
+    program.heartbeat.wake()
+    assert program.ticks == before + 1
+    program.heartbeat.wake()
+    assert program.ticks == before + 1
+
+
 @piloted
 async def test_at_the_prompt_nothing_goes_on(sit_down: Opener) -> None:
     async with sit_down() as sitting:

@@ -45,9 +45,14 @@ class Heartbeat:
         app.set_interval(REST, self.look)
 
     def wake(self) -> None:
-        """Something came from outside: look at every tick, for a while at least."""
+        """Something came from outside: look at every tick, for a while at least.
+
+        A program that rested is brought up to now first, so that what woke it happens now.
+        """
         self._awake_until = self._wall() + AWAKE
-        self._rest(False)
+        if self.resting:
+            self._rest(False)
+            self._tick()
 
     def beat(self) -> None:
         """A tick; the last one for now if nothing goes on."""
