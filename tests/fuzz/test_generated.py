@@ -16,7 +16,10 @@ FRAME = "def cells():\n v_A_s = None\n def statement():\n  {}\n  return 17130\n 
     "line", ["clock.now += 5", "t1 = mul(v_A_s, 2.0)", "f = frames[-1]; frames.pop()", "poke(1, 2)"]
 )
 def test_what_the_compiler_writes_passes(line: str) -> None:
-    generated.look_at(FRAME.format(line))
+    code = FRAME.format(line)
+    generated.look_at(code)
+    with pytest.raises(BrokenError, match="in generated code"):
+        generated.look_at(code.replace("return 17130", "import os"))
 
 
 @pytest.mark.parametrize(

@@ -262,7 +262,8 @@ def test_parts_go_back_where_they_were(desk: Desk) -> None:
     desk.type("@STEP 50,0,-207,290,0,0,340", "@STEP 50,0,132,-36", "@CLOSE")
     desk.type("@STEP 50,0,-400")
     desk.arm.refill()
-    assert next(iter(desk.session.rig.arm.bench.parts.values())).box == before
+    after = next(iter(desk.session.rig.arm.bench.parts.values())).box
+    assert after.center == pytest.approx(before.center, abs=0.001)
 
 
 def test_after_a_slip_the_way_back_is_offered_with_the_reason(desk: Desk) -> None:
