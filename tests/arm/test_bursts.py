@@ -94,7 +94,7 @@ def signature(arm: MiniMover) -> object:
     return arm.state(), motors, arm.events, parts, arm.grip, arm.inputs(0)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=6, deadline=None)
 @given(st.integers(0, 10**6), st.lists(st.integers(1, 900), max_size=12))
 def test_any_cutting_of_the_same_writes_gives_the_same_state(seed: int, cuts: list[int]) -> None:
     writes = motions(seed)
@@ -108,7 +108,7 @@ def test_arrays_and_single_writes_give_the_same_state(seed: int) -> None:
     assert signature(run(writes, [1] * len(writes))) == signature(run(writes, []))
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=8, deadline=None)
 @given(
     st.lists(st.tuples(st.integers(0, 9000), st.integers(0, 6), st.integers(0, 15)), max_size=150),
     st.integers(1, 150),

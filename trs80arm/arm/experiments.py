@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from copy import deepcopy
 from dataclasses import dataclass
 from enum import Enum
 
@@ -299,16 +300,18 @@ def _speeds() -> list[Row]:
         _set(generator, *bent.get(motor, (0, 0, -1, -8, 0)))
         return generator
 
+    # Gripping takes its time: it is done once, and every try begins with a copy of it.
+    eight, two = _gripping(8.0, PROMPT), _gripping(2.0, PROMPT)
+    two.align()
+    two.turn(Motor.HAND, 145, SLOW)
+
     def loaded(motor: Motor) -> PulseGenerator:
-        generator = _gripping(8.0, PROMPT)
+        generator = deepcopy(eight)
         _set(generator, *bent.get(motor, (0, 0, -1, -8, 0)))
         return generator
 
     def squeezing(_: Motor) -> PulseGenerator:
-        generator = _gripping(2.0, PROMPT)
-        generator.align()
-        generator.turn(Motor.HAND, 145, SLOW)
-        return generator
+        return deepcopy(two)
 
     model = _bare().arm.model
     base, _, elbow, wrist, _, hand = (drive.steps for drive in model.drives)
