@@ -119,7 +119,8 @@ def _body(settings: ArmSettings) -> Solids:
 def _link(model: ArmModel, link: Link, body: int) -> Solids:
     """Two plates, what joins them, the axle, and the cables that run along."""
     (near, right, down), (far, outer, up) = _room(model, link)
-    outline = rounded((down, near), (up, far), (up - down) * 0.45)
+    # The plates reach to the axle at their end, however little of them can touch anything.
+    outline = rounded((down, near), (up, max(far, model.link + _PLATE)), (up - down) * 0.45)
     inner = outer - _PLATE
     plates = [
         prism(outline, low, high, Material.ARM, body, along=1, bevel=bevel)
