@@ -194,11 +194,6 @@ class Bench:
         table = self.turntable
         self.scene.plate = None if table is None else Plate(table.x, table.y, table.radius)
 
-    @property
-    def held(self) -> Part | None:
-        """The part in the hand."""
-        return next((part for part in self.parts.values() if part.held), None)
-
     def room_for(self, solids: Sequence[Placed]) -> bool:
         """Whether solids are in neither the table nor anything that stands there."""
         return not any(solid.low[2] < -SKIN for solid in solids) and self.found_at(solids) is None
