@@ -158,7 +158,10 @@ class Scene:
 
     def __getstate__(self) -> dict[str, Any]:
         # Links are where the joints have them; what was measured is no part of what is.
-        gone: dict[str, Any] = {"contacts": [], "met_at": [0.0] * 6, "went_on": False}
+        # Where a tick began is said anew at each, and depends on how many were asked for at once.
+        nowhere = [0.0] * 6
+        gone: dict[str, Any] = {"contacts": [], "met_at": nowhere, "went_on": False}
+        gone["_from"] = list(nowhere)
         state = {**self.__dict__, **gone, "_links": [], "_link_solids": [], "steps": 0, "solved": 0}
         # Who does what is asked of the bodies again.
         del state["_roster"]
