@@ -83,7 +83,7 @@ class World:
         self._rotors = [0] * 6
         self._ticked = [0] * 6
         self._looked: list[int] | None = None
-        self._clear = 0.0
+        self._clear = self._beside = 0.0
         self._levers: tuple[float, ...] = ()
         self._jumped = False
         self._busy = True
@@ -102,7 +102,7 @@ class World:
     def __getstate__(self) -> dict[str, Any]:
         # How far things are is found anew; when it was looked at hangs on how a run is cut.
         self.show()
-        return {**self.__dict__, "_looked": None, "_clear": 0.0, "_levers": ()}
+        return {**self.__dict__, "_looked": None, "_clear": 0.0, "_beside": 0.0, "_levers": ()}
 
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
@@ -176,10 +176,14 @@ class World:
             return True
         if not self._holds_on():
             return False
+        base = self.levers()[0]
         now = self._travel(ticked, rotors)
+        # The base turns nothing nearer to the table.
+        level = now - base * abs(rotors[0] - ticked[0])
         if self._looked is not None and self._travel(self._looked, ticked) + now < self._clear:
             return True
-        return now < self._clearance_at_tick()
+        clear = self._clearance_at_tick()
+        return now < clear or (now < self._beside and level == 0.0)
 
     def _holds_on(self) -> bool:
         """Whether the hand still holds its load as it took it up."""
@@ -438,18 +442,20 @@ class World:
         if self._looked != self._ticked:
             self.show()
             self._looked = list(self._ticked)
-            self._clear = self._measured() - NEAR
+            self._beside = self._measured() - NEAR
+            low = min(solid.low[2] for solid in self.bench.scene.link_solids)
+            for load in self.bench.scene.carried:
+                low = min(low, *(solid.low[2] for solid in load.placed))
+            self._clear = min(self._beside, low - NEAR)
         return self._clear
 
     def _measured(self) -> float:
-        """How far the arm and what it carries are from all else."""
+        """How far the arm and what it carries are from all else but the table."""
         scene = self.bench.scene
         least = FAR
         mine = list(zip(self._linkage.names, scene.link_solids, strict=True))
         for load in scene.carried:
             mine += [("", solid) for solid in load.placed]
-        for _, solid in mine:
-            least = min(least, solid.low[2])
         for thing in scene.fixed.values():
             for other in thing.placed:
                 for name, solid in mine:
