@@ -8,7 +8,14 @@ from pathlib import Path
 import pytest
 
 from trs80arm.desk.places import program_files
-from trs80arm.paths import is_file, is_folder, read_beginning, refusal, typed_path
+from trs80arm.paths import (
+    is_file,
+    is_folder,
+    open_to_read,
+    read_beginning,
+    refusal,
+    typed_path,
+)
 
 ODD = ["~n", "~nouser/x.bas", "x" * 300, "a\0b", "", " ", "/none/x.bas", "~/x" * 2000]
 
@@ -46,3 +53,9 @@ def test_pipes_and_folders_are_not_offered_as_programs(tmp_path: Path) -> None:
     (tmp_path / "folder.bas").mkdir()
     (tmp_path / "real.bas").write_text("10 END\n")
     assert program_files(tmp_path) == [tmp_path / "real.bas"]
+
+
+def test_a_folder_in_a_files_place_is_named() -> None:
+    with pytest.raises(IsADirectoryError) as refused:
+        open_to_read(Path("tests"))
+    assert refused.value.filename == "tests"

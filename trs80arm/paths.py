@@ -17,6 +17,18 @@ _AT_ONCE = getattr(os, "O_NONBLOCK", 0)
 """Opens a pipe without waiting for its other end."""
 
 
+def at_once(path: str, flags: int) -> int:
+    """An opener for `open` that waits for nobody: a pipe without another end is opened, or refused.
+
+    Raises:
+        OSError: it cannot be opened, or is to be written and is a pipe that nobody reads.
+    """
+    descriptor = os.open(path, flags | _AT_ONCE, 0o666)
+    if _AT_ONCE:
+        os.set_blocking(descriptor, True)
+    return descriptor
+
+
 def typed_path(text: str) -> Path:
     """The path that was typed; `~` and `~user` are home folders where there is such a user."""
     path = Path(text.strip())
@@ -65,10 +77,7 @@ def open_to_read(path: Path) -> BinaryIO:
     Raises:
         OSError: it cannot be opened.
     """
-    descriptor = os.open(path, os.O_RDONLY | _AT_ONCE)
-    if _AT_ONCE:
-        os.set_blocking(descriptor, True)
-    return os.fdopen(descriptor, "rb")
+    return open(path, "rb", opener=at_once)
 
 
 def read_beginning(path: Path, most: int) -> bytes:

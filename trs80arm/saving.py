@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from trs80arm.locks import hold, remove_unheld
+from trs80arm.paths import at_once
 
 _BEGINNING, _ENDING = ".trs80arm-", ".saving"
 _UNFINISHED = re.compile(r"\.trs80arm-[a-z0-9_]{8}\.saving")
@@ -105,13 +106,7 @@ def open_to_write(path: Path, *, append: bool = False) -> BinaryIO:
     Raises:
         OSError: it cannot be opened, or is a pipe that nobody reads, which would wait for ever.
     """
-    how = os.O_APPEND if append else os.O_TRUNC
-    at_once = getattr(os, "O_NONBLOCK", 0)
-    binary = getattr(os, "O_BINARY", 0)
-    descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | how | at_once | binary, 0o666)
-    if at_once:
-        os.set_blocking(descriptor, True)
-    return os.fdopen(descriptor, "wb")
+    return open(path, "ab" if append else "wb", opener=at_once)
 
 
 def _begin(folder: Path) -> tuple[Path, BinaryIO]:
