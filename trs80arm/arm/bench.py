@@ -103,21 +103,7 @@ class Bench:
             turn: radians.
         """
         turned = oriented(math.degrees(turn))
-        return self.add((box(size),), name, weight, x, y, bottom, turned)
-
-    def add(
-        self,
-        solids: Sequence[Solid],
-        name: str,
-        weight: float,
-        x: float,
-        y: float,
-        bottom: float = 0.0,
-        turn: Quaternion = STRAIGHT,
-        friction: float | None = None,
-    ) -> Part:
-        """Put a part of any shape on the bench, exactly there; the arguments are `make`'s."""
-        part = self.make(solids, name, weight, x, y, bottom, turn, friction)
+        part = self.make((box(size),), name, weight, x, y, bottom, turned)
         self.scene.add(part)
         return part
 
@@ -256,7 +242,8 @@ class Bench:
         solids = feeder.solids or (box(feeder.size),)
         turn = oriented(math.degrees(feeder.turn))
         place = feeder.x, feeder.y, 0.0
-        part = self.add(solids, name, feeder.weight, *place, turn, feeder.friction)
+        part = self.make(solids, name, feeder.weight, *place, turn, feeder.friction)
+        self.scene.add(part)
         part.asleep, part.touching = True, (TABLE,)
         part.began = (part.place, part.upwards)
         return part

@@ -10,8 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any
 
 from trs80arm.arm.bench import Bench, deep
@@ -27,6 +25,7 @@ from trs80arm.arm.geometry import CableDrive, JointAngles, forward
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.linkage import FINGERS, ArmLinkage, said
 from trs80arm.arm.model import Link, Motor
+from trs80arm.arm.rings import Ring, around, link_slices, rolled_slices
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box, Vector, dot, minus, plus
 from trs80arm.arm.trigonometry import sin_cos
@@ -504,7 +503,7 @@ class World:
         scene = self.bench.scene
         s, c = sin_cos(scene.joints[0])
         arm = scene.link_solids[:2]
-        mine = [ring for solid in arm for ring in _slices(solid, c, s)]
+        mine = [ring for solid in arm for ring in link_slices(solid, c, s)]
         joined = len(mine)
         mine += self._hand_rings(c, s)
         least = min(each.low for each in mine)
@@ -518,42 +517,29 @@ class World:
                 if thing.passes:
                     ahead = max(math.hypot(x, y) for x, y, _ in solid.vertices if x >= 0)
                     behind = max(math.hypot(x, y) for x, y, _ in solid.vertices)
-                    ring = _Ring(-behind, ahead, solid.low[2], solid.high[2])
+                    ring = Ring(-behind, ahead, solid.low[2], solid.high[2])
                     least = min(least, *(each.apart(ring) for each in mine[joined:]))
                 else:
-                    ring = _ring(solid)
+                    ring = around(solid)
                     least = min(least, *(each.apart(ring) for each in mine))
         for body in scene.bodies.values():
             if body.carried is None:
                 x, y, z = body.place
                 out, reach = math.hypot(x, y), body.shape.radius
-                ring = _Ring(out - reach, out + reach, z - reach, z + reach)
+                ring = Ring(out - reach, out + reach, z - reach, z + reach)
                 if all(each.apart(ring) > least for each in mine):
                     continue
                 for solid in body.placed:
-                    ring = _ring(solid)
+                    ring = around(solid)
                     least = min(least, *(each.apart(ring) for each in mine))
         return least - NEAR
 
-    def _hand_rings(self, c: float, s: float) -> list[_Ring]:
+    def _hand_rings(self, c: float, s: float) -> list[Ring]:
         """Hand and load cut across, rolled about the hand's axis however they may be."""
         frame = self.bench.scene.links[self._linkage.hand]
         ahead, aside = self.extent(self.grip.opening)
         way = (frame.turn[0], frame.turn[3], frame.turn[6])
-        level, steep = math.hypot(way[0], way[1]) * aside, abs(way[2]) * aside
-        ends = [plus(frame.place, way, ahead * k / _SLICES) for k in range(_SLICES + 1)]
-        rings = []
-        for one, other in pairwise(ends):
-            outs = [x * c + y * s for x, y, _ in (one, other)]
-            rings.append(
-                _Ring(
-                    min(outs) - steep,
-                    math.hypot(max(abs(out) for out in outs) + steep, aside),
-                    min(one[2], other[2]) - level,
-                    max(one[2], other[2]) + level,
-                )
-            )
-        return rings
+        return rolled_slices(frame.place, way, ahead, aside, c, s)
 
     def finger_steps(self) -> int:
         """Half-steps that the hand alone can be stepped, either way, before anything happens."""
@@ -896,49 +882,6 @@ class World:
                 self.bench.feed(feeder)
                 self._looked = None
         self._changed()
-
-
-@dataclass(frozen=True, slots=True)
-class _Ring:
-    """What is somewhere around the base's axis: from where to where outwards, and how high."""
-
-    near: float
-    far: float
-    low: float
-    high: float
-
-    def apart(self, other: _Ring) -> float:
-        """Inches between two rings at least."""
-        out = max(self.near - other.far, other.near - self.far, 0.0)
-        up = max(self.low - other.high, other.low - self.high, 0.0)
-        return math.sqrt(out * out + up * up)
-
-
-def _ring(solid: Placed) -> _Ring:
-    """A solid, somewhere around the axis."""
-    (a, b, c), (d, e, f) = solid.low, solid.high
-    out = math.hypot((a + d) / 2, (b + e) / 2)
-    reach = math.hypot(d - a, e - b) / 2
-    return _Ring(out - reach, out + reach, c, f)
-
-
-def _swept(corners: Sequence[Vector], c: float, s: float) -> _Ring:
-    """What is between some corners, turned with the base from where it points to c, s."""
-    ahead = min(x * c + y * s for x, y, _ in corners)
-    far = max(math.hypot(x, y) for x, y, _ in corners)
-    heights = [z for _, _, z in corners]
-    return _Ring(ahead, far, min(heights), max(heights))
-
-
-_SLICES = 4
-
-
-def _slices(solid: Placed, c: float, s: float) -> list[_Ring]:
-    """A link's box cut across, each slice turned with the base."""
-    v = solid.vertices
-    pairs = [(v[i], minus(v[k], v[i])) for i, k in ((0, 1), (3, 2), (4, 5), (7, 6))]
-    cuts = [[plus(start, way, k / _SLICES) for start, way in pairs] for k in range(_SLICES + 1)]
-    return [_swept([*one, *other], c, s) for one, other in pairwise(cuts)]
 
 
 def _faces(normal: Vector, across: Vector) -> bool:

@@ -114,11 +114,6 @@ def frames(width: int, height: int) -> Frames:
     return Frames.TITLED if narrow or height < _TUBE_ROWS + FURNITURE else Frames.FULL
 
 
-def shares_room(width: int, height: int) -> bool:
-    """Whether tube and arm share the room, so that it matters which of them leads."""
-    return arrangement(width, height) in (Arrangement.COMPACT, Arrangement.MIDDLE)
-
-
 def bottoms(groups: Groups, width: int, height: int) -> list[str]:
     """The groups that can be switched in, in order; the first is what it begins with."""
     chosen = arrangement(width, height)
