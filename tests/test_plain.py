@@ -49,7 +49,7 @@ def test_a_wrong_hold_is_told_and_asked_again() -> None:
 def test_programs_are_opened_and_saved(tmp_path: Path) -> None:
     target = tmp_path / "copy.txt"
     said = talk(f".open {PROGRAMS / 'table2.bas'}", f".save {target}", ".open nowhere.bas", ".fly")
-    assert "table2.bas is loaded." in said
+    assert "table2.bas is loaded: RUN runs it." in said
     assert target.read_text().startswith("10 @STEP S,-P1")
     assert "nowhere.bas: No such file" in said
     assert "There is no .fly" in said
@@ -71,6 +71,7 @@ def test_a_program_opened_after_one_that_would_not_stop_is_heard(tmp_path: Path)
     out = io.StringIO()
     plain = PlainMode(session, out, echo=False, speed=None)
     plain.take(f".open {tmp_path / 'a.bas'}")
+    plain.take("do not save")
     assert plain.talk(iter(["RUN\n"])) == 0
     assert "\nHEARD\n" in out.getvalue()
 
@@ -178,8 +179,8 @@ def test_the_screen_the_events_and_help_are_told() -> None:
     said = talk(".screen", "@STEP 50,0,-3000", ".events", ".help", ".open", ".run")
     assert "MEMORY SIZE?" in said.partition("Type .help for help.")[2]
     assert "shoulder" in said
-    assert ".quit        leave" in said
-    assert "Which file?" in said
+    assert "  .quit                       leave\n" in said
+    assert "Which? A number or a name" in said
 
 
 def test_lost_steps_are_told_with_the_registers() -> None:
@@ -188,6 +189,6 @@ def test_lost_steps_are_told_with_the_registers() -> None:
 
 
 def test_a_program_that_cannot_be_saved_is_told(tmp_path: Path) -> None:
-    said = talk("10 REM", f".save {tmp_path / 'nowhere' / 'a.bas'}", f".open {tmp_path}")
+    said = talk("10 REM", f".save {tmp_path / 'nowhere' / 'a.bas'}", f".open {tmp_path}", "go")
     assert "nowhere/a.bas: No such file or directory" in said
     assert f"{tmp_path}: Is a directory" in said

@@ -37,6 +37,7 @@ _IN_LISTING = re.compile(r"\s*(\d|$)")
 """A line of a listing, or between two of them."""
 RECOVERED_SHOWN = 3
 """Recovered copies that are shown before the other programs."""
+_PLAY = "Play a recording"
 PLAYING = "Playing; any key ends it and gives you the machine."
 
 
@@ -50,9 +51,10 @@ class SessionFiles:
         ask: a way to ask.
         say: a way to say something.
         reach: which files its user can name.
+        runs: what runs a program, as its user is told.
 
     Attributes:
-        reach: the same.
+        reach: which files its user can name.
     """
 
     def __init__(
@@ -63,6 +65,7 @@ class SessionFiles:
         ask: Asking,
         say: Say,
         reach: Reach = ALL_FILES,
+        runs: str = "F5 or RUN",
     ) -> None:
         self._session = session
         self._recovery = recovery
@@ -70,6 +73,7 @@ class SessionFiles:
         self._ask = ask
         self._say = say
         self.reach = reach
+        self._runs = runs
 
     # -- open -------------------------------------------------------------------------------------
 
@@ -135,7 +139,7 @@ class SessionFiles:
         """Remember that a program was loaded, and say so."""
         self._recent.add(path)
         with_bench = " and its bench are" if bench_beside(path) else " is"
-        self._say(f"{path.name}{with_bench} loaded: F5 or RUN runs it.")
+        self._say(f"{path.name}{with_bench} loaded: {self._runs} runs it.")
 
     def set_up_bench(self, path: Path | None) -> bool:
         """Clear the table and set up a bench, None for the standard one; or say why not.
@@ -173,7 +177,7 @@ class SessionFiles:
         except FileFormatError as error:
             self._say(f"No program: {error}", error=True)
             return False
-        self._say("The listing is loaded: F5 or RUN runs it.")
+        self._say(f"The listing is loaded: {self._runs} runs it.")
         return True
 
     # -- save -------------------------------------------------------------------------------------
@@ -323,27 +327,26 @@ class SessionFiles:
     # -- recordings and other files ---------------------------------------------------------------
 
     def save_recording(self) -> None:
-        """Save what was done since power-on."""
-
-        def save(path: Path) -> None:
-            self._write(path, lambda: self._session.save_recording(path))
-
+        """Ask for a name, and save what was done since power-on."""
         hint = "Everything done since the machine was switched on, to be played again."
         question = FileQuestion("Save a recording", hint, "session.jsonl", to_write=True)
-        self._ask.ask_file(question, save)
+        self._ask.ask_file(question, self.save_recording_as)
+
+    def save_recording_as(self, path: Path) -> None:
+        """Save what was done since power-on, or say why not."""
+        self._write(path, lambda: self._session.save_recording(path))
 
     def play(self) -> None:
         """Ask for a recorded session, and play it."""
-        title = "Play a recording"
-
-        def play(path: Path) -> None:
-            self.if_program_may_go(
-                title, lambda: self._if_keepsakes_may_go(title, lambda: self.play_file(path))
-            )
-
         hint = "The machine on the desk is put away for the recorded one."
-        question = FileQuestion(title, hint, "session.jsonl", to_write=False)
-        self._ask.ask_file(question, play)
+        question = FileQuestion(_PLAY, hint, "session.jsonl", to_write=False)
+        self._ask.ask_file(question, self.play_if_may_go)
+
+    def play_if_may_go(self, path: Path) -> None:
+        """Play a recording, asking first about what is unsaved on the machine that is put away."""
+        self.if_program_may_go(
+            _PLAY, lambda: self._if_keepsakes_may_go(_PLAY, lambda: self.play_file(path))
+        )
 
     def play_file(self, path: Path) -> None:
         """Play a recording, or say why not."""

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass, replace
+from math import degrees
 
-from trs80arm.arm.geometry import OutOfReach
+from trs80arm.arm.geometry import JointAngles, OutOfReach
 from trs80arm.arm.minimover import InTheWay, MotorsOn
 from trs80arm.desk.session import Session
 from trs80arm.rig import Pose
@@ -28,6 +29,37 @@ class MoveTo:
     """Put the hand to a pose."""
 
     pose: Pose
+
+
+PLACES = ("x", "y", "z", "pitch", "roll", "opening")
+"""What the figures of a pose are, in order."""
+
+
+def joint_values(angles: JointAngles, opening: float) -> tuple[float, ...]:
+    """The joints as hands know them, in the order of `TURNED_BY_HAND`: degrees, and inches."""
+    return (*map(degrees, astuple(angles)), opening)
+
+
+def typed_move(text: str, joint: str, now: Pose) -> MoveJoint | MoveTo:
+    """What somebody wants who types figures: one for a joint, three to six for a pose.
+
+    Args:
+        text: the figures, with blanks or commas between them.
+        joint: whose a single figure is.
+        now: the pose that keeps what is not typed.
+
+    Raises:
+        ValueError: they are no such figures; one line.
+    """
+    try:
+        numbers = [float(word) for word in text.replace(",", " ").split()]
+    except ValueError:
+        raise ValueError("numbers are wanted") from None
+    if len(numbers) == 1:
+        return MoveJoint(joint, numbers[0])
+    if 3 <= len(numbers) <= len(PLACES):
+        return MoveTo(replace(now, **dict(zip(PLACES, numbers, strict=False))))
+    raise ValueError("one figure for the joint, or 3 to 6 for a pose")
 
 
 def move_by_hand(session: Session, move: MoveJoint | MoveTo) -> str:

@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Final
 
 from trs80arm.bundled import programs_folder
-from trs80arm.paths import typed_path
+from trs80arm.desk.asking import FileQuestion
+from trs80arm.paths import is_file, is_folder, refusal, typed_path
 
 OUTSIDE = "Only the files of your own folder can be reached here."
 
@@ -58,3 +59,36 @@ class Reach:
 
 ALL_FILES: Final = Reach()
 """For who sits at the computer itself."""
+
+
+def file_problem(reach: Reach, question: FileQuestion, text: str) -> str:
+    """Why what was typed is no answer to a question for a file; empty if it is one.
+
+    A file that would be replaced is no problem here: see `replaces`.
+    """
+    if not text:
+        return "Type a name."
+    path = reach.typed(text)
+    if outside := reach.refusal(path, to_write=question.to_write):
+        return outside
+    if question.folder:
+        return refusal(path) or ("" if is_folder(path) else _no_new_folder(path))
+    if is_folder(path):
+        return f"{path} is a folder."
+    if not question.to_write:
+        return "" if is_file(path) else f"There is no file {path}."
+    if not is_folder(path.parent):
+        return f"There is no folder {path.parent}."
+    return refusal(path)
+
+
+def replaces(question: FileQuestion, path: Path) -> bool:
+    """Whether a file would be replaced that its owner did not name before."""
+    return question.to_write and not question.folder and path != question.own and path.exists()
+
+
+def _no_new_folder(path: Path) -> str:
+    """Why no folder of that name can be made; empty if it can."""
+    if is_file(path):
+        return f"{path} is a file."
+    return "" if is_folder(path.parent) else f"There is no folder {path.parent}."

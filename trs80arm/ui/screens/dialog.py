@@ -14,8 +14,7 @@ from textual.widgets import Button, Input, OptionList, Static
 from textual.widgets.option_list import Option
 
 from trs80arm.desk.asking import FileQuestion, ListQuestion, Question
-from trs80arm.desk.reach import Reach
-from trs80arm.paths import is_file, is_folder, refusal
+from trs80arm.desk.reach import Reach, file_problem, replaces
 from trs80arm.ui.terminal.layers import SeenThrough
 
 Answer = TypeVar("Answer")
@@ -160,36 +159,13 @@ class AskPath(Dialog[Path]):
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Answer, if the name can be used."""
-        path = self._reach.typed(event.value)
-        problem = self._problem(event.value.strip(), path)
+        text = event.value.strip()
+        problem = file_problem(self._reach, self.question, text)
+        path = self._reach.typed(text)
+        if not problem and replaces(self.question, path) and text != self._warned:
+            self._warned = text
+            problem = f"{path.name} exists. Enter again replaces it."
         if problem:
             self.query_one(".wrong", Static).update(problem)
         else:
             self.dismiss(path)
-
-    def _problem(self, text: str, path: Path) -> str:
-        if not text:
-            return "Type a name."
-        if outside := self._reach.refusal(path, to_write=self.question.to_write):
-            return outside
-        if self.question.folder:
-            return refusal(path) or ("" if is_folder(path) else _no_new_folder(path))
-        if is_folder(path):
-            return f"{path} is a folder."
-        if not self.question.to_write:
-            return "" if is_file(path) else f"There is no file {path}."
-        if not is_folder(path.parent):
-            return f"There is no folder {path.parent}."
-        if trouble := refusal(path):
-            return trouble
-        if path.exists() and path != self.question.own and text != self._warned:
-            self._warned = text
-            return f"{path.name} exists. Enter again replaces it."
-        return ""
-
-
-def _no_new_folder(path: Path) -> str:
-    """Why no folder of that name can be made; empty if it can."""
-    if is_file(path):
-        return f"{path} is a file."
-    return "" if is_folder(path.parent) else f"There is no folder {path.parent}."

@@ -6,8 +6,6 @@ It shows both views of the arm, and says why the arm does not go where it is wan
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
-from math import degrees
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -16,7 +14,7 @@ from textual.containers import Horizontal, Vertical
 from textual.events import Key
 from textual.widgets import Input, Static
 
-from trs80arm.desk.hands import MoveJoint, MoveTo
+from trs80arm.desk.hands import MoveJoint, MoveTo, joint_values, typed_move
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import signed
 from trs80arm.options import ArmStyle
@@ -32,7 +30,6 @@ _SHOWN = {"roll": "roll on arm"}
 NUDGE = {"hand": 0.1}
 """How far an arrow key moves, inches; all others go by one degree."""
 _FIGURES = "0123456789.-"
-PLACES = ("x", "y", "z", "pitch", "roll", "opening")
 
 
 class HandMoveScreen(Dialog[None]):
@@ -141,9 +138,7 @@ them off.
         self.query_one(SideView).show(readings)
         self.query_one(TopView).show(readings)
         lines = []
-        for place, (joint, value) in enumerate(
-            zip(TURNED_BY_HAND, joint_values(readings), strict=True)
-        ):
+        for place, (joint, value) in enumerate(zip(TURNED_BY_HAND, _values(readings), strict=True)):
             mark = ">" if place == self._joint else " "
             unit = "in" if joint == "hand" else "°"
             digits = 2 if joint == "hand" else 1
@@ -161,7 +156,7 @@ them off.
         """Turn the joint a little."""
         joint = TURNED_BY_HAND[self._joint]
         readings = self._look()
-        value = joint_values(readings)[self._joint] + times * NUDGE.get(joint, 1.0)
+        value = _values(readings)[self._joint] + times * NUDGE.get(joint, 1.0)
         if joint == "hand":
             value = min(max(value, 0.0), readings.model.hand.range)
         self._do(MoveJoint(joint, value))
@@ -173,33 +168,15 @@ them off.
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Do what was typed."""
         event.stop()
-        words = event.value.replace(",", " ").split()
         try:
-            numbers = [float(word) for word in words]
-        except ValueError:
-            self._say("numbers are wanted")
+            move = typed_move(event.value, TURNED_BY_HAND[self._joint], self._look().pose)
+        except ValueError as error:
+            self._say(str(error))
             return
-        if len(numbers) == 1:
-            self._do(MoveJoint(TURNED_BY_HAND[self._joint], numbers[0]))
-        elif 3 <= len(numbers) <= len(PLACES):
-            now = self._look().pose
-            changed = dict(zip(PLACES, numbers, strict=False))
-            self._do(MoveTo(replace(now, **changed)))
-        else:
-            self._say("one figure for the joint, or 3 to 6 for a pose")
-            return
+        self._do(move)
         event.input.value = ""
         self.set_focus(None)
 
 
-def joint_values(readings: Readings) -> tuple[float, ...]:
-    """The joints as the operator's hands know them: degrees, and inches of the hand."""
-    angles = readings.posture.angles
-    return (
-        degrees(angles.base),
-        degrees(angles.shoulder),
-        degrees(angles.elbow),
-        degrees(angles.pitch),
-        degrees(angles.roll),
-        readings.posture.opening,
-    )
+def _values(readings: Readings) -> tuple[float, ...]:
+    return joint_values(readings.posture.angles, readings.posture.opening)

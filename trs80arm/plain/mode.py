@@ -1,26 +1,32 @@
-"""The line mode: the same machine for screen readers, braille displays and pipes.
-
-What the machine prints is printed; a line typed here is typed there. Lines that begin with a point
-are the program's own commands. In manual mode a line says which keys are held, and for how long.
-"""
+"""The conversation of the line mode: what the machine prints, and what is typed into it."""
 
 from __future__ import annotations
 
+import os
 import sys
 import time
 from collections.abc import Callable, Iterator
-from pathlib import Path
+from datetime import datetime
 from typing import TextIO
 
-from trs80arm.bundled import PROGRAM_SUFFIX, named
+from trs80arm.desk.files import SessionFiles
+from trs80arm.desk.happenings import Happenings
 from trs80arm.desk.last_resort import FAULT, last_words
+from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
-from trs80arm.desk.places import state_folder
+from trs80arm.desk.places import RecentFiles, state_folder
 from trs80arm.desk.reach import ALL_FILES, Reach
+from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.session import Session
-from trs80arm.files import FileFormatError
+from trs80arm.desk.teach import Lesson
+from trs80arm.desk.workbench import Workbench
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.options import TerminalOptions
+from trs80arm.plain.arm import show_registers
+from trs80arm.plain.asking import LineAsking
+from trs80arm.plain.command import Sitting
+from trs80arm.plain.table import do_command, is_command
+from trs80arm.plain.teaching import show_positions
 from trs80arm.reasons import one_line
 from trs80arm.rig import Waiting
 from trs80arm.shown import shown
@@ -28,13 +34,6 @@ from trs80arm.teletype import Teletype
 
 SLICE = 0.05
 """Virtual seconds between two looks at the wall's clock and at Ctrl+C."""
-HELP = """\
-A line is typed into the TRS-80, with ENTER. Ctrl+C is BREAK. Lines with a point:
-.open FILE   load a program          .save FILE   save the program
-.run         type RUN                .screen      read the tube
-.registers   counted and true steps  .pose        where the hand is
-.events      what happened last      .quit        leave
-In @SET: KEYS:SECONDS with keys joined by +, several of them, and 0 to end, as 6:1 1+W:0.5 0"""
 
 
 class PlainMode:
@@ -43,7 +42,8 @@ class PlainMode:
     Args:
         session: the machine.
         out: where everything is printed.
-        echo: whether what is typed is printed as well, for a transcript.
+        echo: whether what is typed is printed as well, for a transcript; nobody is then there to
+            be asked before something is lost.
         speed: virtual seconds per second of the wall; None is flat out.
         reach: which files can be named.
         sleep: waits for so many seconds of the wall.
@@ -63,11 +63,47 @@ class PlainMode:
         self._out = out
         self._echo = echo
         self._speed = speed
-        self._reach = reach
         self._sleep = sleep
         self._teletype = Teletype(out)
-        self._stop = session.rig.listen(self._printed)
+        self._listen()
+        session.watch_machine(self._listen)
+        self._happenings = Happenings(session)
         self._left = False
+        self._sitting = self._sit_down(reach)
+
+    def _listen(self) -> None:
+        """Print what the machine prints from now on; it may be another one."""
+        if getattr(self, "_heard", None) is not self.session.rig:
+            self._heard = self.session.rig
+            self._heard.listen(self._printed)
+
+    def _sit_down(self, reach: Reach) -> Sitting:
+        """The desk with everything on it."""
+        session, lesson, say = self.session, Lesson(), self._say
+        state = state_folder()
+        name = f"{datetime.now():%Y%m%d-%H%M%S}-{os.getpid()}"
+        self._recovery = Recovery(session, lesson, state, name, say)
+        ask = LineAsking(say, reach, careful=not self._echo)
+        recent = RecentFiles(state / "recent.json")
+        files = SessionFiles(session, self._recovery, recent, ask, say, reach, "RUN")
+
+        def show() -> None:
+            show_positions(self._sitting, "")
+
+        leaving = Leaving(session, lesson, self._recovery, files, ask, show, self._end)
+        return Sitting(
+            session=session,
+            files=files,
+            workbench=Workbench(session, files, ask, say),
+            lesson=lesson,
+            ask=ask,
+            tell=self._tell,
+            reach=reach,
+            leave=leaving.leave,
+        )
+
+    def _end(self) -> None:
+        self._left = True
 
     def _printed(self, code: int, is_echo: bool) -> None:
         if self._echo or not is_echo or code < 32:
@@ -77,6 +113,9 @@ class PlainMode:
         """Say something that the machine did not, on a line of its own."""
         self._teletype.end_line()
         print("\n".join(map(shown, str(text).split("\n"))), file=self._out)
+
+    def _say(self, text: str, *, error: bool = False) -> None:
+        self._tell(text)
 
     def talk(self, lines: Iterator[str]) -> int:
         """Take lines until `.quit` or the last one.
@@ -101,8 +140,11 @@ class PlainMode:
 
     def take(self, line: str) -> None:
         """Do what one line says."""
-        if line.startswith("."):
-            self._command(line[1:].strip())
+        if self._sitting.ask.waits and not is_command(line):
+            self._sitting.ask.answer(line)
+        elif line.startswith("."):
+            self._sitting.ask.drop()
+            do_command(self._sitting, line[1:].strip())
         elif self.session.rig.waiting is Waiting.SET:
             self._hold(line)
         else:
@@ -114,17 +156,26 @@ class PlainMode:
         try:
             while session.typing or session.waiting is Waiting.NOTHING:
                 session.run_for(SLICE)
+                self._tell_happenings()
                 self._out.flush()
                 if self._speed is not None and session.waiting is Waiting.NOTHING:
                     self._sleep(SLICE / self._speed)
         except KeyboardInterrupt:
             session.stop_playing()
             self._press_break()
+        self._tell_happenings()
         for fault in session.new_faults():
             self._tell(fault)
-        if session.waiting is Waiting.SET:
+        if session.waiting is Waiting.SET and not self._sitting.ask.waits:
             self._tell("@SET: which keys? (.help)")
         self._out.flush()
+
+    def _tell_happenings(self) -> None:
+        """What became of parts and motors since the last look."""
+        for event in self._happenings.new():
+            self._tell(f"* {event.text}")
+            if event.steps and self.session.new_slip() is not None:
+                self._tell(".back says what is lost and takes the arm back.")
 
     def _press_break(self) -> None:
         rig = self.session.rig
@@ -142,66 +193,8 @@ class PlainMode:
         for hold in holds:
             rig.hold(hold.keys, hold.seconds)
             rig.run_for(hold.seconds + SLICE)
-        self._registers()
-
-    def _command(self, text: str) -> None:
-        word, _, rest = text.partition(" ")
-        commands: dict[str, Callable[[], None]] = {
-            "help": lambda: self._tell(HELP),
-            "run": lambda: self.session.rig.type("RUN\r"),
-            "screen": lambda: self._tell("\n".join(self.session.rig.screen())),
-            "registers": self._registers,
-            "pose": self._pose,
-            "events": self._events,
-            "quit": self._leave,
-            "open": lambda: self._file(self._open, rest, "loaded", to_write=False),
-            "save": lambda: self._file(self.session.save, rest, "saved", to_write=True),
-        }
-        do = commands.get(word)
-        if do is None:
-            self._tell(f"There is no .{word}; .help lists what there is.")
-        else:
-            do()
-
-    def _open(self, path: Path) -> None:
-        self.session.load(named(path, PROGRAM_SUFFIX))
-
-    def _file(self, do: Callable[[Path], None], name: str, done: str, *, to_write: bool) -> None:
-        if not name.strip():
-            self._tell("Which file?")
-            return
-        path = self._reach.typed(name)
-        if outside := self._reach.refusal(path, to_write=to_write):
-            self._tell(outside)
-            return
-        try:
-            do(path)
-        except FileFormatError as error:
-            self._tell(error)
-        except OSError as error:
-            self._tell(f"{path}: {error.strerror or error}")
-        else:
-            self._tell(f"{path.name} is {done}.")
-
-    def _registers(self) -> None:
-        rig = self.session.rig
-        for name, register, true in zip(rig.joint_names, rig.registers, rig.joints, strict=True):
-            lost = "" if register == true else f", {register - true} lost"
-            self._tell(f"{name}: {register}, true {true}{lost}")
-
-    def _pose(self) -> None:
-        pose = self.session.rig.pose
-        self._tell(
-            f"X {pose.x:.2f}, Y {pose.y:.2f}, Z {pose.z:.2f} inches, pitch {pose.pitch:.1f}, "
-            f"roll {pose.roll:.1f} degrees, hand open {pose.opening:.2f} inches"
-        )
-
-    def _events(self) -> None:
-        for event in self.session.rig.arm.events[-5:]:
-            self._tell(event.text)
-
-    def _leave(self) -> None:
-        self._left = True
+        self._tell_happenings()
+        show_registers(self._sitting, "")
 
 
 def _typed_lines(stream: TextIO) -> Iterator[str]:

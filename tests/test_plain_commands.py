@@ -1,0 +1,136 @@
+"""What the screen has the line mode has: benches, hands, teaching, recordings, news at once."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+from tests.own_places import PROGRAMS, own_places
+from tests.test_plain import talk
+from trs80arm.desk.session import Session
+from trs80arm.plain import PlainMode
+from trs80arm.plain.table import GROUPS
+
+__all__ = ["own_places"]
+
+
+def test_every_command_is_in_the_help_and_explains_itself() -> None:
+    for command in (command for group in GROUPS for command in group.commands):
+        said = talk(".help", f".help {command.name}")
+        assert f"  .{command.usage}" in said
+        assert f"\n.{command.usage}: {command.help}\n" in said
+
+
+def test_a_slip_is_told_when_it_happens_with_the_way_back() -> None:
+    said = talk("@STEP 50,0,-3000", "PRINT 1")
+    assert "* shoulder slipped" in said.partition("\n 1 \n")[0]
+    assert ".back says what is lost" in said
+
+
+def test_the_way_back_is_that_of_the_screen() -> None:
+    said = talk("@STEP 50,0,-3000", ".back", "all", ".registers")
+    assert "The joint ends there." in said
+    assert "shoulder: 0, true 0\n" in said
+
+
+def test_pick_ups_and_drops_are_told_as_they_happen() -> None:
+    session = Session(bench=PROGRAMS / "table3.toml")
+    said = talk("@CLOSE", "@STEP 60,0,-150,-150", "@STEP 60,0,0,0,0,0,400", session=session)
+    news = [line for line in said.splitlines() if line.startswith("* ")]
+    assert news == ["* part 1 in the hand", "* part 1 fell 0.80 in"]
+
+
+def test_the_arm_is_moved_by_hand_until_its_motors_are_on() -> None:
+    said = talk(".hand base 20", ".hand 8 0 2 -90 0 1", ".hand base", ".hand ten", "@STEP 50,10")
+    assert "base 20.0°" in said
+    assert said.count("numbers are wanted") == 1
+    assert "one figure for the joint" in said
+    assert "RESET" in talk("@STEP 50,10", ".hand base 0")
+
+
+def test_parts_are_listed_and_put_back() -> None:
+    session = Session(bench=PROGRAMS / "table4.toml")
+    said = talk(".parts", ".parts back", session=session)
+    assert " oz, at X " in said
+    assert "The parts are back" in said
+
+
+def test_benches_are_chosen_by_name_or_from_a_list() -> None:
+    said = talk(".bench tower", ".bench table", ".bench nowhere", ".bench", "1")
+    assert "Bench: tower." in said
+    assert said.count("Bench: table.") == 2
+    assert "nowhere" in said
+
+
+def test_positions_are_taught_and_made_a_program(tmp_path: Path) -> None:
+    target = tmp_path / "taught.bas"
+    said = talk(
+        ".teach start",
+        "@STEP 50,100",
+        ".teach",
+        "@STEP 50,0,100",
+        ".teach third",
+        ".move 3 1",
+        ".rename 2 home",
+        ".again 3",
+        ".remove 3",
+        f".write {target} data once",
+        ".lesson steps once",
+        ".remove 9",
+        "LIST 10",
+    )
+    assert "Position 1, START, is taught." in said
+    assert "1 THIRD: X" in said
+    assert "2 HOME: X" in said
+    assert "taught.bas is written." in said
+    assert "DATA" in target.read_text()
+    assert "The listing is loaded: RUN runs it." in said
+    assert "Which position?" in said
+
+
+def test_nothing_taught_writes_nothing(tmp_path: Path) -> None:
+    said = talk(".positions", f".write {tmp_path / 'a.bas'}", ".lesson")
+    assert "Nothing is taught yet" in said
+    assert not (tmp_path / "a.bas").exists()
+
+
+def test_what_was_done_is_recorded_and_played(tmp_path: Path) -> None:
+    path = tmp_path / "a.jsonl"
+    assert "Saved as a.jsonl." in talk("PRINT 6*7", f".record {path}")
+    assert "\n 42 \n" in talk(f".play {path}")
+
+
+def test_a_program_is_opened_with_its_bench() -> None:
+    session = Session()
+    talk(".open table4", session=session)
+    assert session.bench_path is not None
+
+
+def test_leaving_asks_about_what_is_unsaved() -> None:
+    said = talk("10 REM", ".quit", "back", "PRINT 7*6", ".quit", "leave", "PRINT 1+8")
+    assert said.count("is not saved") == 2
+    assert "\n 42 \n" in said
+    assert "\n 9 \n" not in said
+
+
+def test_a_question_is_left_for_another_command() -> None:
+    said = talk("10 REM", ".quit", ".pose", "PRINT 7*6")
+    assert "X 5.00" in said
+    assert "\n 42 \n" in said
+
+
+def test_a_pipe_is_not_asked() -> None:
+    out = io.StringIO()
+    plain = PlainMode(Session(), out, echo=True, speed=None)
+    plain.talk(iter(["10 REM\n", ".open table2\n", ".quit\n", "PRINT 7*6\n"]))
+    assert "table2.bas is loaded" in out.getvalue()
+    assert " 42 " not in out.getvalue()
+
+
+def test_a_name_is_asked_for_and_one_that_exists_twice(tmp_path: Path) -> None:
+    target = tmp_path / "a.bas"
+    target.write_text("5 REM OLD\n")
+    said = talk("10 REM NEW", ".save", str(target), ".", ".save", str(target), str(target))
+    assert "a.bas exists" in said
+    assert "Saved as a.bas." in said
+    assert "NEW" in target.read_text()
