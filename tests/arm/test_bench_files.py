@@ -93,6 +93,137 @@ def test_a_bad_bench_gets_one_line_with_file_key_and_what_was_expected(
     assert str(caught.value) == line
 
 
+SHAPED = {
+    "box": {"size": "[1, 1, 1]"},
+    "cylinder": {"diameter": "1", "height": "1"},
+    "disc": {"diameter": "1", "height": "1"},
+    "prism": {"outline": "[[-1, -1], [1, -1], [0, 1]]", "height": "1"},
+    "tray": {"size": "[2, 2, 1]", "wall": "0.1"},
+    "holed": {"size": "[2, 2, 1]", "hole": "[0.5, 0.5]"},
+    "pegs": {
+        "size": "[2, 2, 0.25]",
+        "pegs": "[[0, 0]]",
+        "peg_diameter": "0.3",
+        "peg_height": "0.5",
+    },
+}
+LENGTH = "a number from 0.1 to 60"
+SIZE = "3 numbers from 0.1 to 60"
+POINTS = "points [x, y], each from -60 to 60"
+EXPECTED = {
+    ("box", "size"): SIZE,
+    ("cylinder", "diameter"): LENGTH,
+    ("cylinder", "height"): LENGTH,
+    ("disc", "diameter"): LENGTH,
+    ("disc", "height"): LENGTH,
+    ("prism", "outline"): f"3 to 24 {POINTS}",
+    ("prism", "height"): LENGTH,
+    ("tray", "size"): SIZE,
+    ("tray", "wall"): "a number from 0.02 to 0.98",
+    ("holed", "size"): SIZE,
+    ("holed", "hole"): "2 numbers from 0.02 to 60",
+    ("pegs", "size"): SIZE,
+    ("pegs", "pegs"): f"1 to 32 {POINTS}",
+    ("pegs", "peg_diameter"): LENGTH,
+    ("pegs", "peg_height"): LENGTH,
+}
+"""What each key that describes a shape wants."""
+COMMON = {
+    "bottom": "a number from 0 to 60",
+    "turn": "a number from -360 to 360",
+    "tilt": "a number from -360 to 360",
+    "roll": "a number from -360 to 360",
+    "weight": "a number from 0.01 to 1600",
+    "friction": "a number from 0.01 to 10",
+}
+NONSENSE = ["'x'", "true", "nan", "inf", "-1000", "1e9", "[1]", "[true, true, true]", "{a = 1}"]
+
+
+def thing(head: str, shape: str, **keys: str) -> str:
+    """A table of a bench file."""
+    described = {"at": "[10, 3]", "shape": f"'{shape}'", **SHAPED.get(shape, {}), **keys}
+    return f"[[{head}]]\n" + "\n".join(f"{key} = {value}" for key, value in described.items())
+
+
+@pytest.mark.parametrize("head", ["part", "feeder", "obstacle"])
+@pytest.mark.parametrize("shape", SHAPED)
+def test_a_thing_of_any_shape_stands_on_the_bench(head: str, shape: str) -> None:
+    assert complaint(thing(head, shape)) == ""
+
+
+@pytest.mark.parametrize(("shape", "key"), EXPECTED)
+@pytest.mark.parametrize("value", NONSENSE)
+def test_a_shapes_key_that_cannot_be_is_named_with_what_it_wants(
+    shape: str, key: str, value: str
+) -> None:
+    for head in ("part", "feeder", "obstacle"):
+        line = complaint(thing(head, shape, **{key: value}))
+        assert line == f"bench: {head}[1].{key}: expected {EXPECTED[shape, key]}"
+
+
+@pytest.mark.parametrize(("shape", "key"), EXPECTED)
+def test_a_shapes_key_that_lacks_is_named(shape: str, key: str) -> None:
+    text = "\n".join(
+        line for line in thing("part", shape).split("\n") if not line.startswith(f"{key} =")
+    )
+    assert complaint(text) == f"bench: part[1].{key}: expected {EXPECTED[shape, key]}"
+
+
+@pytest.mark.parametrize("key", COMMON)
+@pytest.mark.parametrize("value", NONSENSE)
+def test_what_all_parts_have_in_common_is_checked_too(key: str, value: str) -> None:
+    line = complaint(thing("part", "box", **{key: value}))
+    assert line == f"bench: part[1].{key}: expected {COMMON[key]}"
+
+
+@pytest.mark.parametrize(
+    ("shape", "key", "value", "line"),
+    [
+        ("ball", "weight", "1", f"shape: expected one of {', '.join(SHAPED)}"),
+        (
+            "box",
+            "wall",
+            "0.1",
+            "wall: expected nothing by that name; the keys here are "
+            "name, at, bottom, turn, tilt, roll, shape, size, weight, friction",
+        ),
+        ("holed", "hole", "[1.99, 0.5]", "hole: expected a hole smaller than the block"),
+        ("pegs", "pegs", "[[1, 0]]", "pegs: expected pegs that stand on the board"),
+        ("pegs", "pegs", "[[0, 0], [0.2, 0]]", "pegs: expected pegs that are not in each other"),
+        ("tray", "wall", "1.5", "wall: expected a number from 0.02 to 0.98"),
+        ("box", "friction", "0", "friction: expected a number from 0.01 to 10"),
+        ("box", "weight", "0", "weight: expected a number from 0.01 to 1600"),
+        ("box", "bottom", "-0.1", "bottom: expected a number from 0 to 60"),
+        ("box", "tilt", "361", "tilt: expected a number from -360 to 360"),
+        ("box", "name", "''", "name: expected a name"),
+    ],
+)
+def test_a_thing_that_cannot_be_gets_one_line(shape: str, key: str, value: str, line: str) -> None:
+    assert complaint(thing("part", shape, **{key: value})) == f"bench: part[1].{line}"
+
+
+@pytest.mark.parametrize(
+    "outline",
+    [
+        "[[0, 0], [0, 1], [1, 0]]",  # clockwise
+        "[[0, 0], [1, 0], [2, 0]]",  # a line
+        "[[0, 0], [2, 0], [1, 0.5], [1, 2]]",  # a dent
+        "[[1, 0], [-0.81, 0.59], [0.31, -0.95], [0.31, 0.95], [-0.81, -0.59]]",  # a star
+        "[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]",  # a corner twice
+    ],
+)
+def test_an_outline_goes_once_around_and_bends_outwards(outline: str) -> None:
+    assert complaint(thing("part", "prism", outline=outline)) == (
+        "bench: part[1].outline: "
+        "expected a convex outline, its corners counter-clockwise from above"
+    )
+
+
+def test_an_outline_is_no_sliver() -> None:
+    line = complaint(thing("part", "prism", outline="[[0, 0], [1, 0.95], [1, 1]]"))
+    assert line == "bench: part[1].outline: expected an outline at least 0.1 in wide, whichever way"
+
+
 def test_a_file_that_is_not_there_or_not_text_gets_one_line(tmp_path: Path) -> None:
     with pytest.raises(BenchError, match="cannot be read"):
         benchfile.load(tmp_path / "none.toml")

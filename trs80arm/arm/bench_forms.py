@@ -6,6 +6,9 @@ reference of the keys is in `docs/arm.md`.
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
 from trs80arm.arm.contact.forms import holed, peg_board, tray
 from trs80arm.arm.contact.rotations import Quaternion, oriented
 from trs80arm.arm.contact.solids import Solid, box, cylinder, prism
@@ -51,9 +54,8 @@ def read_solids(item: Table, shape: str) -> tuple[Solid, ...]:
             raise item.fail(
                 "outline", "a convex outline, its corners counter-clockwise from above"
             ) from None
-        for axis in (0, 1):
-            if max(p[axis] for p in outline) - min(p[axis] for p in outline) < SMALLEST:
-                raise item.fail("outline", f"an outline at least {SMALLEST:g} in long and wide")
+        if _narrowest(outline) < SMALLEST:
+            raise item.fail("outline", f"an outline at least {SMALLEST:g} in wide, whichever way")
         return (solid,)
     size = read_size(item)
     if shape == "box":
@@ -100,6 +102,16 @@ def _pegs(item: Table, size: Vector, diameter: float) -> list[tuple[float, float
             if (x - u) ** 2 + (y - v) ** 2 < diameter * diameter:
                 raise item.fail("pegs", "pegs that are not in each other")
     return pegs
+
+
+def _narrowest(outline: Sequence[tuple[float, float]]) -> float:
+    """The least width of a convex outline, inches: it is square to one of the edges."""
+    edges = zip(outline, (*outline[1:], outline[0]), strict=True)
+    return min(
+        max((bx - ax) * (y - ay) - (by - ay) * (x - ax) for x, y in outline)
+        / math.dist((ax, ay), (bx, by))
+        for (ax, ay), (bx, by) in edges
+    )
 
 
 def _points(item: Table, key: str, least: int, most: int) -> list[tuple[float, float]]:

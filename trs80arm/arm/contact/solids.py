@@ -87,9 +87,13 @@ def prism(outline: Sequence[tuple[float, float]], height: float) -> Solid:
         ValueError: the outline is not convex or not counter-clockwise.
     """
     count = len(outline)
-    for i in range(count):
-        (ax, ay), (bx, by), (cx, cy) = (outline[(i + k) % count] for k in range(3))
-        if count < 3 or (bx - ax) * (cy - by) - (by - ay) * (cx - bx) <= _SAME:
+    for i, (ax, ay) in enumerate(outline):
+        bx, by = outline[(i + 1) % count]
+        # All others lie to the left of every edge: an outline that crosses itself turns left too.
+        others = (outline[(i + k) % count] for k in range(2, count))
+        if count < 3 or any(
+            (bx - ax) * (y - ay) - (by - ay) * (x - ax) <= _SAME for x, y in others
+        ):
             raise ValueError("an outline is convex, its corners counter-clockwise from above")
     z = height / 2
     vertices = [(x, y, -z) for x, y in outline] + [(x, y, z) for x, y in outline]
