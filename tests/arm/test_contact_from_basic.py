@@ -55,6 +55,27 @@ def test_a_slender_part_a_hair_off_centre_is_taken_upright() -> None:
     assert part(rig, "peg").bottom > 0.5
 
 
+@pytest.mark.parametrize(
+    ("width", "height", "away", "weight"),
+    [(0.25, 1.0, 0.14, 0.5), (0.3, 1.8, 0.1, 2.0), (0.2, 1.5, -0.14, 0.3)],
+)
+def test_a_slender_part_well_off_centre_is_pushed_tilts_and_is_set_upright_by_the_jaws(
+    width: float, height: float, away: float, weight: float
+) -> None:
+    # One finger pushes it high up, so that it leans over to the other one.
+    rig = done(
+        arm_at(8, 0, 0.6, 0.6)
+        + f"[[part]]\nname = 'peg'\nat = [8, {away}]\nsize = [{width}, {width}, {height}]\n"
+        + f"weight = {weight}",
+        "@CLOSE 100",
+        "@STEP 100,0,0,0,0,0,-20",
+        "@STEP 100,0,-100,27",
+    )
+    assert rig.state.held == "peg"
+    assert leaning(part(rig, "peg")) < 1
+    assert rig.pose.opening == pytest.approx(width, abs=0.01)
+
+
 def test_a_plank_beyond_an_edge_falls_and_does_not_stand_on_its_end() -> None:
     rig = done(
         "[[obstacle]]\nat = [8, 0]\nsize = [2, 2, 1]\n"
@@ -206,6 +227,40 @@ def test_a_bar_held_by_its_end_droops() -> None:
         "@STEP 200,0,-200,54",
     )
     assert leaning(part(rig, "bar")) > 10
+
+
+def gripped_by(in_along: float, in_down: float, weight: float) -> Part:
+    """A block an inch long, half an inch wide and high, that the pads meet so far in, lifted."""
+    rig = done(
+        arm_at(8, 0, 0.5 - in_down, 1.0)
+        + f"[[part]]\nname = 'block'\nat = [{8.3 - in_along + 0.5}, 0]\nsize = [1, 0.5, 0.5]\n"
+        + f"weight = {weight}",
+        "@CLOSE 100",
+        "@STEP 100,0,0,0,0,0,-30",
+        "@STEP 150,0,-100,27",
+    )
+    assert rig.pose.z > 0.9
+    return part(rig, "block")
+
+
+def test_a_part_gripped_by_a_hair_at_its_corner_slips_away() -> None:
+    block = gripped_by(0.005, 0.005, 0.5)
+    assert not block.held
+    assert block.bottom < 0.01
+
+
+def test_a_part_gripped_by_a_hair_along_a_whole_edge_is_held_if_it_is_light() -> None:
+    # Friction at both ends of the edge, 0.25 in from its middle, against weight at half an inch.
+    light, heavy = gripped_by(0.005, 0.25, 0.5), gripped_by(0.005, 0.25, 6.0)
+    assert light.held
+    assert leaning(light) < 0.5
+    assert light.bottom > 0.5
+    assert not heavy.held or leaning(heavy) > 30
+
+
+def test_the_farther_in_a_part_is_gripped_the_less_it_droops() -> None:
+    droop = [leaning(gripped_by(far, 0.25, 6.0)) for far in (0.05, 0.2, 0.4)]
+    assert droop[0] > 30 > droop[1] > 3 > droop[2]
 
 
 def test_a_sweep_into_a_stack_leaves_a_heap_and_a_handful_of_events() -> None:

@@ -50,7 +50,7 @@ FACING = 0.7
 """Cosine to the way in which the hand closes from which what presses on a finger is closed on."""
 HAIR, BREATH = 0.75, 2.5
 """Half-steps of cable by which a part, or what gives a little, may measure otherwise."""
-YIELDING = 0.5
+YIELDING = 0.1
 """Part of the cable's way by which what is between the fingers gives way, rather than resists."""
 TURNED_FAST = 0.01
 """Half-steps by which the turntable may be behind its motor and stand."""
