@@ -15,7 +15,7 @@ from math import prod
 from typing import Any
 
 from trs80arm.arm import events, fixtures, forces, geometry, shapes
-from trs80arm.arm.contact import bodies, coasting, scene, solids
+from trs80arm.arm.contact import bodies, coasting, solids, table
 from trs80arm.arm.model import ArmModel, Motor, Pose
 from trs80arm.arm.models import MODELS
 from trs80arm.arm.settings import ArmSettings
@@ -112,7 +112,7 @@ OBJECTS: dict[str, type] = _by_name(
         fixtures.Tray,
         fixtures.Turntable,
         bodies.Fixed,
-        scene.Plate,
+        table.Plate,
         coasting.Coast,
     )
 )

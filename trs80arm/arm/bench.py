@@ -22,8 +22,9 @@ from trs80arm.arm.contact.rotations import (
     matrix,
     oriented,
 )
-from trs80arm.arm.contact.scene import TABLE, Plate, Scene
+from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import Solid, box
+from trs80arm.arm.contact.table import TABLE, Plate
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Sensor, Tray, Turntable, box_at
 from trs80arm.arm.linkage import fixed_name, link_name

@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from trs80arm.arm.contact.scene import TICK_STATES
+from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.forces import cosines
 from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import ROWS
 from trs80arm.arm.shapes import Box
-from trs80arm.arm.world import FEED_CLEARANCE, NEAR
+from trs80arm.arm.surroundings import FEED_CLEARANCE, NEAR
 
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
@@ -230,7 +230,7 @@ class _Stretch:
         n = len(base)
         opening = np.maximum(self.cable[:n], arm.grip.contact) / model.hand_steps
         clear = self._clear()
-        ahead, aside = world.extent(float(opening.max()))
+        ahead, aside = world.around.extent(float(opening.max()))
         thick = max(solid.half[2] for solid in model.solids[:2])
         # Pointing down the hand is as low at its sides as in its middle.
         lowest = z4 - (ahead - length) - np.abs(np.cos(pitch)) * aside
@@ -250,7 +250,7 @@ class _Stretch:
             for p, h, q, k in ((r2, z2, r3, z3), (0 * r2, 0 * z2 + height, r2, z2))
             for a, b in ((0.75, 0.25), (0.25, 0.75))
         ]
-        for box, own in world.boxes():
+        for box, own in world.around.boxes():
             if box.top > bottom:
                 bad |= _near(box, (r * c1, r * s1, z), hand)
             if own:
@@ -263,7 +263,7 @@ class _Stretch:
     def _clear(self) -> float:
         """Inches that must be between the arm and anything: more than it goes in a tick."""
         spare = NEAR + MARGIN
-        for lever, mine in zip(self.arm.world.levers(), self.writes, strict=True):
+        for lever, mine in zip(self.arm.world.around.levers(), self.writes, strict=True):
             if len(mine) > 1:
                 when = self.times[mine]
                 least = max(1, int((when[1:] - when[:-1]).min()))

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from trs80arm.arm.contact.scene import TICK_STATES
+from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.forces import nearest_and_farthest
 from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import ROWS
@@ -288,7 +288,7 @@ def _clear(
 
     What the arm goes in a tick is spare: within that of something the world looks for itself.
     """
-    lever = arm.world.levers()
+    lever = arm.world.around.levers()
     travel = [
         by * max(most - here, here - least)
         for by, here, least, most in zip(lever, arm.rotors, low, high, strict=True)

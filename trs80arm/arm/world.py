@@ -14,44 +14,26 @@ from typing import Any
 
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.body import Body
-from trs80arm.arm.contact.distance import boxes_apart, distance
+from trs80arm.arm.contact.carrying import load_at
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK_STATES
+from trs80arm.arm.contact.driven import EASE
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.contact.rotations import apply, apply_back
-from trs80arm.arm.contact.scene import EASE, T_STATES_PER_SECOND, TABLE, TICK_STATES
-from trs80arm.arm.events import EventKind
-from trs80arm.arm.fixtures import Feeder, Part
+from trs80arm.arm.contact.table import TABLE
+from trs80arm.arm.fixtures import Feeder
 from trs80arm.arm.forces import Burden
-from trs80arm.arm.geometry import CableDrive, JointAngles, forward
+from trs80arm.arm.geometry import CableDrive, JointAngles
+from trs80arm.arm.grasp import Grasp
 from trs80arm.arm.grip import Grip
-from trs80arm.arm.linkage import FINGERS, ArmLinkage, said
-from trs80arm.arm.model import Link, Motor
-from trs80arm.arm.rings import Ring, around, link_slices, rolled_slices
+from trs80arm.arm.linkage import ArmLinkage, said
+from trs80arm.arm.model import Motor
 from trs80arm.arm.settings import ArmSettings
-from trs80arm.arm.shapes import Box, Vector, dot, minus, plus
-from trs80arm.arm.trigonometry import sin_cos
+from trs80arm.arm.surroundings import FAR, NEAR, Surroundings, too_near
+from trs80arm.arm.telling import Telling
 
 Six = tuple[float, float, float, float, float, float]
 NONE: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-FAR = 100.0
-"""More inches than there are."""
-NEAR = 0.005
-"""Inches beyond what the arm goes in a tick within which contact is looked at."""
-FEED_CLEARANCE = 2.5
-"""A feeder gives its next part when the fingertip is this far from its middle, inches."""
 GIVEN = 30
 """Ticks after which an arm that presses and stands has given all that it gives."""
-PUSHED_FAR = 0.02
-"""Inches that a part must have been moved for it to be told."""
-FELL = 0.25
-"""Inches that it must have come down to have fallen."""
-TOPPLED = 0.7
-"""Cosine of the turn of a part's own vertical beyond which it has fallen over."""
-FACING = 0.7
-"""Cosine to the way in which the hand closes from which what presses on a finger is closed on."""
-HAIR, BREATH = 0.75, 2.5
-"""Half-steps of cable by which a part, or what gives a little, may measure otherwise."""
-YIELDING = 0.1
-"""Part of the cable's way by which what is between the fingers gives way, rather than resists."""
 TURNED_FAST = 0.01
 """Half-steps by which the turntable may be behind its motor and stand."""
 BY_HAND = 12
@@ -67,8 +49,8 @@ class World:
 
     Attributes:
         grip: the hand's hold.
-        met: name of what presses most on the arm, or None.
         vacant: feeders at whose place nothing stands.
+        around: how far everything is.
     """
 
     def __init__(self, bench: Bench, settings: ArmSettings, drive: CableDrive) -> None:
@@ -77,23 +59,19 @@ class World:
         self.drive = drive
         self.model = drive.model
         self.grip = Grip(self.model, drive.home_cable)
-        self.met: str | None = None
         self.vacant: list[Feeder] = []
         self._rotors = [0] * 6
         self._ticked = [0] * 6
         self._looked: list[int] | None = None
         self._clear = self._beside = 0.0
-        self._levers: tuple[float, ...] = ()
         self._jumped = False
         self._busy = True
-        self._loaded = self._leaned_on = False
-        self._met: tuple[float, int] | None = None
-        self._burdens: tuple[Burden, ...] = ()
-        self._pushed: tuple[float, float, float, float, float] = (0.0,) * 5
+        self._loaded = False
         self._plate = 0.0
-        self._moved: dict[str, Vector] = {}
-        self._let_go: set[str] = set()
         self._linkage = ArmLinkage(self.model, settings)
+        self._telling = Telling(bench)
+        self._grasp = Grasp(bench, self._linkage, self.grip, self._telling)
+        self.around = Surroundings(bench, self._linkage, drive)
         bench.lay()
         bench.scene.arm = self._linkage
         bench.scene.put_arm(self._commands(self._rotors))
@@ -101,7 +79,7 @@ class World:
     def __getstate__(self) -> dict[str, Any]:
         # How far things are is found anew; when it was looked at hangs on how a run is cut.
         self.show()
-        return {**self.__dict__, "_looked": None, "_clear": 0.0, "_beside": 0.0, "_levers": ()}
+        return {**self.__dict__, "_looked": None, "_clear": 0.0, "_beside": 0.0}
 
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
@@ -115,9 +93,8 @@ class World:
             if not self._touches(feeder.placed):
                 bench.feed(feeder)
         bench.news.clear()
-        self._moved.clear()
-        self._let_go.clear()
-        self._burdens, self._pushed = (), (0.0,) * 5
+        self._telling.clear()
+        self._grasp.clear()
         self._changed()
         self._ticked[:] = self._rotors
         self._jumped, self._busy, self._looked = False, True, None
@@ -159,7 +136,7 @@ class World:
             self._jumped = self._jumped or self._ticked != self._rotors
             self._ticked[:] = self._rotors
             self._busy = False
-            if self.vacant and not self._until_fed():
+            if self.vacant and not self.around.until_fed(self.vacant, self._rotors):
                 self.show()
                 self._feed()
             return
@@ -175,11 +152,12 @@ class World:
             return True
         if not self._holds_on():
             return False
-        base = self.levers()[0]
-        now = self._travel(ticked, rotors)
+        base = self.around.levers()[0]
+        now = self.around.travel(ticked, rotors)
         # The base turns nothing nearer to the table.
         level = now - base * abs(rotors[0] - ticked[0])
-        if self._looked is not None and self._travel(self._looked, ticked) + now < self._clear:
+        gone = FAR if self._looked is None else self.around.travel(self._looked, ticked)
+        if gone + now < self._clear:
             return True
         clear = self._clearance_at_tick()
         return now < clear or (now < self._beside and level == 0.0)
@@ -190,9 +168,9 @@ class World:
         if not self._loaded:
             return True
         commands = self._commands(self._rotors)
-        return scene.held_openings[0] <= commands[-1] <= scene.held_openings[1] and (
+        return scene.carrying.openings[0] <= commands[-1] <= scene.carrying.openings[1] and (
             self._rotors[3:5] == self._ticked[3:5]
-            or scene.upright_in(self._linkage.links(commands)[self._linkage.hand])
+            or scene.carrying.upright_in(self._linkage.links(commands)[self._linkage.hand])
         )
 
     def tilt(self) -> float:
@@ -201,24 +179,12 @@ class World:
         if not scene.carried:
             return math.inf
         links = self._linkage.links(self._commands(self._rotors))
-        return scene.tilt_left(links[self._linkage.hand])
+        return scene.carrying.tilt_left(links[self._linkage.hand])
 
     def held_cables(self) -> tuple[float, float]:
         """Least and most cable of the hand's, half-steps, at which a load stays as it is."""
-        low, high = self.bench.scene.held_openings
+        low, high = self.bench.scene.carrying.openings
         return low * self.model.hand_steps, high * self.model.hand_steps
-
-    def _travel(self, before: Sequence[int], after: Sequence[int]) -> float:
-        """Inches that any point of arm and load goes at most between two places."""
-        a, b, c, d, e, f = self.levers()
-        return (
-            a * abs(after[0] - before[0])
-            + b * abs(after[1] - before[1])
-            + c * abs(after[2] - before[2])
-            + d * abs(after[3] - before[3])
-            + e * abs(after[4] - before[4])
-            + f * abs(after[5] - before[5])
-        )
 
     def _contact(self) -> None:
         """One tick in which contact is looked at."""
@@ -229,14 +195,15 @@ class World:
         scene.tick()
         self._loaded = bool(scene.carried)
         self._ticked[:] = self._rotors
-        self._looked, self._levers = None, ()
+        self._looked = None
+        self.around.load_changed()
         if not scene.went_on:
-            self._grasp()
-        self._tell(asleep)
+            self._grasp.look(loaded=self._loaded)
+        self._telling.look(asleep)
         self._changed()
         self._feed()
         resting = scene.quiet and self._plate_stands
-        giving = self._strained and not self._leaned_on and scene.arm_still < GIVEN
+        giving = self._strained and not self._grasp.leaned_on and scene.arm_still < GIVEN
         self._busy = not resting or giving
 
     @property
@@ -339,145 +306,41 @@ class World:
         not in it but among the burdens: it weighs on the motors, and what it takes to set it in
         motion the rotors' trailing makes up for.
         """
-        a, b, c, d, e = self._pushed
+        a, b, c, d, e = self._grasp.pushed
         return a, b, c, d, e, 16 * self.grip.force
 
     @property
     def strained(self) -> bool:
         """Whether anything presses on the arm or is pushed by it."""
-        return any(self._pushed)
+        return any(self._grasp.pushed)
 
     @property
     def blocked(self) -> bool:
         """Whether what presses on the arm is something else than what it has in the hand."""
         return self.strained and self.met is not None and self.met != self.grip.part
 
+    @property
+    def met(self) -> str | None:
+        """Name of what presses most on the arm, or None."""
+        return self._grasp.met
+
     def burdens(self) -> tuple[Burden, ...]:
         """What hangs in the hand, all that stands on it included."""
-        return self._burdens
-
-    def _weigh(self) -> None:
-        """See what hangs in the hand and touches nothing else, and what else presses on the arm."""
-        scene, links, parts = self.bench.scene, self._linkage.names, self.bench.parts
-        leaning: dict[str, set[str]] = {}
-        for one, other in self._leaning():
-            leaning.setdefault(one, set()).add(other)
-            leaning.setdefault(other, set()).add(one)
-        touched = {name for link in links for name in leaning.get(link, ())}
-        self._leaned_on = any(name in parts for name in touched)
-        loads = [load.name for load in scene.carried]
-        waiting = [] if loads else [name for name, part in parts.items() if part.held]
-        while waiting:
-            name = waiting.pop()
-            if name in loads or name in links:
-                continue
-            if name not in parts:
-                loads = []
-                break
-            loads.append(name)
-            waiting += sorted(leaning.get(name, ()))
-        alone = touched <= set(loads)
-        hand = scene.links[self._linkage.hand]
-        found = []
-        for name in loads:
-            part = self.bench.parts[name]
-            x, y, z = apply_back(hand.turn, minus(part.place, hand.place))
-            found.append(Burden(part.weight, (x - self.model.hand_length, y, z)))
-        self._burdens = tuple(found) if alone or self._loaded else ()
-        a, b, c, d, e, _ = scene.torques
-        self._pushed = (0.0,) * 5 if alone else (a, b, c, d, e)
+        return self._grasp.burdens
 
     # How far from everything
-
-    def levers(self) -> tuple[float, ...]:
-        """Inches that a half-step of each motor moves anything of the arm or its load, at most."""
-        if not self._levers:
-            self._levers = self._longest_levers()
-        return self._levers
-
-    def _longest_levers(self) -> tuple[float, ...]:
-        model = self.model
-        ahead, aside = self.extent(model.hand.range)
-        out = math.hypot(ahead, aside)
-        swung = max(
-            math.hypot(abs(solid.center[0]) + solid.half[0], solid.half[2])
-            for solid in model.solids
-            if solid.link in (Link.UPPER_ARM, Link.FOREARM)
-        )
-        wide = max(solid.half[1] for solid in model.solids)
-        levers = {
-            Motor.BASE: math.hypot(2 * swung, wide) + out,
-            Motor.SHOULDER: swung,
-            # Raising the forearm opens the hand as well.
-            Motor.ELBOW: swung + 0.5 * model.drives[2].steps / model.hand_steps,
-            # A gear turns pitch and roll by half as much.
-            Motor.LEFT_WRIST: (out + aside) / 2,
-            Motor.RIGHT_WRIST: (out + aside) / 2,
-            Motor.HAND: 0.5,
-        }
-        return tuple(levers[drive.turns] / drive.steps for drive in model.drives)
-
-    def extent(self, opening: float) -> tuple[float, float]:
-        """How far hand, fingers and load reach from the wrist, ahead and to any side, inches."""
-        ahead, aside = self.model.hand_length, 0.0
-        for solid in self.model.solids:
-            _, wide, thick = (
-                abs(at) + half for at, half in zip(solid.center, solid.half, strict=True)
-            )
-            if solid.link in FINGERS:
-                aside = max(aside, math.hypot(wide + opening / 2, thick))
-            elif solid.link is Link.HAND:
-                aside = max(aside, math.hypot(wide, thick))
-        for load in self.bench.scene.carried:
-            assert load.carried is not None
-            place, turn = load.carried
-            for corner in (each for part in load.shape.solids for each in part.vertices):
-                x, y, z = plus(place, apply(turn, corner))
-                ahead, aside = max(ahead, abs(x)), max(aside, math.hypot(y, z))
-        return ahead, aside
 
     def _clearance_at_tick(self) -> float:
         """Inches by which all that moves is clear of all that it could touch, on the last tick."""
         if self._looked != self._ticked:
             self.show()
             self._looked = list(self._ticked)
-            self._beside = self._measured() - NEAR
+            self._beside = self.around.measured() - NEAR
             low = min(solid.low[2] for solid in self.bench.scene.link_solids)
             for load in self.bench.scene.carried:
                 low = min(low, *(solid.low[2] for solid in load.placed))
             self._clear = min(self._beside, low - NEAR)
         return self._clear
-
-    def _measured(self) -> float:
-        """How far the arm and what it carries are from all else but the table."""
-        scene = self.bench.scene
-        least = FAR
-        mine = list(zip(self._linkage.names, scene.link_solids, strict=True))
-        for load in scene.carried:
-            mine += [("", solid) for solid in load.placed]
-        for thing in scene.fixed.values():
-            for other in thing.placed:
-                for name, solid in mine:
-                    if name not in thing.passes:
-                        least = _nearer(solid, other, least)
-        for body in scene.bodies.values():
-            if body.carried is not None:
-                continue
-            for other in body.placed:
-                for _, solid in mine:
-                    least = _nearer(solid, other, least)
-        return least
-
-    def _until_fed(self) -> float:
-        """Inches that the fingertip may go until a feeder can give; 0 where one can."""
-        tip = forward(self.model, self.drive.angles(self._rotors)).fingertip
-        return max(0.0, min((self._within(feeder, tip) for feeder in self.vacant), default=FAR))
-
-    @staticmethod
-    def _within(feeder: Feeder, tip: Vector) -> float:
-        """Inches by which a fingertip is too near to a feeder for its next part."""
-        out = math.hypot(tip[0] - feeder.x, tip[1] - feeder.y)
-        return FEED_CLEARANCE + feeder.place.radius - out
 
     def clearance(self, *, turning: bool) -> float:
         """Inches that any point of arm and load may go before anything can happen, at least.
@@ -491,73 +354,22 @@ class World:
         """
         if not self.at_rest:
             return 0.0
-        clear = self._clearance_at_tick() - self._travel(self._ticked, self._rotors)
+        clear = self._clearance_at_tick() - self.around.travel(self._ticked, self._rotors)
         if self.vacant and not turning:
-            clear = min(clear, self._until_fed() - NEAR)
+            clear = min(clear, self.around.until_fed(self.vacant, self._rotors) - NEAR)
         if turning and clear > 0.0:
-            clear = min(clear, self._over_rings() - self._travel(self._ticked, self._rotors))
+            rings = self.around.over_rings(self.vacant, self._ticked, self.grip.opening)
+            clear = min(clear, rings - self.around.travel(self._ticked, self._rotors))
         return max(0.0, clear)
-
-    def _over_rings(self) -> float:
-        """How far all is from the arm wherever the base turns, as it was on the last tick."""
-        scene = self.bench.scene
-        s, c = sin_cos(scene.joints[0])
-        arm = scene.link_solids[:2]
-        mine = [ring for solid in arm for ring in link_slices(solid, c, s)]
-        joined = len(mine)
-        mine += self._hand_rings(c, s)
-        least = min(each.low for each in mine)
-        x, y, _ = forward(self.model, self.drive.angles(self._ticked)).fingertip
-        for feeder in self.vacant:
-            out = math.hypot(x, y) + math.hypot(feeder.x, feeder.y)
-            least = min(least, FEED_CLEARANCE + feeder.place.radius - out)
-        # Base and body are joined to the arm's first links, and always behind a line across it.
-        for thing in scene.fixed.values():
-            for solid in thing.placed:
-                if thing.passes:
-                    ahead = max(math.hypot(x, y) for x, y, _ in solid.vertices if x >= 0)
-                    behind = max(math.hypot(x, y) for x, y, _ in solid.vertices)
-                    ring = Ring(-behind, ahead, solid.low[2], solid.high[2])
-                    least = min(least, *(each.apart(ring) for each in mine[joined:]))
-                else:
-                    ring = around(solid)
-                    least = min(least, *(each.apart(ring) for each in mine))
-        for body in scene.bodies.values():
-            if body.carried is None:
-                x, y, z = body.place
-                out, reach = math.hypot(x, y), body.shape.radius
-                ring = Ring(out - reach, out + reach, z - reach, z + reach)
-                if all(each.apart(ring) > least for each in mine):
-                    continue
-                for solid in body.placed:
-                    ring = around(solid)
-                    least = min(least, *(each.apart(ring) for each in mine))
-        return least - NEAR
-
-    def _hand_rings(self, c: float, s: float) -> list[Ring]:
-        """Hand and load cut across, rolled about the hand's axis however they may be."""
-        frame = self.bench.scene.links[self._linkage.hand]
-        ahead, aside = self.extent(self.grip.opening)
-        way = (frame.turn[0], frame.turn[3], frame.turn[6])
-        return rolled_slices(frame.place, way, ahead, aside, c, s)
 
     def finger_steps(self) -> int:
         """Half-steps that the hand alone can be stepped, either way, before anything happens."""
         grip, model = self.grip, self.model
         if grip.contact or grip.cable < 0:
             return 0
-        lever = self.levers()[model.latch(Motor.HAND)]
+        lever = self.around.levers()[model.latch(Motor.HAND)]
         most = model.hand.range * model.hand_steps - grip.cable
         return max(0, int(min(self.clearance(turning=False) / lever, most, grip.cable)) - 2)
-
-    def boxes(self) -> list[tuple[Box, bool]]:
-        """Boxes around everything that the arm could touch, and whether it is the arm's own."""
-        own = len(self.bench.obstacles[:2])
-        found = [
-            (obstacle.box, number < own) for number, obstacle in enumerate(self.bench.obstacles)
-        ]
-        parts = self.bench.parts.values()
-        return found + [(part.box, False) for part in parts if part.carried is None]
 
     # The operator's hands
 
@@ -614,8 +426,9 @@ class World:
             taken |= riders
         if taken:
             scene.take([name for name in parts if name in taken])
-            self._loaded, self._levers = True, ()
-            self._weigh()
+            self._loaded = True
+            self.around.load_changed()
+            self._grasp.weigh(loaded=True)
 
     def _turn_hand(self, rotors: list[int], wanted: int) -> None:
         """Pay out or pull in hand cable by hand, and let everything come to rest at once."""
@@ -653,7 +466,7 @@ class World:
         ]
         hand = links[linkage.hand]
         for load in scene.carried:
-            mine += [("", solid) for solid in scene.load_at(load, hand)]
+            mine += [("", solid) for solid in load_at(load, hand)]
         for name, solid in mine:
             if solid.low[2] < -SUNK:
                 return TABLE
@@ -678,171 +491,6 @@ class World:
         if self.bench.turntable is not None:
             self.bench.turntable.rotor += step
             self._busy = True
-
-    # The hand
-
-    def _grasp(self) -> None:
-        """See from what presses on the fingers what is between them, and whether it is held."""
-        parts = self.bench.parts
-        between = set(self._linkage.fingers)
-        # What sleeps in the grip stays there.
-        if not any(
-            part.asleep and (part.held or between <= set(part.touching)) for part in parts.values()
-        ):
-            self._measure()
-            self._hold()
-        self._weigh()
-        self.met = self._presser()
-
-    def _measure(self) -> None:
-        """Where the fingers meet what is between them, or with what strain it holds them up."""
-        scene, grip, fingers = self.bench.scene, self.grip, self._linkage.fingers
-        across = self._across()
-        gaps: dict[str, dict[str, float]] = {}
-        for contact in scene.contacts:
-            one, other, _ = contact.key
-            if one not in fingers:
-                one, other = other, one
-            if one in fingers and _faces(contact.normal, across):
-                each = gaps.setdefault(other, {})
-                each[one] = min(contact.gap, each.get(one, contact.gap))
-        steps, opening = self.model.hand_steps, scene.joints[5]
-        pressed = scene.torques[5] > 0 and opening > 0
-        # Fingers that have met the same thing, or are about to: it is known where.
-        both = [scene.met_at[5] - sum(each.values()) for each in gaps.values() if len(each) == 2]
-        grip.strain = 0.0
-        if pressed and (both or self._between()):
-            before, self._met = self._met, (opening * steps, grip.cable)
-            resists = before is not None and (
-                before[0] - self._met[0] <= YIELDING * (before[1] - grip.cable) + HAIR / 3
-            )
-            if not resists:
-                scene.look_closely()
-            if resists or (before is None and both):
-                self._met_with(
-                    max(both) * steps if both else self._met[0], HAIR if both else BREATH
-                )
-                return
-        else:
-            self._met = None
-            if both:
-                scene.look_closely()
-                self._met_with(max(both) * steps, HAIR)
-                return
-        # What is pushed along or squared gives way: only what it resists with strains the cable.
-        grip.contact = 0
-        if pressed:
-            grip.strain = scene.torques[5] / self.model.stiffness[5] * steps
-
-    def _met_with(self, cable: float, give: float) -> None:
-        """The fingers have met with so much cable paid out; what is rigid does not breathe."""
-        if not self.grip.contact or abs(cable - self.grip.contact) > give:
-            self.grip.contact = max(1, round(cable))
-
-    def _across(self) -> Vector:
-        """The way in which the hand closes."""
-        turn = self.bench.scene.links[self._linkage.hand].turn
-        return turn[1], turn[4], turn[7]
-
-    def _between(self) -> list[str]:
-        """Parts on which the fingers press, alone or by way of others between them."""
-        parts = self.bench.parts
-        left, right = self._linkage.fingers
-        across = self._across()
-        pairs = {
-            contact.key[:2]
-            for contact in self.bench.scene.contacts
-            if contact.pressure > 0
-            and (contact.key[0] not in (left, right) or _faces(contact.normal, across))
-        }
-        pressed = [name for one, name in pairs if one == left and name in parts]
-        reached: set[str] = set()
-        waiting = list(pressed)
-        while waiting:
-            name = waiting.pop()
-            if name in reached or name not in parts:
-                continue
-            reached.add(name)
-            waiting += [b if a == name else a for a, b in pairs if name in (a, b)]
-        gripped = [name for name in reached if (right, name) in pairs]
-        return sorted(set(pressed) | set(gripped)) if pressed and gripped else []
-
-    def _hold(self) -> None:
-        """What the fingers have in their grip, with all that is between them."""
-        grip, parts = self.grip, self.bench.parts
-        between = self._between()
-        weight = sum(parts[name].weight for name in between)
-        if between and grip.carries(self._roughness(between)) < weight:
-            between = []
-        for name, part in parts.items():
-            if part.held == (name in between):
-                continue
-            part.held = not part.held
-            if part.held:
-                self.bench.news.append((EventKind.TAKEN, f"{name} in the hand"))
-                self._moved.pop(name, None)
-            else:
-                self._moved[name] = part.place
-                self._let_go.add(name)
-                part.began = (part.place, part.upwards)
-        grip.part = between[0] if between else None
-        grip.weight = weight if between else 0.0
-
-    def _leaning(self) -> set[tuple[str, str]]:
-        """What presses on what: as found on this tick, and as it was when it fell asleep."""
-        pairs = {c.key[:2] for c in self.bench.scene.contacts if c.pressure > 0}
-        for name, part in self.bench.parts.items():
-            if part.asleep:
-                pairs.update((other, name) for other in part.touching)
-        return pairs
-
-    def _roughness(self, names: Sequence[str]) -> float:
-        """Coefficient between the pads and the smoothest of some parts."""
-        pad = self._linkage.frictions[self._linkage.names.index(self._linkage.fingers[0])]
-        return math.sqrt(pad * min(self.bench.parts[name].friction for name in names))
-
-    def _presser(self) -> str | None:
-        """What presses most on the arm."""
-        links = self._linkage.names
-        forces: dict[str, float] = {}
-        for contact in self.bench.scene.contacts:
-            one, other, _ = contact.key
-            name = other if one in links else one if other in links else None
-            if name is not None and contact.pressure > 0:
-                forces[name] = forces.get(name, 0.0) + contact.pressure
-        return said(max(forces, key=lambda name: forces[name])) if forces else None
-
-    def _tell(self, asleep: set[str]) -> None:
-        """News of what has come to rest."""
-        for name, part in self.bench.parts.items():
-            if not part.asleep:
-                if name in asleep:
-                    self._moved.setdefault(name, part.place)
-                    if part.began is None:
-                        part.began = (part.place, part.upwards)
-            elif name not in asleep and not part.held and part.carried is None:
-                self._settled(name, part)
-        self.bench.deliver()
-
-    def _settled(self, name: str, part: Part) -> None:
-        """News of one part that has come to rest."""
-        news, began, start = self.bench.news, part.began, self._moved.pop(name, None)
-        released = name in self._let_go
-        self._let_go.discard(name)
-        part.began = (part.place, part.upwards)
-        if began is None:
-            return
-        place, up = began
-        fell = place[2] - part.place[2]
-        far = 0.0 if start is None else math.dist(start, part.place)
-        if dot(up, part.upwards) < TOPPLED:
-            news.append((EventKind.TOPPLED, f"{name} fell over"))
-        elif fell > FELL:
-            news.append((EventKind.DROPPED, f"{name} fell {fell:.2f} in"))
-        elif released:
-            news.append((EventKind.PLACED, f"{name} set down"))
-        elif far > PUSHED_FAR:
-            news.append((EventKind.PUSHED, f"{name} pushed {far:.2f} in"))
 
     # What else looks at the bench
 
@@ -871,26 +519,14 @@ class World:
         """Feeders whose place is free, and clear of the hand, give their next part."""
         if not self.vacant:
             return
-        tip = forward(self.model, self.drive.angles(self._rotors)).fingertip
+        tip = self.around.fingertip(self._rotors)
         for feeder in self.vacant:
             placed = feeder.placed
             if (
-                self._within(feeder, tip) <= 0.0
+                too_near(feeder, tip) <= 0.0
                 and self.bench.room_for(placed)
                 and not self._touches(placed)
             ):
                 self.bench.feed(feeder)
                 self._looked = None
         self._changed()
-
-
-def _faces(normal: Vector, across: Vector) -> bool:
-    """Whether a contact is one that the closing hand presses on."""
-    return abs(dot(normal, across)) >= FACING
-
-
-def _nearer(solid: Placed, other: Placed, least: float) -> float:
-    """`least`, or the distance of two solids if that is less."""
-    if boxes_apart(solid, other) >= least:
-        return least
-    return min(least, distance(solid, other))

@@ -26,9 +26,10 @@ from typing import Any
 
 from tests.arm.contact.hand import SlidingHand
 from trs80arm.arm.contact.bodies import Body, Fixed, Shape
+from trs80arm.arm.contact.clock import TICK, TICK_STATES
 from trs80arm.arm.contact.forms import holed, peg_board, standing, tray
 from trs80arm.arm.contact.rotations import Matrix, Quaternion, apply, matrix, oriented
-from trs80arm.arm.contact.scene import TICK, TICK_STATES, Scene
+from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import Solid, box, cylinder, prism
 from trs80arm.arm.shapes import Vector
 

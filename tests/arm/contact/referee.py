@@ -13,8 +13,9 @@ import mujoco
 
 from tests.arm.contact.hand import FINGER, PALM, PER_INCH, SlidingHand
 from tests.arm.contact.laying import End, Story, Thing, commands, differences, ends, played, stories
-from trs80arm.arm.contact.scene import GRAVITY, TABLE
+from trs80arm.arm.contact.driven import GRAVITY
 from trs80arm.arm.contact.solids import CYLINDER_SIDES, Solid
+from trs80arm.arm.contact.table import TABLE
 
 STEP = 0.002
 _TABLE = 0.5

@@ -8,9 +8,10 @@ from collections.abc import Callable
 import pytest
 
 from tests.arm.contact.hand import SlidingHand
-from trs80arm.arm.contact import scene as scenes
+from trs80arm.arm.contact import prospect
 from trs80arm.arm.contact.bodies import Body, Fixed, Shape
-from trs80arm.arm.contact.scene import TICK_STATES, Scene
+from trs80arm.arm.contact.clock import TICK_STATES
+from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import box
 
 CUBE = Shape.of([box((1.0, 1.0, 1.0))], 2.0)
@@ -49,8 +50,8 @@ def test_a_row_that_is_pushed_on_and_on_is_seldom_solved_and_goes_as_far(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     found = []
-    for most in (scenes.MOST_STEPS, 0):
-        monkeypatch.setattr(scenes, "MOST_STEPS", most)
+    for most in (prospect.MOST_STEPS, 0):
+        monkeypatch.setattr(prospect, "MOST_STEPS", most)
         scene = row(3)
         before = scene.solved
         push(scene, straight, 0, 400)

@@ -9,8 +9,10 @@ import pytest
 
 from tests.arm.contact.hand import PER_INCH, SlidingHand
 from trs80arm.arm.contact.bodies import Body, Fixed, Shape
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK, TICK_STATES
+from trs80arm.arm.contact.driven import GRAVITY
 from trs80arm.arm.contact.rotations import oriented
-from trs80arm.arm.contact.scene import GRAVITY, T_STATES_PER_SECOND, TICK, TICK_STATES, Scene
+from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import box
 
 DAY = 24 * 3600 * T_STATES_PER_SECOND

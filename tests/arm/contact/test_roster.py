@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from tests.arm.contact.hand import SlidingHand
 from trs80arm.arm.contact.bodies import Body, Shape
-from trs80arm.arm.contact.scene import TICK_STATES, Scene
+from trs80arm.arm.contact.clock import TICK_STATES
+from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import box
 
 CUBE = Shape.of([box((1.0, 1.0, 1.0))], 2.0)

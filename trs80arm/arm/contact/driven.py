@@ -1,0 +1,206 @@
+"""The arm in a scene: links on six coordinates, each driven by a motor through a cable that gives.
+
+Motors command the coordinates. Where nothing is in the way they are there at once; what is
+stretches the cables, and comes back to the motors as torque.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
+from trs80arm.arm.contact.bounds import sphere_around
+from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.solver import Contact, Mobile, Six
+from trs80arm.arm.shapes import cross, dot, plus
+
+GRAVITY = 386.09
+"""Inches per second squared."""
+EASE = 0.02
+"""Seconds in which the friction of the cables lets a strain ease off: nothing is shot away."""
+EASED = 5e-5
+"""Radians, and inches of the opening, by which a coordinate may lag that nothing holds back."""
+HELD_FAST = 1e3
+"""How many times as inert the fingers are while something rests between them."""
+
+
+class DrivenArm:
+    """The arm of a scene; there may be none.
+
+    Attributes:
+        linkage: its links, or None.
+        joints: its six coordinates as they are: as commanded, less what the cables give.
+        torques: what contact does to each coordinate: ounce inches, and ounces at the opening.
+        commands: where the motors want the coordinates.
+        reached: the commands at the end of the last tick.
+        began: the commands at the beginning of a step.
+        way: rates of the coordinates in the last step.
+        moved: whether it has been commanded elsewhere since the last tick.
+        still: ticks for which it has been commanded nowhere else.
+        links: where they stand.
+        solids: of the links, where they stand.
+    """
+
+    def __init__(self, linkage: Linkage | None) -> None:
+        self.linkage = linkage
+        self.joints: list[float] = [0.0] * 6
+        self.torques: list[float] = [0.0] * 6
+        self.commands: list[float] = [0.0] * 6
+        self.reached: list[float] = [0.0] * 6
+        self.began: list[float] = [0.0] * 6
+        self.way: list[float] = [0.0] * 6
+        self.moved = False
+        self.still = 0
+        self.links: list[Link] = []
+        self.solids: list[Placed] = []
+
+    def __getstate__(self) -> dict[str, Any]:
+        # Links are where the joints have them. Where a step began is said anew at each, and depends
+        # on how many were asked for at once.
+        return {**self.__dict__, "began": [0.0] * 6, "links": [], "solids": []}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.place()
+
+    @property
+    def names(self) -> Sequence[str]:
+        """Of the links."""
+        return () if self.linkage is None else self.linkage.names
+
+    @property
+    def hand(self) -> Link:
+        """The link in whose frame things are carried."""
+        assert self.linkage is not None
+        return self.links[self.linkage.hand]
+
+    @property
+    def gives(self) -> list[float]:
+        """How far each coordinate is behind its command."""
+        return [a - b for a, b in zip(self.commands, self.joints, strict=True)]
+
+    # Being somewhere
+
+    def put(self, joints: Sequence[float]) -> None:
+        """Stand somewhere, the cables without tension."""
+        self.commands = list(joints)
+        self.reached = list(joints)
+        self.joints = list(joints)
+        self.torques = [0.0] * 6
+        self.place()
+        self.moved = True
+        self.still = 0
+
+    def jump(self, joints: Sequence[float], *, loaded: bool) -> None:
+        """Be elsewhere, having met nothing on the way.
+
+        Args:
+            joints: where.
+            loaded: whether something rests in the hand, which keeps the opening at which it does.
+        """
+        opening = self.joints[5]
+        self.commands = self.reached = list(joints)
+        self.joints = list(joints)
+        self.torques = [0.0] * 6
+        if loaded:
+            self.joints[5] = opening
+            give = self.joints[5] - self.commands[5]
+            self.torques[5] = give * self.linkage.stiffness[5] if self.linkage is not None else 0.0
+        self.place()
+
+    def command(self, joints: Sequence[float]) -> None:
+        """Where the motors want the six coordinates from now on."""
+        if list(joints) != self.commands:
+            self.commands = list(joints)
+            self.moved = True
+
+    def place(self) -> None:
+        """Have the links be where the joints have them."""
+        if self.linkage is not None:
+            self.links = self.linkage.links(self.joints)
+            self.solids = [
+                Placed(solid, link.place, link.turn)
+                for solid, link in zip(self.linkage.solids, self.links, strict=True)
+            ]
+
+    # Moving
+
+    def rates(self, seconds: float, *, loaded: bool) -> Six:
+        """Rates at which the coordinates go where they are commanded, if nothing is there.
+
+        They follow a command at once, and ease off a strain with the cables' friction.
+
+        Args:
+            seconds: length of the step.
+            loaded: whether something rests in the hand.
+        """
+        h = seconds
+        a, b, c, d, e, f = (
+            ((there - here) + EASE * (there - before) / h) / (h + EASE)
+            for there, here, before in zip(self.commands, self.joints, self.began, strict=True)
+        )
+        return a, b, c, d, e, 0.0 if loaded else f
+
+    def mobile(self, rates: Six, seconds: float, *, loaded: bool) -> Mobile | None:
+        """The arm for the solver; None without one.
+
+        Args:
+            rates: of the coordinates, if nothing is there.
+            seconds: length of the step.
+            loaded: whether something rests in the hand, and keeps its fingers where they are.
+        """
+        if self.linkage is None:
+            return None
+        a, b, c, d, e, f = (
+            k * GRAVITY * seconds * (seconds + EASE) for k in self.linkage.stiffness
+        )
+        f *= HELD_FAST if loaded else 1.0
+        return Mobile(list(rates), NOWHERE, inertias=(a, b, c, d, e, f))
+
+    def reach(self, index: int) -> list[float]:
+        """How far any point of a link moves at most for a unit of each coordinate, inches."""
+        middle, radius = sphere_around(self.solids[index])
+        out = []
+        for spin, velocity in self.links[index].screws:
+            v = plus(velocity, cross(spin, middle))
+            out.append(math.sqrt(dot(v, v)) + radius * math.sqrt(dot(spin, spin)))
+        return out
+
+    def speed(self, index: int, rates: Six) -> float:
+        """A bound on the speed of any point of a link, inches a second."""
+        far = 0.0
+        for most, rate in zip(self.reach(index), rates, strict=True):
+            far += most * abs(rate)
+        return far
+
+    def touched(self, mobile: Mobile, contacts: Sequence[Contact]) -> bool:
+        """Whether anything presses on it."""
+        return any(
+            contact.pressure > 0
+            and (contact.first.mobile is mobile or contact.second.mobile is mobile)
+            for contact in contacts
+        )
+
+    def move(self, mobile: Mobile, seconds: float, *, touched: bool, loaded: bool) -> None:
+        """Move for a step; find what contact does to the motors.
+
+        Args:
+            mobile: the arm as solved.
+            seconds: length of the step.
+            touched: whether anything presses on it.
+            loaded: whether something rests in the hand.
+        """
+        assert self.linkage is not None
+        for k in range(6):
+            self.joints[k] += mobile.speed[k] * seconds
+        held = 1 if loaded else 0
+        gives = self.gives
+        if not touched and all(abs(give) < EASED for give in gives[: 6 - held]):
+            # What holds a load keeps the opening at which it does.
+            self.joints[: 6 - held] = self.commands[: 6 - held]
+            gives[: 6 - held] = [0.0] * (6 - held)
+        for k in range(6):
+            self.torques[k] = -gives[k] * self.linkage.stiffness[k]
+        self.place()

@@ -1,0 +1,220 @@
+"""What touches what in one step: all contacts of what is awake, and of the arm.
+
+What moves upon a sleeper wakes it, and is then met by it in turn.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed
+from trs80arm.arm.contact.bounds import greatest_speed, met, spheres_within
+from trs80arm.arm.contact.driven import DrivenArm
+from trs80arm.arm.contact.manifold import Manifold, on_table
+from trs80arm.arm.contact.memory import Memory
+from trs80arm.arm.contact.roster import Roster
+from trs80arm.arm.contact.solver import Contact, Key, Mobile, Side, Six
+from trs80arm.arm.contact.table import TABLE, Plate
+
+MARGIN = 0.02
+"""Gap within which two things are looked at as about to touch, inches."""
+TOUCH = 0.003
+"""Gap at which they do, inches."""
+
+_FAST = Side(None)
+
+
+@dataclass(slots=True)
+class Meeting:
+    """One step's search for contacts.
+
+    Attributes:
+        seconds: length of the step.
+        roster: who is awake, and where the sleepers are.
+        fixed: what stands fast, by name.
+        table_friction: coefficient of the table's surface.
+        plate: let into the table, or None.
+        arm: of the scene.
+        arm_mobile: the arm for the solver, or None.
+        rates: of the arm's coordinates, if nothing is there.
+        memory: forces of the step before.
+        mobiles: what is awake, for the solver; grows by what is woken.
+        wake: wakes a body.
+        make: makes a body one for the solver.
+        contacts: found.
+    """
+
+    seconds: float
+    roster: Roster
+    fixed: Mapping[str, Fixed]
+    table_friction: float
+    plate: Plate | None
+    arm: DrivenArm
+    arm_mobile: Mobile | None
+    rates: Six
+    memory: Memory
+    mobiles: dict[str, Mobile]
+    wake: Callable[[str], None]
+    make: Callable[[Body], Mobile]
+    contacts: list[Contact] = field(default_factory=list)
+
+    def find(self, awake: Sequence[Body], *, arm: bool) -> list[Contact]:
+        """All contacts.
+
+        Args:
+            awake: bodies.
+            arm: whether those of the arm with what stands fast are wanted.
+        """
+        done: set[str] = set()
+        queue = list(awake)
+        reach = [self.seconds * self.arm.speed(k, self.rates) for k in range(len(self.arm.solids))]
+        while queue:
+            body = queue.pop(0)
+            if body.name in done:
+                continue
+            done.add(body.name)
+            margin = MARGIN + self._way(body)
+            self._body(body, margin, reach)
+            for other in self._about(body, margin):
+                if other.name in done:
+                    continue
+                wider = margin
+                if other.name in self.mobiles:
+                    wider += self._way(other)
+                if spheres_within(body, other, wider):
+                    self._pair(body, other, wider, queue)
+        if arm and self.arm_mobile is not None:
+            self._arm(self.arm_mobile, reach)
+        return self.contacts
+
+    def _way(self, body: Body) -> float:
+        """Inches that any point of a body goes in this step, at most."""
+        return self.seconds * greatest_speed(self.mobiles[body.name].speed, body.shape.radius)
+
+    def _body(self, body: Body, margin: float, reach: Sequence[float]) -> None:
+        """A body against table, what stands fast, and links."""
+        side = Side(self.mobiles[body.name])
+        for i, solid in enumerate(body.placed):
+            found = on_table(solid, margin)
+            if found is not None:
+                rough = math.sqrt(body.friction * self.table_friction)
+                self._add((TABLE, body.name, i), found, _FAST, side, rough)
+            for thing in self.fixed.values():
+                for k, other in enumerate(thing.placed):
+                    found = met(other, solid, margin)
+                    if found is not None:
+                        key = (thing.name, body.name, 64 * k + i)
+                        rough = math.sqrt(thing.friction * body.friction)
+                        self._add(key, found, _FAST, side, rough, thing)
+            if self.arm_mobile is None or self.arm.linkage is None:
+                continue
+            rough_links = self.arm.linkage.frictions
+            for k, link in enumerate(self.arm.solids):
+                found = met(link, solid, margin + reach[k])
+                if found is not None:
+                    key = (self.arm.names[k], body.name, i)
+                    rough = math.sqrt(rough_links[k] * body.friction)
+                    other_side = Side(self.arm_mobile, self.arm.links[k].screws)
+                    self._add(key, found, other_side, side, rough)
+
+    def _about(self, body: Body, margin: float) -> list[Body]:
+        """What is awake, and what else could be within a margin of a body."""
+        roster = self.roster
+        (x, y, z), r = body.place, body.shape.radius + margin
+        asleep = roster.near((x - r, y - r, z - r), (x + r, y + r, z + r))
+        return roster.ordered([*roster.awake.values(), *roster.carried.values(), *asleep])
+
+    def _pair(self, body: Body, other: Body, margin: float, queue: list[Body]) -> None:
+        """Contacts of two bodies, the second of which may wake by them."""
+        mobiles = self.mobiles
+        for i, solid in enumerate(body.placed):
+            for k, theirs in enumerate(other.placed):
+                found = met(theirs, solid, margin)
+                if found is None:
+                    continue
+                if other.asleep and not body.still and _about_to_touch(found, margin):
+                    self.wake(other.name)
+                    for woken in self.roster.ordered(self.roster.awake.values()):
+                        if woken.name not in mobiles:
+                            mobiles[woken.name] = self.make(woken)
+                            queue.append(woken)
+                # What lies calmly against a sleeper lets it sleep.
+                sides = Side(mobiles.get(other.name)), Side(mobiles[body.name])
+                rough = math.sqrt(body.friction * other.friction)
+                self._add((other.name, body.name, 64 * k + i), found, *sides, rough)
+
+    def _arm(self, mobile: Mobile, reach: Sequence[float]) -> None:
+        """Links against what stands fast; `reach` is how far each may move in this step."""
+        assert self.arm.linkage is not None
+        for k, link in enumerate(self.arm.solids):
+            side = Side(mobile, self.arm.links[k].screws)
+            name, rough = self.arm.names[k], self.arm.linkage.frictions[k]
+            margin = MARGIN + reach[k]
+            found = on_table(link, margin)
+            if found is not None:
+                friction = math.sqrt(rough * self.table_friction)
+                self._add((TABLE, name, 0), found, _FAST, side, friction)
+            for thing in self.fixed.values():
+                if name in thing.passes:
+                    continue
+                for i, solid in enumerate(thing.placed):
+                    found = met(solid, link, margin)
+                    if found is not None:
+                        friction = math.sqrt(rough * thing.friction)
+                        self._add((thing.name, name, i), found, _FAST, side, friction, thing)
+
+    def _add(
+        self,
+        key: Key,
+        found: Manifold,
+        first: Side,
+        second: Side,
+        friction: float,
+        thing: Fixed | None = None,
+    ) -> None:
+        """Contacts of a manifold, beginning with the forces of the step before."""
+        known = self.memory.known(key)
+        x, y, z = second.mobile.place if second.mobile is not None else NOWHERE
+        for point, gap in found.points:
+            surface = NOWHERE
+            if thing is not None and thing.spin:
+                u, v = point[0] - thing.axis[0], point[1] - thing.axis[1]
+                surface = (-thing.spin * v, thing.spin * u, 0.0)
+            elif self.plate is not None and self.plate.spin and key[0] == TABLE:
+                surface = self.plate.surface(point)
+            contact = Contact(key, point, gap, found.normal, first, second, friction, surface)
+            best, nearest = None, 0.01
+            a, b, c = point[0] - x, point[1] - y, point[2] - z
+            for (i, j, k), pressure in known:
+                square = (i - a) * (i - a) + (j - b) * (j - b) + (k - c) * (k - c)
+                if square < nearest:
+                    best, nearest = pressure, square
+            if best is not None:
+                contact.pressure = best * self.seconds
+            self.contacts.append(contact)
+
+
+def _about_to_touch(found: Manifold, margin: float) -> bool:
+    """Whether a gap is closed, or will be in this step."""
+    return min(gap for _, gap in found.points) <= max(TOUCH, margin - MARGIN)
+
+
+def islands(contacts: Sequence[Contact]) -> list[list[Contact]]:
+    """Contacts that have a mobile in common, together; in the order in which they came."""
+    leader: dict[int, int] = {}
+
+    def find(name: int) -> int:
+        while leader.setdefault(name, name) != name:
+            leader[name] = leader[leader[name]]
+            name = leader[name]
+        return name
+
+    for contact in contacts:
+        if contact.first.mobile is not None:
+            leader[find(id(contact.first.mobile))] = find(id(contact.second.mobile))
+    groups: dict[int, list[Contact]] = {}
+    for contact in contacts:
+        groups.setdefault(find(id(contact.second.mobile)), []).append(contact)
+    return list(groups.values())

@@ -1,0 +1,63 @@
+"""What is remembered of forces: those of the last step, from which the solver sets out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from trs80arm.arm.contact.bodies import Body
+from trs80arm.arm.contact.solver import Contact, Key
+from trs80arm.arm.shapes import Vector, minus
+
+Pressures = list[tuple[Vector, float]]
+"""Where two things press on each other, from the middle of the second if that is a body, and with
+how much (impulse a second)."""
+
+
+class Memory:
+    """Forces of contact of the last step, and of what sleeps as it was when it fell asleep."""
+
+    def __init__(self) -> None:
+        self._pressures: dict[Key, Pressures] = {}
+        self._resting: dict[str, dict[Key, Pressures]] = {}
+
+    def known(self, key: Key) -> Pressures:
+        """Where two things pressed in the last step, and with how much."""
+        return self._pressures.get(key, [])
+
+    def keep(self, contacts: Sequence[Contact], seconds: float, bodies: Mapping[str, Body]) -> None:
+        """Remember the forces for the next step.
+
+        Args:
+            contacts: as solved.
+            seconds: length of the step.
+            bodies: of the scene.
+        """
+        kept: dict[Key, Pressures] = {}
+        for contact in contacts:
+            mobile = contact.second.mobile
+            if contact.pressure > 0 and mobile is not None:
+                kept.setdefault(contact.key, []).append(
+                    (minus(contact.point, mobile.place), contact.pressure / seconds)
+                )
+        for key, pressures in self._pressures.items():
+            # What sleeps still presses.
+            body = bodies.get(key[1])
+            if key not in kept and body is not None and body.asleep:
+                self._resting.setdefault(body.name, {})[key] = pressures
+        self._pressures = kept
+
+    def wake(self, name: str) -> None:
+        """A sleeper wakes: it presses as it did."""
+        self._pressures.update(self._resting.pop(name, {}))
+
+    def forget(self, name: str) -> None:
+        """A body is gone."""
+        self._resting.pop(name, None)
+        for pressures in (self._pressures, *self._resting.values()):
+            for key in [key for key in pressures if name in key[:2]]:
+                del pressures[key]
+
+    def clear(self) -> None:
+        """All of them are."""
+        self._pressures.clear()
+        self._resting.clear()

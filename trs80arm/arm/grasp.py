@@ -1,0 +1,229 @@
+"""The hand among the parts: from what presses on the fingers, what they hold, and what hangs on it.
+
+Contact knows of forces and gaps only. Here it is seen where both fingers meet something, which sets
+the cable's tension and the grip switch; what they carry by friction; and what of it is a burden of
+the motors.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from trs80arm.arm.bench import Bench
+from trs80arm.arm.contact.rotations import apply_back
+from trs80arm.arm.events import EventKind
+from trs80arm.arm.forces import Burden
+from trs80arm.arm.grip import Grip
+from trs80arm.arm.linkage import ArmLinkage, said
+from trs80arm.arm.shapes import Vector, dot, minus
+from trs80arm.arm.telling import Telling
+
+FACING = 0.7
+"""Cosine to the way in which the hand closes from which what presses on a finger is closed on."""
+HAIR, BREATH = 0.75, 2.5
+"""Half-steps of cable by which a part, or what gives a little, may measure otherwise."""
+YIELDING = 0.1
+"""Part of the cable's way by which what is between the fingers gives way, rather than resists."""
+
+Five = tuple[float, float, float, float, float]
+
+
+class Grasp:
+    """What the hand has in its grip.
+
+    Attributes:
+        grip: the hand's hold, kept in line with what contact finds.
+        met: name of what presses most on the arm, or None.
+        burdens: what hangs in the hand and touches nothing else.
+        pushed: what else presses on the five joints, ounce-inches.
+        leaned_on: whether parts touch the arm.
+    """
+
+    def __init__(self, bench: Bench, linkage: ArmLinkage, grip: Grip, telling: Telling) -> None:
+        self.grip = grip
+        self.met: str | None = None
+        self.burdens: tuple[Burden, ...] = ()
+        self.pushed: Five = (0.0,) * 5
+        self.leaned_on = False
+        self._bench = bench
+        self._linkage = linkage
+        self._telling = telling
+        self._met: tuple[float, int] | None = None
+
+    def clear(self) -> None:
+        """Nothing touches the arm."""
+        self.burdens, self.pushed = (), (0.0,) * 5
+
+    def look(self, *, loaded: bool) -> None:
+        """See from what presses on the fingers what is between them, and whether it is held.
+
+        Args:
+            loaded: whether anything rests in the hand.
+        """
+        parts = self._bench.parts
+        between = set(self._linkage.fingers)
+        # What sleeps in the grip stays there.
+        if not any(
+            part.asleep and (part.held or between <= set(part.touching)) for part in parts.values()
+        ):
+            self._measure()
+            self._hold()
+        self.weigh(loaded=loaded)
+        self.met = self._presser()
+
+    def weigh(self, *, loaded: bool) -> None:
+        """See what hangs in the hand and touches nothing else, and what else presses on the arm.
+
+        Args:
+            loaded: whether anything rests in the hand.
+        """
+        scene, links, parts = self._bench.scene, self._linkage.names, self._bench.parts
+        leaning: dict[str, set[str]] = {}
+        for one, other in self._leaning():
+            leaning.setdefault(one, set()).add(other)
+            leaning.setdefault(other, set()).add(one)
+        touched = {name for link in links for name in leaning.get(link, ())}
+        self.leaned_on = any(name in parts for name in touched)
+        loads = [load.name for load in scene.carried]
+        waiting = [] if loads else [name for name, part in parts.items() if part.held]
+        while waiting:
+            name = waiting.pop()
+            if name in loads or name in links:
+                continue
+            if name not in parts:
+                loads = []
+                break
+            loads.append(name)
+            waiting += sorted(leaning.get(name, ()))
+        alone = touched <= set(loads)
+        hand = scene.links[self._linkage.hand]
+        found = []
+        for name in loads:
+            part = parts[name]
+            x, y, z = apply_back(hand.turn, minus(part.place, hand.place))
+            found.append(Burden(part.weight, (x - self._linkage.model.hand_length, y, z)))
+        self.burdens = tuple(found) if alone or loaded else ()
+        a, b, c, d, e, _ = scene.torques
+        self.pushed = (0.0,) * 5 if alone else (a, b, c, d, e)
+
+    def _measure(self) -> None:
+        """Where the fingers meet what is between them, or with what strain it holds them up."""
+        scene, grip, model = self._bench.scene, self.grip, self._linkage.model
+        fingers, across = self._linkage.fingers, self._across()
+        gaps: dict[str, dict[str, float]] = {}
+        for contact in scene.contacts:
+            one, other, _ = contact.key
+            if one not in fingers:
+                one, other = other, one
+            if one in fingers and _faces(contact.normal, across):
+                each = gaps.setdefault(other, {})
+                each[one] = min(contact.gap, each.get(one, contact.gap))
+        steps, opening = model.hand_steps, scene.joints[5]
+        pressed = scene.torques[5] > 0 and opening > 0
+        # Fingers that have met the same thing, or are about to: it is known where.
+        both = [scene.met_at[5] - sum(each.values()) for each in gaps.values() if len(each) == 2]
+        grip.strain = 0.0
+        if pressed and (both or self._between()):
+            before, self._met = self._met, (opening * steps, grip.cable)
+            resists = before is not None and (
+                before[0] - self._met[0] <= YIELDING * (before[1] - grip.cable) + HAIR / 3
+            )
+            if not resists:
+                scene.look_closely()
+            if resists or (before is None and both):
+                self._met_with(
+                    max(both) * steps if both else self._met[0], HAIR if both else BREATH
+                )
+                return
+        else:
+            self._met = None
+            if both:
+                scene.look_closely()
+                self._met_with(max(both) * steps, HAIR)
+                return
+        # What is pushed along or squared gives way: only what it resists with strains the cable.
+        grip.contact = 0
+        if pressed:
+            grip.strain = scene.torques[5] / model.stiffness[5] * steps
+
+    def _met_with(self, cable: float, give: float) -> None:
+        """The fingers have met with so much cable paid out; what is rigid does not breathe."""
+        if not self.grip.contact or abs(cable - self.grip.contact) > give:
+            self.grip.contact = max(1, round(cable))
+
+    def _across(self) -> Vector:
+        """The way in which the hand closes."""
+        turn = self._bench.scene.links[self._linkage.hand].turn
+        return turn[1], turn[4], turn[7]
+
+    def _between(self) -> list[str]:
+        """Parts on which the fingers press, alone or by way of others between them."""
+        parts = self._bench.parts
+        left, right = self._linkage.fingers
+        across = self._across()
+        pairs = {
+            contact.key[:2]
+            for contact in self._bench.scene.contacts
+            if contact.pressure > 0
+            and (contact.key[0] not in (left, right) or _faces(contact.normal, across))
+        }
+        pressed = [name for one, name in pairs if one == left and name in parts]
+        reached: set[str] = set()
+        waiting = list(pressed)
+        while waiting:
+            name = waiting.pop()
+            if name in reached or name not in parts:
+                continue
+            reached.add(name)
+            waiting += [b if a == name else a for a, b in pairs if name in (a, b)]
+        gripped = [name for name in reached if (right, name) in pairs]
+        return sorted(set(pressed) | set(gripped)) if pressed and gripped else []
+
+    def _hold(self) -> None:
+        """What the fingers have in their grip, with all that is between them."""
+        grip, parts = self.grip, self._bench.parts
+        between = self._between()
+        weight = sum(parts[name].weight for name in between)
+        if between and grip.carries(self._roughness(between)) < weight:
+            between = []
+        for name, part in parts.items():
+            if part.held == (name in between):
+                continue
+            part.held = not part.held
+            if part.held:
+                self._bench.news.append((EventKind.TAKEN, f"{name} in the hand"))
+                self._telling.taken(name)
+            else:
+                self._telling.let_go(name, part)
+        grip.part = between[0] if between else None
+        grip.weight = weight if between else 0.0
+
+    def _leaning(self) -> set[tuple[str, str]]:
+        """What presses on what: as found on this tick, and as it was when it fell asleep."""
+        pairs = {c.key[:2] for c in self._bench.scene.contacts if c.pressure > 0}
+        for name, part in self._bench.parts.items():
+            if part.asleep:
+                pairs.update((other, name) for other in part.touching)
+        return pairs
+
+    def _roughness(self, names: Sequence[str]) -> float:
+        """Coefficient between the pads and the smoothest of some parts."""
+        pad = self._linkage.frictions[self._linkage.names.index(self._linkage.fingers[0])]
+        return math.sqrt(pad * min(self._bench.parts[name].friction for name in names))
+
+    def _presser(self) -> str | None:
+        """What presses most on the arm."""
+        links = self._linkage.names
+        forces: dict[str, float] = {}
+        for contact in self._bench.scene.contacts:
+            one, other, _ = contact.key
+            name = other if one in links else one if other in links else None
+            if name is not None and contact.pressure > 0:
+                forces[name] = forces.get(name, 0.0) + contact.pressure
+        return said(max(forces, key=lambda name: forces[name])) if forces else None
+
+
+def _faces(normal: Vector, across: Vector) -> bool:
+    """Whether a contact is one that the closing hand presses on."""
+    return abs(dot(normal, across)) >= FACING

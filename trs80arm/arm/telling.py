@@ -1,0 +1,80 @@
+"""What is told of parts: that they fell, fell over, were set down, were pushed, and how far.
+
+One piece of news for one happening: it is told when a part has come to rest.
+"""
+
+from __future__ import annotations
+
+import math
+
+from trs80arm.arm.bench import Bench
+from trs80arm.arm.events import EventKind
+from trs80arm.arm.fixtures import Part
+from trs80arm.arm.shapes import Vector, dot
+
+PUSHED_FAR = 0.02
+"""Inches that a part must have been moved for it to be told."""
+FELL = 0.25
+"""Inches that it must have come down to have fallen."""
+TOPPLED = 0.7
+"""Cosine of the turn of a part's own vertical beyond which it has fallen over."""
+
+
+class Telling:
+    """News of parts, for the bench's list of them."""
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self._moved: dict[str, Vector] = {}
+        self._let_go: set[str] = set()
+
+    def clear(self) -> None:
+        """Begin anew."""
+        self._moved.clear()
+        self._let_go.clear()
+
+    def taken(self, name: str) -> None:
+        """A part is in the hand: where it was moved from does not matter any more."""
+        self._moved.pop(name, None)
+
+    def let_go(self, name: str, part: Part) -> None:
+        """The hand has let a part go."""
+        self._moved[name] = part.place
+        self._let_go.add(name)
+        part.began = (part.place, part.upwards)
+
+    def look(self, asleep: set[str]) -> None:
+        """News of what has come to rest.
+
+        Args:
+            asleep: names of what slept before.
+        """
+        for name, part in self._bench.parts.items():
+            if not part.asleep:
+                if name in asleep:
+                    self._moved.setdefault(name, part.place)
+                    if part.began is None:
+                        part.began = (part.place, part.upwards)
+            elif name not in asleep and not part.held and part.carried is None:
+                self._settled(name, part)
+        self._bench.deliver()
+
+    def _settled(self, name: str, part: Part) -> None:
+        """News of one part that has come to rest."""
+        news, began, start = self._bench.news, part.began, self._moved.pop(name, None)
+        released = name in self._let_go
+        self._let_go.discard(name)
+        part.began = (part.place, part.upwards)
+        if began is None:
+            return
+        place, up = began
+        fell = place[2] - part.place[2]
+        far = 0.0 if start is None else math.dist(start, part.place)
+        if dot(up, part.upwards) < TOPPLED:
+            news.append((EventKind.TOPPLED, f"{name} fell over"))
+        elif fell > FELL:
+            news.append((EventKind.DROPPED, f"{name} fell {fell:.2f} in"))
+        elif released:
+            news.append((EventKind.PLACED, f"{name} set down"))
+        elif far > PUSHED_FAR:
+            news.append((EventKind.PUSHED, f"{name} pushed {far:.2f} in"))
