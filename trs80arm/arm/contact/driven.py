@@ -12,8 +12,9 @@ from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
 from trs80arm.arm.contact.bounds import sphere_around
+from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.contact.solver import Contact, Mobile, Six
+from trs80arm.arm.contact.solver import Contact, Mobile
 from trs80arm.arm.shapes import cross, dot, plus
 
 GRAVITY = 386.09
@@ -157,7 +158,8 @@ class DrivenArm:
             k * GRAVITY * seconds * (seconds + EASE) for k in self.linkage.stiffness
         )
         f *= HELD_FAST if loaded else 1.0
-        return Mobile(list(rates), NOWHERE, inertias=(a, b, c, d, e, f))
+        inertias = (a, b, c, d, e, f)
+        return Mobile(list(rates), NOWHERE, inertias=inertias, before=tuple(self.way))
 
     def reach(self, index: int) -> list[float]:
         """How far any point of a link moves at most for a unit of each coordinate, inches."""

@@ -18,6 +18,7 @@ from trs80arm.arm.contact.carrying import Carrying, carry
 from trs80arm.arm.contact.clock import TICK, TICK_STATES
 from trs80arm.arm.contact.coasting import Coast
 from trs80arm.arm.contact.driven import GRAVITY, DrivenArm
+from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.meeting import TOUCH, Meeting, islands
 from trs80arm.arm.contact.memory import Memory
@@ -25,7 +26,7 @@ from trs80arm.arm.contact.prospect import Prospect
 from trs80arm.arm.contact.rest import CALM_TICKS, calm, groups, leaning
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.rotations import spun, turned
-from trs80arm.arm.contact.solver import Contact, Mobile, Problem, Six
+from trs80arm.arm.contact.solver import Contact, Mobile, Problem
 from trs80arm.arm.contact.table import TABLE, Plate
 from trs80arm.arm.shapes import plus
 

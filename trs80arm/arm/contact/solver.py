@@ -5,9 +5,10 @@ presses, and friction holds, or pulls against the motion with its coefficient ti
 the implicit time-stepping problem of Stewart and Trinkle. As in Anitescu (2006) and in Castro and
 others (2023, "lagged") it is made convex: friction is bounded by the pressure that the last
 pass found, so that what slides does not float as it would in the plain relaxation, and a few passes
-agree with themselves. Contact gives a very little (`GIVE`) and holding friction creeps a very
-little (`CREEP`), which makes the function smooth; Newton's method finds its least value in a few
-steps however high the stack and however heavy what lies on it. The arm is one more body: six
+agree with themselves. Contact gives a very little (`GIVE`), and friction that holds creeps a very
+little (`CREEP`), in proportion to what it holds. So the function to be made least is a quadratic
+one as long as each contact goes on pressing, holding or opening, and Newton's method is done when
+they do; of what slides it finds the way in a few steps more. The arm is one more body: six
 coordinates, each as inert as its spring is stiff.
 
 Only +, -, *, / and square roots of IEEE doubles, sums in a fixed order, no linear-algebra library:
@@ -17,29 +18,33 @@ the same to the last bit on every machine.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import repeat
 
-import numpy as np
-import numpy.typing as npt
-
-from trs80arm.arm.contact.manifold import tangents
+from trs80arm.arm.contact.elimination import Eliminated, Six, order
 from trs80arm.arm.contact.rotations import Matrix
 from trs80arm.arm.shapes import Vector, cross, minus, plus
 
 GIVE = 1e-4
 """Softness of a contact as a fraction of the bodies' own readiness to move."""
 CREEP = 1e-3
-"""Speed at which friction that holds lets slide, inches a second, at about its limit."""
+"""Speed at which friction that holds lets slide at its limit, inches a second."""
 RECOVERY = 0.2
 """Part of an overlap that is taken back in a tick."""
 FASTEST_RECOVERY = 1.0
 """Inches a second at which overlap is taken back at most."""
 SOLVED = 1e-3
-"""Change of velocity below which Newton's method has arrived, inches a second."""
+"""Change of velocity below which Newton's method has arrived, if each contact does as it did."""
+SURE = 1e-6
+"""Change of velocity below which it has arrived in any case."""
 MOST_STEPS = 40
-BOLD_STEPS = 3
-"""Of them those that go all the way at first, to find at once all that touches."""
+BOLD_STEPS = 6
+"""Of them those that go all the way at first, to find at once all that touches and what holds."""
+SHALLOW = 0.1
+"""Part of the slope at a step's beginning at which, along the step, the least value is reached."""
+MOST_TRIALS = 12
+"""Looks along a step at most."""
 PASSES = 4
 """Times that friction's bounds are brought in line with the pressure, at most."""
 AGREED = 0.05
@@ -56,12 +61,19 @@ TILT = 0.015
 """Inches by which one end of it may come closer than the other."""
 
 _SLOWEST = 1e-9
-_SIX = np.arange(6)
+_EASIEST = 1e-9
+_CREEPING = CREEP * CREEP
+_APART, _PRESSING, _HOLDING, _SLIDING = 0, 1, 2, 4
+"""What a contact does; friction holds or slides beside either of the first two."""
+_NOTHING, _AS_BEFORE, _CAUGHT = 0, 1, 2
+"""What may be guessed of contacts, for a step of Newton's method to begin with: that those press
+on that pressed before; that those hold now that slid, and would now slide the other way."""
+_LEVEL = (0.0, 0.0, 0.0, 0.0)
+_UNKNOWN = repeat((_APART, _LEVEL))
+_STILL: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+_DIAGONAL = (0, 2, 5, 9, 14, 20)
 
-Six = tuple[float, float, float, float, float, float]
 Key = tuple[str, str, int]
-Floats = npt.NDArray[np.float64]
-Ints = npt.NDArray[np.int64]
 
 
 @dataclass(slots=True)
@@ -130,7 +142,6 @@ class Contact:
         friction: coefficient.
         surface: velocity of the first side if it stands fast but its surface moves.
         pressure: impulse along the normal: as it was a tick before, then as found.
-        impulse: on the second side, in the world; found.
     """
 
     key: Key
@@ -142,11 +153,283 @@ class Contact:
     friction: float
     surface: Vector = (0.0, 0.0, 0.0)
     pressure: float = 0.0
-    impulse: Vector = (0.0, 0.0, 0.0)
+
+
+class _Patch:
+    """Contacts of one thing with another along one normal.
+
+    What presses there depends on how the two move against each other alone: on six velocities at a
+    reference point, the centre of mass of the second thing if that is a body.
+
+    Args:
+        contacts: of the same two sides, with the same normal.
+        one: index of the first side's mobile, or None.
+        two: index of the second side's.
+        seconds: length of the tick.
+    """
+
+    __slots__ = (
+        "columns_one",
+        "columns_two",
+        "contacts",
+        "lever",
+        "normal",
+        "one",
+        "points",
+        "regimes",
+        "slopes",
+        "two",
+    )
+
+    def __init__(self, contacts: list[Contact], one: int | None, two: int, seconds: float) -> None:
+        self.contacts, self.one, self.two = contacts, one, two
+        first, second = contacts[0].first, contacts[0].second
+        nx, ny, nz = self.normal = contacts[0].normal
+        assert second.mobile is not None
+        origin = second.mobile.place if second.screws is None else contacts[0].point
+        self.lever: Vector | None = None
+        self.columns_one = self.columns_two = None
+        ease = 0.0
+        moved: list[tuple[list[tuple[int, Six]], Six]] = []
+        if second.screws is None:
+            ease += 1 / second.mobile.mass
+        else:
+            assert second.mobile.inertias is not None
+            self.columns_two = _columns(second.screws, origin)
+            moved.append((self.columns_two, second.mobile.inertias))
+        if first.mobile is not None:
+            if first.screws is None:
+                ease += 1 / first.mobile.mass
+                self.lever = minus(origin, first.mobile.place)
+            else:
+                assert first.mobile.inertias is not None
+                self.columns_one = _columns(first.screws, origin)
+                moved.append((self.columns_one, first.mobile.inertias))
+        x, y, z = origin
+        self.points: list[tuple[float, ...]] = []
+        for contact in contacts:
+            px, py, pz = contact.point
+            rx, ry, rz = px - x, py - y, pz - z
+            ax, ay, az = ry * nz - rz * ny, rz * nx - rx * nz, rx * ny - ry * nx
+            own = ease
+            for columns, inertias in moved:
+                for k, (a, b, c, d, e, f) in columns:
+                    along = nx * a + ny * b + nz * c + ax * d + ay * e + az * f
+                    own += along * along / inertias[k]
+            sx, sy, sz = contact.surface
+            self.points.append(
+                (
+                    *(rx, ry, rz, ax, ay, az),
+                    _least(contact.gap, seconds),
+                    1 / (GIVE * max(own, _EASIEST)),
+                    *(sx, sy, sz, nx * sx + ny * sy + nz * sz),
+                )
+            )
+        self.regimes: list[int] = []
+        self.slopes: list[tuple[float, float, float, float]] = []
+
+    def relative(self, speeds: Sequence[Sequence[float]]) -> Six:
+        """Velocity, at the reference point, and spin of the second thing against the first."""
+        if self.columns_two is None:
+            a, b, c, d, e, f = speeds[self.two]
+        else:
+            a, b, c, d, e, f = _moved(self.columns_two, speeds[self.two])
+        if self.one is None:
+            return a, b, c, d, e, f
+        if self.columns_one is not None:
+            u, v, w, p, q, r = _moved(self.columns_one, speeds[self.one])
+        else:
+            assert self.lever is not None
+            x, y, z = self.lever
+            u, v, w, p, q, r = speeds[self.one]
+            u, v, w = u + q * z - r * y, v + r * x - p * z, w + p * y - q * x
+        return a - u, b - v, c - w, d - p, e - q, f - r
+
+    def openings(self, relative: Six) -> list[float]:
+        """Speed at which each contact opens, inches a second."""
+        nx, ny, nz = self.normal
+        vx, vy, vz, wx, wy, wz = relative
+        along = nx * vx + ny * vy + nz * vz
+        return [
+            along + ax * wx + ay * wy + az * wz - surface
+            for _, _, _, ax, ay, az, _, _, _, _, _, surface in self.points
+        ]
+
+    def pressures(self, relative: Six) -> list[float]:
+        """Impulse along the normal at each contact."""
+        return [
+            stiff * (least - opening) if opening < least else 0.0
+            for (_, _, _, _, _, _, least, stiff, _, _, _, _), opening in zip(
+                self.points, self.openings(relative), strict=True
+            )
+        ]
+
+    def sliding(self, relative: Six) -> list[float]:
+        """Speed at which each contact slides, inches a second."""
+        nx, ny, nz = self.normal
+        vx, vy, vz, wx, wy, wz = relative
+        out = []
+        for (rx, ry, rz, _, _, _, _, _, sx, sy, sz, _), opening in zip(
+            self.points, self.openings(relative), strict=True
+        ):
+            tx = vx + wy * rz - wz * ry - sx - opening * nx
+            ty = vy + wz * rx - wx * rz - sy - opening * ny
+            tz = vz + wx * ry - wy * rx - sz - opening * nz
+            out.append(math.sqrt(tx * tx + ty * ty + tz * tz))
+        return out
+
+    def agrees(
+        self, relative: Six, bounding: list[float], pressures: list[float], off: float
+    ) -> bool:
+        """Whether friction is in line with the pressures found.
+
+        Args:
+            relative: of the second thing against the first.
+            bounding: pressures with which friction was bounded.
+            pressures: found.
+            off: by how much they may differ, where friction does not hold with less than it might.
+        """
+        apart = [abs(a - b) > off for a, b in zip(bounding, pressures, strict=True)]
+        if not any(apart):
+            return True
+        return all(
+            speed <= CREEP and old * speed <= now * CREEP
+            for wrong, speed, old, now in zip(
+                apart, self.sliding(relative), bounding, pressures, strict=True
+            )
+            if wrong
+        )
+
+    def push(self, relative: Six, bounds: Sequence[float], guess: int) -> Six:
+        """Impulse and its moment about the reference point, on the second thing.
+
+        Notes down for `stiffness` what each contact does.
+
+        Args:
+            relative: of the second thing against the first.
+            bounds: of friction at each contact.
+            guess: what is taken for granted, of `_NOTHING` and so on.
+        """
+        nx, ny, nz = self.normal
+        vx, vy, vz, wx, wy, wz = relative
+        along = nx * vx + ny * vy + nz * vz
+        fx = fy = fz = mx = my = mz = 0.0
+        before = zip(self.regimes, self.slopes, strict=True) if guess == _CAUGHT else _UNKNOWN
+        self.regimes = regimes = []
+        self.slopes = slopes = []
+        for (rx, ry, rz, ax, ay, az, least, stiff, sx, sy, sz, surface), bound, (was, way) in zip(
+            self.points, bounds, before, strict=False
+        ):
+            opening = along + ax * wx + ay * wy + az * wz - surface
+            if opening < least or (bound and guess == _AS_BEFORE):
+                regime, pressure = _PRESSING, stiff * (least - opening)
+            elif bound:
+                regime, pressure = _APART, 0.0
+            else:
+                regimes.append(_APART)
+                slopes.append(_LEVEL)
+                continue
+            x, y, z = pressure * nx, pressure * ny, pressure * nz
+            if bound:
+                tx = vx + wy * rz - wz * ry - sx - opening * nx
+                ty = vy + wz * rx - wx * rz - sy - opening * ny
+                tz = vz + wx * ry - wy * rx - sz - opening * nz
+                square = tx * tx + ty * ty + tz * tz
+                _, ux, uy, uz = way
+                if square > _CREEPING and not (was & _SLIDING and tx * ux + ty * uy + tz * uz < 0):
+                    regime += _SLIDING
+                    speed = math.sqrt(square)
+                    tx, ty, tz = tx / speed, ty / speed, tz / speed
+                    slopes.append((bound / speed, tx, ty, tz))
+                    x, y, z = x - bound * tx, y - bound * ty, z - bound * tz
+                else:
+                    regime += _HOLDING
+                    hold = bound / CREEP
+                    slopes.append((hold, 0.0, 0.0, 0.0))
+                    x, y, z = x - hold * tx, y - hold * ty, z - hold * tz
+            else:
+                slopes.append(_LEVEL)
+            regimes.append(regime)
+            fx += x
+            fy += y
+            fz += z
+            mx += ry * z - rz * y
+            my += rz * x - rx * z
+            mz += rx * y - ry * x
+        return fx, fy, fz, mx, my, mz
+
+    def stiffness(self) -> list[float] | None:
+        """How that impulse falls with the relative velocities; None if nothing touches.
+
+        Returns:
+            The triangle of a symmetric matrix, as in `elimination`.
+        """
+        if not any(self.regimes):
+            return None
+        nx, ny, nz = self.normal
+        # Of what acts along the normal: the sum, and its first and second moments.
+        n = n_x = n_y = n_z = n_xx = n_xy = n_yy = n_xz = n_yz = n_zz = 0.0
+        # Of what acts alike all ways.
+        s = s_x = s_y = s_z = s_xx = s_xy = s_yy = s_xz = s_yz = s_zz = 0.0
+        slid: list[tuple[float, float, float, float, float, float, float]] = []
+        for point, regime, slope in zip(self.points, self.regimes, self.slopes, strict=True):
+            if not regime:
+                continue
+            rx, ry, rz, ax, ay, az = point[:6]
+            stiff = point[7] if regime & _PRESSING else 0.0
+            hold, tx, ty, tz = slope
+            if hold:
+                stiff -= hold
+                x, y, z = hold * rx, hold * ry, hold * rz
+                s += hold
+                s_x += x
+                s_y += y
+                s_z += z
+                s_xx += x * rx
+                s_xy += x * ry
+                s_yy += y * ry
+                s_xz += x * rz
+                s_yz += y * rz
+                s_zz += z * rz
+                if regime & _SLIDING:
+                    slid.append(
+                        (
+                            *(hold, tx, ty, tz),
+                            *(ry * tz - rz * ty, rz * tx - rx * tz, rx * ty - ry * tx),
+                        )
+                    )
+            x, y, z = stiff * ax, stiff * ay, stiff * az
+            n += stiff
+            n_x += x
+            n_y += y
+            n_z += z
+            n_xx += x * ax
+            n_xy += x * ay
+            n_yy += y * ay
+            n_xz += x * az
+            n_yz += y * az
+            n_zz += z * az
+        x, y, z = n * nx, n * ny, n * nz
+        out = [
+            *(x * nx + s, x * ny, y * ny + s, x * nz, y * nz, z * nz + s),
+            *(nx * n_x, ny * n_x - s_z, nz * n_x + s_y, n_xx + s_yy + s_zz),
+            *(nx * n_y + s_z, ny * n_y, nz * n_y - s_x, n_xy - s_xy, n_yy + s_xx + s_zz),
+            *(nx * n_z - s_y, ny * n_z + s_x, nz * n_z),
+            *(n_xz - s_xz, n_yz - s_yz, n_zz + s_xx + s_yy),
+        ]
+        for hold, *way in slid:
+            # Along the way that it slides friction is what it is.
+            k = 0
+            for p, a in enumerate(way):
+                a *= hold
+                for b in way[: p + 1]:
+                    out[k] -= a * b
+                    k += 1
+        return out
 
 
 class Problem:
-    """Contacts that belong together, as arrays.
+    """Contacts that belong together.
 
     Args:
         contacts: at least one.
@@ -163,107 +446,66 @@ class Problem:
                     index[id(side.mobile)] = len(mobiles)
                     mobiles.append(side.mobile)
         self.mobiles = mobiles
-        self.size = 6 * len(mobiles)
-        self.mass = _masses(mobiles)
-        self.wanted = np.array([mobile.speed for mobile in mobiles]).reshape(-1)
-        self.first = np.array([m.before or m.speed for m in mobiles]).reshape(-1)
-        self._rows(index)
-        self.relative = self.pressure = np.zeros(0)
-        self.gaps = gaps = np.array([contact.gap for contact in contacts])
-        self.least = np.where(
-            gaps > 0,
-            -gaps / seconds,
-            np.minimum(-gaps * (RECOVERY / seconds), FASTEST_RECOVERY),
-        )
-        self.friction = np.array([contact.friction for contact in contacts])
-
-    def _rows(self, index: dict[int, int]) -> None:
-        """How each contact's relative velocity follows from the coordinates."""
-        contacts, count, size = self.contacts, len(self.contacts), self.size
-        nobody = len(self.mobiles)
-        ways_of: list[tuple[float, ...]] = []
-        sides: tuple[list[int], list[int]] = ([], [])
-        linked: list[tuple[int, int, Side]] = []
-        normal: Vector | None = None
-        way: tuple[float, ...] = ()
-        for i, contact in enumerate(contacts):
-            if contact.normal is not normal:
-                normal = contact.normal
-                u, v = tangents(normal)
-                way = (*normal, *u, *v)
-            ways_of.append(way)
-            for which, side in ((0, contact.first), (1, contact.second)):
-                if side.mobile is None:
-                    sides[which].append(nobody)
-                    continue
-                sides[which].append(index[id(side.mobile)])
-                if side.screws is not None:
-                    linked.append((i, which, side))
-        ways = np.array(ways_of).reshape(count, 3, 3)
-        points = np.array([contact.point for contact in contacts])
-        places = np.array([*(mobile.place for mobile in self.mobiles), (0.0, 0.0, 0.0)])
-        easy = np.array([*(1 / m.mass if m.mass else 0.0 for m in self.mobiles), 0.0])
-        rows = np.empty((count, 3, 12))
-        columns = np.empty((count, 12), dtype=np.int64)
-        ease = np.zeros(count)
-        for which, sign in ((0, -1.0), (1, 1.0)):
-            at = np.array(sides[which])
-            r = points - places[at]
-            w = ways * np.where(at == nobody, 0.0, sign)[:, None, None]
-            x, y, z = r[:, None, 0], r[:, None, 1], r[:, None, 2]
-            a, b, c = w[:, :, 0], w[:, :, 1], w[:, :, 2]
-            start = 6 * which
-            rows[:, :, start : start + 3] = w
-            rows[:, :, start + 3] = y * c - z * b
-            rows[:, :, start + 4] = z * a - x * c
-            rows[:, :, start + 5] = x * b - y * a
-            columns[:, start : start + 6] = np.minimum((6 * at)[:, None] + _SIX, size)
-            ease += easy[at]
-        for i, which, side in linked:
-            assert side.screws is not None
-            assert side.mobile is not None
-            assert side.mobile.inertias is not None
-            here = _link_row(side.screws, contacts[i].point, ways[i]) * (1.0 if which else -1.0)
-            rows[i, :, 6 * which : 6 * which + 6] = here
-            ease[i] += sum(
-                j * j / m for j, m in zip(here[0].tolist(), side.mobile.inertias, strict=True)
-            )
-        self.ways, self.rows, self.columns = ways, rows, columns
-        self.stiffness = 1 / (GIVE * np.maximum(ease, 1e-9))
-        surface = np.array([contact.surface for contact in contacts])
-        self.surface = np.add.reduce(ways * surface[:, None, :], axis=2)
-        self.places = (columns[:, :, None] * (size + 1) + columns[:, None, :]).reshape(-1)
+        self._patches: list[_Patch] = []
+        for together in _together(contacts):
+            first, second = together[0].first.mobile, together[0].second.mobile
+            one = None if first is None else index[id(first)]
+            self._patches.append(_Patch(together, one, index[id(second)], seconds))
+        self._wanted = [_six(mobile.speed) for mobile in mobiles]
+        self._order: list[int] | None = None
+        self._rank: dict[int, int] = {}
+        self._masses = [_mass(mobile) for mobile in mobiles]
 
     def solve(self) -> int:
         """Find the velocities and the impulses; steps of Newton's method taken."""
-        bound = np.array([contact.pressure for contact in self.contacts])
-        speed = self.first
+        speeds: list[Six] = [_six(mobile.speed) for mobile in self.mobiles]
         steps = 0
-        for _ in range(PASSES):
-            speed, taken = self._least(speed, self.friction * bound)
-            steps += taken
-            pressure = self._pressure(self._relative(speed)[:, 0])
-            if float(np.abs(pressure - bound).max()) <= AGREED * float(pressure.max()):
-                break
-            bound = pressure
-        relative = self._relative(speed)
-        pull = self._pull(relative, self.friction * bound)
-        pressure = self._pressure(relative[:, 0])
-        self.relative, self.pressure = relative, pressure
-        impulses = np.column_stack((pressure, pull))
-        vectors = np.add.reduce(self.ways * impulses[:, :, None], axis=1).tolist()
-        for contact, normal, vector in zip(self.contacts, pressure.tolist(), vectors, strict=True):
-            contact.pressure = normal
-            contact.impulse = (vector[0], vector[1], vector[2])
-        for mobile, found in zip(self.mobiles, speed.reshape(-1, 6).tolist(), strict=True):
+        if any(any(patch.pressures(patch.relative(speeds))) for patch in self._patches):
+            speeds = [_six(mobile.before or mobile.speed) for mobile in self.mobiles]
+            pressures = [[c.pressure for c in patch.contacts] for patch in self._patches]
+            for _ in range(PASSES):
+                bounds = [
+                    [c.friction * p for c, p in zip(patch.contacts, pressing, strict=True)]
+                    for patch, pressing in zip(self._patches, pressures, strict=True)
+                ]
+                speeds, taken = self._least(speeds, bounds)
+                steps += taken
+                relative = [patch.relative(speeds) for patch in self._patches]
+                before = pressures
+                pressures = [
+                    patch.pressures(moving)
+                    for patch, moving in zip(self._patches, relative, strict=True)
+                ]
+                most = AGREED * max(max(pressing) for pressing in pressures)
+                if all(
+                    patch.agrees(moving, old, now, most)
+                    for patch, moving, old, now in zip(
+                        self._patches, relative, before, pressures, strict=True
+                    )
+                ):
+                    break
+            for patch, pressing in zip(self._patches, pressures, strict=True):
+                for contact, pressure in zip(patch.contacts, pressing, strict=True):
+                    contact.pressure = pressure
+        else:
+            # Nothing is in the way of anything.
+            for contact in self.contacts:
+                contact.pressure = 0.0
+        for mobile, found in zip(self.mobiles, speeds, strict=True):
             mobile.speed[:] = found
         return steps
 
     @property
     def settled(self) -> bool:
         """Whether what presses has settled, of the little that contacts give."""
-        opening = self.relative[:, 0][self.pressure > 0]
-        return opening.size == 0 or float(np.abs(opening).max()) < SETTLED
+        speeds = [mobile.speed for mobile in self.mobiles]
+        return all(
+            not contact.pressure or abs(opening) < SETTLED
+            for patch in self._patches
+            for contact, opening in zip(
+                patch.contacts, patch.openings(patch.relative(speeds)), strict=True
+            )
+        )
 
     def lasting(self, speeds: dict[int, Six], spans: dict[int, float], endless: set[str]) -> float:
         """Seconds for which these contacts stay as they are while everything goes on.
@@ -273,20 +515,21 @@ class Problem:
             spans: inches across the bodies among them, likewise.
             endless: names of things that are the same wherever they are touched.
         """
-        for mobile in self.mobiles:
-            mobile.speed[:] = speeds[id(mobile)]
-        relative = self._relative(np.array([mobile.speed for mobile in self.mobiles]).reshape(-1))
-        opening, u, v = relative[:, 0], relative[:, 1], relative[:, 2]
-        gone = np.where((self.pressure > 0) | (opening < 0), np.abs(opening), 0.0)
-        room = np.where(self.pressure > 0, DRIFT, np.maximum(self.gaps, 0.0) + DRIFT)
-        lasting = float((room / np.maximum(gone, _SLOWEST)).min())
-        ends = np.array([contact.key[0] not in endless for contact in self.contacts])
-        if ends.any():
-            shift = np.sqrt(u * u + v * v)[ends]
-            lasting = min(lasting, SHIFT / max(float(shift.max()), _SLOWEST))
+        going = [speeds[id(mobile)] for mobile in self.mobiles]
+        lasting = math.inf
         tilting = 0.0
-        for contact in self.contacts:
-            a, b, c = cross(minus(contact.second.spin, contact.first.spin), contact.normal)
+        for patch in self._patches:
+            relative = patch.relative(going)
+            for contact, opening in zip(patch.contacts, patch.openings(relative), strict=True):
+                pressing = contact.pressure > 0
+                if pressing or opening < 0:
+                    room = DRIFT if pressing else max(contact.gap, 0.0) + DRIFT
+                    lasting = min(lasting, room / max(abs(opening), _SLOWEST))
+            contact = patch.contacts[0]
+            if contact.key[0] not in endless:
+                shift = max(patch.sliding(relative))
+                lasting = min(lasting, SHIFT / max(shift, _SLOWEST))
+            a, b, c = cross(relative[3:], patch.normal)
             span = min(
                 spans.get(id(contact.first.mobile), math.inf),
                 spans.get(id(contact.second.mobile), ARM_SPAN),
@@ -294,173 +537,335 @@ class Problem:
             tilting = max(tilting, span * span * (a * a + b * b + c * c))
         return min(lasting, TILT / max(math.sqrt(tilting), _SLOWEST))
 
-    def _relative(self, speed: Floats) -> Floats:
-        """Velocities of the second sides against the first, along normals and tangents."""
-        along = np.append(speed, 0.0)[self.columns]
-        relative: Floats = np.add.reduce(self.rows * along[:, None, :], axis=2)
-        relative -= self.surface
-        return relative
-
-    def _pressure(self, opening: Floats) -> Floats:
-        return self.stiffness * np.maximum(self.least - opening, 0.0)
-
-    def _pull(self, relative: Floats, bound: Floats) -> Floats:
-        """Impulses of friction along both tangents."""
-        u, v = relative[:, 1], relative[:, 2]
-        scale = -bound / np.sqrt(u * u + v * v + CREEP * CREEP)
-        return np.column_stack((scale * u, scale * v))
-
-    def _least(self, speed: Floats, bound: Floats) -> tuple[Floats, int]:
+    def _least(self, speeds: list[Six], bounds: list[list[float]]) -> tuple[list[Six], int]:
         """Newton's method: velocities at which impulses and momentum balance."""
+        slope = self._slope(speeds, bounds, _AS_BEFORE)
         for step in range(MOST_STEPS):
-            relative = self._relative(speed)
-            slope = self._slope(speed, relative, bound)
             bold = step < BOLD_STEPS
-            change = eliminate(self._curvature(relative, bound, bold), -slope)
-            if float(np.abs(change).max()) < SOLVED:
-                return speed + change, step + 1
-            speed = speed + (1.0 if bold else self._far(speed, change, relative, bound)) * change
-        return speed, MOST_STEPS
+            regimes = [patch.regimes for patch in self._patches]
+            system = self._system()
+            change = system.solve(_negative(slope))
+            there = _plus(speeds, change)
+            slope_there = self._slope(there, bounds, _CAUGHT if bold else _NOTHING)
+            if regimes == [patch.regimes for patch in self._patches]:
+                # All contacts do as before: but for how what slides turns, this is the solution.
+                rest = system.solve(_negative(slope_there))
+                if _most(rest) < SOLVED:
+                    return _plus(there, rest), step + 1
+            elif _most(change) < SURE:
+                return there, step + 1
+            if step < BOLD_STEPS - 1:
+                speeds, slope = there, slope_there
+            elif bold:
+                speeds, slope = there, self._slope(there, bounds)
+            else:
+                speeds, slope = self._far(speeds, change, slope, there, slope_there, bounds)
+        return speeds, MOST_STEPS
 
-    def _slope(self, speed: Floats, relative: Floats, bound: Floats) -> Floats:
+    def _slope(
+        self, speeds: list[Six], bounds: list[list[float]], guess: int = _NOTHING
+    ) -> list[list[float]]:
         """How the function to be made least grows with each velocity."""
-        impulses = np.column_stack((self._pressure(relative[:, 0]), self._pull(relative, bound)))
-        pushed = np.add.reduce(self.rows * impulses[:, :, None], axis=1)
-        total: Floats = np.zeros(self.size + 1)
-        total += np.bincount(self.columns.reshape(-1), pushed.reshape(-1), self.size + 1)
-        lost = (speed - self.wanted).reshape(-1, 1, 6)
-        inert: Floats = np.add.reduce(self.mass * lost, axis=2).reshape(-1)
-        inert -= total[: self.size]
-        return inert
+        out = [
+            _inert(mass, speed, wanted)
+            for mass, speed, wanted in zip(self._masses, speeds, self._wanted, strict=True)
+        ]
+        for patch, bound in zip(self._patches, bounds, strict=True):
+            push = patch.push(patch.relative(speeds), bound, guess)
+            fx, fy, fz, mx, my, mz = push
+            two = out[patch.two]
+            if patch.columns_two is None:
+                two[0] -= fx
+                two[1] -= fy
+                two[2] -= fz
+                two[3] -= mx
+                two[4] -= my
+                two[5] -= mz
+            else:
+                for k, (a, b, c, d, e, f) in patch.columns_two:
+                    two[k] -= a * fx + b * fy + c * fz + d * mx + e * my + f * mz
+            if patch.one is None:
+                continue
+            one = out[patch.one]
+            if patch.columns_one is not None:
+                for k, (a, b, c, d, e, f) in patch.columns_one:
+                    one[k] += a * fx + b * fy + c * fz + d * mx + e * my + f * mz
+            else:
+                assert patch.lever is not None
+                x, y, z = patch.lever
+                one[0] += fx
+                one[1] += fy
+                one[2] += fz
+                one[3] += mx + y * fz - z * fy
+                one[4] += my + z * fx - x * fz
+                one[5] += mz + x * fy - y * fx
+        return out
 
-    def _curvature(self, relative: Floats, bound: Floats, most: bool) -> Floats:
-        """How that growth itself grows: a symmetric matrix.
+    def _system(self) -> Eliminated:
+        """How that growth itself grows, where it was last asked for."""
+        blocks = [list(mass) for mass in self._masses]
+        beside: dict[tuple[int, int], list[Six]] = {}
+        if self._order is None:
+            pairs = {(p.one, p.two) for p in self._patches if p.one is not None}
+            self._order = order(len(blocks), pairs)
+            self._rank = {body: k for k, body in enumerate(self._order)}
+        rank = self._rank
+        for patch in self._patches:
+            stiffness = patch.stiffness()
+            if stiffness is None:
+                continue
+            own = blocks[patch.two]
+            if patch.columns_two is None:
+                for k, value in enumerate(stiffness):
+                    own[k] += value
+            else:
+                _add_linked(own, patch.columns_two, stiffness)
+            if patch.one is None:
+                continue
+            if patch.columns_one is not None:
+                between = _add_linked(blocks[patch.one], patch.columns_one, stiffness)
+            else:
+                assert patch.lever is not None
+                between = _add_shifted(blocks[patch.one], patch.lever, stiffness)
+            # Rows of the second body's unknowns, columns of the first one's.
+            assert patch.columns_two is None
+            pair = (patch.two, patch.one)
+            if rank[patch.one] < rank[patch.two]:
+                pair = (patch.one, patch.two)
+                between = list(zip(*between, strict=True))
+            known = beside.get(pair)
+            if known is not None:
+                between = _plus(known, between)
+            beside[pair] = between
+        return Eliminated(blocks, beside, self._order)
+
+    def _far(
+        self,
+        speeds: list[Six],
+        change: list[Six],
+        slope: list[list[float]],
+        there: list[Six],
+        slope_there: list[list[float]],
+        bounds: list[list[float]],
+    ) -> tuple[list[Six], list[list[float]]]:
+        """Where along a step the function is about least, and its slope there.
 
         Args:
-            relative: velocities.
-            bound: of friction.
-            most: of friction, how it grows square to the motion: along it that is less.
+            speeds: at the step's beginning.
+            change: the step.
+            slope: at its beginning.
+            there: the speeds at its end.
+            slope_there: at its end.
+            bounds: of friction.
         """
-        u, v = relative[:, 1], relative[:, 2]
-        square = u * u + v * v + CREEP * CREEP
-        stiff = bound / np.sqrt(square)
-        local = np.zeros((len(bound), 3, 3))
-        local[:, 0, 0] = np.where(relative[:, 0] < self.least, self.stiffness, 0.0)
-        if most:
-            local[:, 1, 1] = local[:, 2, 2] = stiff
-        else:
-            local[:, 1, 1] = stiff * (1 - u * u / square)
-            local[:, 2, 2] = stiff * (1 - v * v / square)
-            local[:, 1, 2] = local[:, 2, 1] = -stiff * u * v / square
-        half = np.add.reduce(local[:, :, :, None] * self.rows[:, None, :, :], axis=2)
-        whole = np.add.reduce(self.rows[:, :, :, None] * half[:, :, None, :], axis=1)
-        size = self.size
-        flat: Floats = np.zeros((size + 1) * (size + 1))
-        flat += np.bincount(self.places, whole.reshape(-1), len(flat))
-        matrix = flat.reshape(size + 1, size + 1)[:size, :size].copy()
-        for i in range(len(self.mobiles)):
-            matrix[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] += self.mass[i]
-        return matrix
-
-    def _far(self, speed: Floats, change: Floats, relative: Floats, bound: Floats) -> float:
-        """How far along a step the function still falls: a root of its slope there."""
-        by = np.add.reduce(self.rows * np.append(change, 0.0)[self.columns][:, None, :], axis=2)
-        inert = np.add.reduce(self.mass * change.reshape(-1, 1, 6), axis=2).reshape(-1)
-        constant = float((inert * (speed - self.wanted)).sum())
-        growing = float((inert * change).sum())
-
-        def slope(far: float) -> float:
-            there = relative + far * by
-            impulse = self._pressure(there[:, 0]) * by[:, 0]
-            pull = self._pull(there, bound) * by[:, 1:]
-            return constant + far * growing - float(impulse.sum()) - float(pull.sum())
-
-        start, end = slope(0.0), slope(1.0)
-        if end <= 0.1 * abs(start):
-            return 1.0
+        start, end = _product(slope, change), _product(slope_there, change)
+        small = SHALLOW * abs(start)
         low, high, at_low, at_high = 0.0, 1.0, start, end
-        far = 1.0
-        for _ in range(12):
+        if end <= small:
+            return there, slope_there
+        for _ in range(MOST_TRIALS):
             far = low - at_low * (high - low) / (at_high - at_low)
-            far = min(max(far, low + 0.05 * (high - low)), high - 0.05 * (high - low))
-            here = slope(far)
-            if abs(here) <= 0.1 * abs(start):
+            edge = 0.05 * (high - low)
+            far = min(max(far, low + edge), high - edge)
+            there = _plus(speeds, change, far)
+            slope_there = self._slope(there, bounds)
+            here = _product(slope_there, change)
+            if abs(here) <= small:
                 break
             if here < 0:
                 low, at_low = far, here
             else:
                 high, at_high = far, here
-        return far
+        return there, slope_there
 
 
-def _masses(mobiles: list[Mobile]) -> Floats:
-    """Mass and inertia of each mobile as a 6 x 6 matrix."""
-    out = np.zeros((len(mobiles), 6, 6))
-    for i, mobile in enumerate(mobiles):
-        if mobile.inertias is not None:
-            for k, inertia in enumerate(mobile.inertias):
-                out[i, k, k] = inertia
-        else:
-            assert mobile.inertia is not None
-            out[i, 0, 0] = out[i, 1, 1] = out[i, 2, 2] = mobile.mass
-            out[i, 3:, 3:] = np.array(mobile.inertia).reshape(3, 3)
+def _together(contacts: list[Contact]) -> Iterator[list[Contact]]:
+    """Contacts that came together: of the same two sides, with the same normal."""
+    patch: list[Contact] = []
+    for contact in contacts:
+        if patch and not (
+            contact.normal is patch[0].normal
+            and contact.first.mobile is patch[0].first.mobile
+            and contact.second.mobile is patch[0].second.mobile
+            and contact.key == patch[0].key
+        ):
+            yield patch
+            patch = []
+        patch.append(contact)
+    yield patch
+
+
+def _least(gap: float, seconds: float) -> float:
+    """Speed at which a contact opens at least, or may close at most, inches a second."""
+    if gap > 0:
+        return -gap / seconds
+    return min(-gap * (RECOVERY / seconds), FASTEST_RECOVERY)
+
+
+def _columns(screws: Sequence[tuple[Vector, Vector]], origin: Vector) -> list[tuple[int, Six]]:
+    """Velocity of a link at a point and its spin for a unit of each coordinate that moves it."""
+    x, y, z = origin
+    out: list[tuple[int, Six]] = []
+    for k, ((p, q, r), (u, v, w)) in enumerate(screws):
+        column = (u + q * z - r * y, v + r * x - p * z, w + p * y - q * x, p, q, r)
+        if any(column):
+            out.append((k, column))
     return out
 
 
-def _link_row(screws: tuple[tuple[Vector, Vector], ...], point: Vector, ways: Floats) -> Floats:
-    """How fast a point of a link moves along three ways with each of its coordinates."""
-    x, y, z = point
-    speeds = np.array(
-        [
-            (
-                velocity[0] + spin[1] * z - spin[2] * y,
-                velocity[1] + spin[2] * x - spin[0] * z,
-                velocity[2] + spin[0] * y - spin[1] * x,
-            )
-            for spin, velocity in screws
-        ]
-    )
-    row: Floats = np.add.reduce(ways[:, None, :] * speeds[None, :, :], axis=2)
-    return row
+def _moved(columns: list[tuple[int, Six]], rates: Sequence[float]) -> Six:
+    """Velocity and spin of a link at some rates of its coordinates."""
+    a = b = c = d = e = f = 0.0
+    for k, (u, v, w, x, y, z) in columns:
+        rate = rates[k]
+        a += rate * u
+        b += rate * v
+        c += rate * w
+        d += rate * x
+        e += rate * y
+        f += rate * z
+    return a, b, c, d, e, f
 
 
-def eliminate(matrix: Floats, right: Floats) -> Floats:
-    """Solve a symmetric positive definite system by Gauss's elimination, six rows at a time.
+def _mass(mobile: Mobile) -> list[float]:
+    """Mass and inertia as the triangle of a 6 x 6 matrix."""
+    out = [0.0] * 21
+    if mobile.inertias is not None:
+        for k, inertia in zip(_DIAGONAL, mobile.inertias, strict=True):
+            out[k] = inertia
+    else:
+        assert mobile.inertia is not None
+        out[0] = out[2] = out[5] = mobile.mass
+        out[9], _, _, out[13], out[14], _, out[18], out[19], out[20] = mobile.inertia
+    return out
 
-    Only what lies within the envelope of the matrix is looked at: of a row of bodies each is
-    coupled to the next alone.
+
+def _inert(mass: list[float], speed: Six, wanted: Sequence[float]) -> list[float]:
+    """Momentum that is missing: of a body, or of the arm's coordinates."""
+    a, b, c, d, e, f = speed
+    u, v, w, x, y, z = wanted
+    d, e, f = d - x, e - y, f - z
+    return [
+        mass[0] * (a - u),
+        mass[2] * (b - v),
+        mass[5] * (c - w),
+        mass[9] * d + mass[13] * e + mass[18] * f,
+        mass[13] * d + mass[14] * e + mass[19] * f,
+        mass[18] * d + mass[19] * e + mass[20] * f,
+    ]
+
+
+def _add_linked(
+    block: list[float], columns: list[tuple[int, Six]], stiffness: list[float]
+) -> list[Six]:
+    """Add a stiffness against a link to the arm's own block.
+
+    Returns:
+        What couples the arm to the other thing: a column for each coordinate.
+    """
+    (a, b, c, d, e, f, g, h, i, j, k, m, n, o, p, q, r, s, t, u, v) = stiffness
+    out: list[Six] = [_STILL] * 6
+    for at, (x, y, z, ex, ey, ez) in columns:
+        push = (
+            a * x + b * y + d * z + g * ex + k * ey + q * ez,
+            b * x + c * y + e * z + h * ex + m * ey + r * ez,
+            d * x + e * y + f * z + i * ex + n * ey + s * ez,
+            g * x + h * y + i * z + j * ex + o * ey + t * ez,
+            k * x + m * y + n * z + o * ex + p * ey + u * ez,
+            q * x + r * y + s * z + t * ex + u * ey + v * ez,
+        )
+        out[at] = (-push[0], -push[1], -push[2], -push[3], -push[4], -push[5])
+        start = at * (at + 1) // 2
+        fx, fy, fz, mx, my, mz = push
+        for other, (x, y, z, ex, ey, ez) in columns:
+            if other > at:
+                break
+            block[start + other] += fx * x + fy * y + fz * z + mx * ex + my * ey + mz * ez
+    return out
+
+
+def _add_shifted(block: list[float], lever: Vector, stiffness: list[float]) -> list[Six]:
+    """Add a stiffness to the block of a body whose centre of mass is elsewhere.
 
     Args:
-        matrix: square, of blocks of six; it is used up.
-        right: the right-hand side.
+        block: of the body.
+        lever: from its centre of mass to the reference point.
+        stiffness: there.
+
+    Returns:
+        What couples it to the other body: a column for each of this one's unknowns.
     """
-    size = len(right)
-    count = size // 6
-    coupled = (matrix.reshape(count, 6, count, 6) != 0.0).any(axis=(1, 3))
-    last = np.where(coupled, np.arange(count)[:, None], 0).max(axis=0)
-    ends = (6 * (np.maximum.accumulate(last) + 1)).tolist()
-    out = right.copy()
-    gains: list[Floats] = []
-    for k, end in zip(range(0, size, 6), ends, strict=True):
-        after = k + 6
-        # Solve the block for its own six unknowns: what they are without the others, and by them.
-        panel = np.empty((6, end - k + 1))
-        panel[:, :-1] = matrix[k:after, k:end]
-        panel[:, -1] = out[k:after]
-        for j in range(6):
-            row = panel[j]
-            row /= row.item(j)
-            factor = panel[:, j].copy()
-            factor[j] = 0.0
-            panel -= factor[:, None] * row
-        gain = panel[:, 6:]
-        gains.append(gain)
-        if end > after:
-            beside = matrix[k:after, after:end]
-            change = np.add.reduce(beside[:, :, None] * gain[:, None, :], axis=0)
-            matrix[after:end, after:end] -= change[:, :-1]
-            out[after:end] -= change[:, -1]
-    for k, end, gain in zip(range(size - 6, -1, -6), reversed(ends), reversed(gains), strict=True):
-        by_others = np.ascontiguousarray((gain[:, :-1] * out[k + 6 : end]).T)
-        out[k : k + 6] = gain[:, -1] - np.add.reduce(by_others, axis=0)
-    return out
+    x, y, z = lever
+    (a, b, c, d, e, f, g, h, i, j, k, m, n, o, p, q, r, s, t, u, v) = stiffness
+    # A (a b d, b c e, d e f) acts on velocities, B (columns g h i, k m n, q r s) between them and
+    # spins, C (j o t, o p u, t u v) on spins. A spin is a velocity there of spin x lever.
+    g2, k2, q2 = g - (b * z - d * y), k - (d * x - a * z), q - (a * y - b * x)
+    h2, m2, r2 = h - (c * z - e * y), m - (e * x - b * z), r - (b * y - c * x)
+    i2, n2, s2 = i - (e * z - f * y), n - (f * x - d * z), s - (d * y - e * x)
+    # Moments of the columns of B about the centre of mass.
+    gx, gy, gz = h * z - i * y, i * x - g * z, g * y - h * x
+    kx, ky, kz = m * z - n * y, n * x - k * z, k * y - m * x
+    qx, qy, qz = r * z - s * y, s * x - q * z, q * y - r * x
+    block[0] += a
+    block[1] += b
+    block[2] += c
+    block[3] += d
+    block[4] += e
+    block[5] += f
+    block[6] += g2
+    block[7] += h2
+    block[8] += i2
+    block[9] += j - gx - (h2 * z - i2 * y)
+    block[10] += k2
+    block[11] += m2
+    block[12] += n2
+    block[13] += o - kx - (i2 * x - g2 * z)
+    block[14] += p - ky - (n2 * x - k2 * z)
+    block[15] += q2
+    block[16] += r2
+    block[17] += s2
+    block[18] += t - qx - (g2 * y - h2 * x)
+    block[19] += u - qy - (k2 * y - m2 * x)
+    block[20] += v - qz - (q2 * y - r2 * x)
+    return [
+        (-a, -b, -d, -g, -k, -q),
+        (-b, -c, -e, -h, -m, -r),
+        (-d, -e, -f, -i, -n, -s),
+        (-g2, -h2, -i2, gx - j, kx - o, qx - t),
+        (-k2, -m2, -n2, gy - o, ky - p, qy - u),
+        (-q2, -r2, -s2, gz - t, kz - u, qz - v),
+    ]
+
+
+def _six(values: Sequence[float]) -> Six:
+    a, b, c, d, e, f = values
+    return a, b, c, d, e, f
+
+
+def _negative(sixes: Sequence[Sequence[float]]) -> list[Six]:
+    return [(-a, -b, -c, -d, -e, -f) for a, b, c, d, e, f in sixes]
+
+
+def _plus(sixes: Sequence[Six], others: Sequence[Six], factor: float = 1.0) -> list[Six]:
+    return [
+        (
+            a + factor * u,
+            b + factor * v,
+            c + factor * w,
+            d + factor * x,
+            e + factor * y,
+            f + factor * z,
+        )
+        for (a, b, c, d, e, f), (u, v, w, x, y, z) in zip(sixes, others, strict=True)
+    ]
+
+
+def _product(sixes: Sequence[Sequence[float]], others: Sequence[Six]) -> float:
+    total = 0.0
+    for (a, b, c, d, e, f), (u, v, w, x, y, z) in zip(sixes, others, strict=True):
+        total += a * u + b * v + c * w + d * x + e * y + f * z
+    return total
+
+
+def _most(sixes: Sequence[Six]) -> float:
+    return max(max(max(six), -min(six)) for six in sixes)

@@ -1,0 +1,245 @@
+"""Symmetric systems of six unknowns a body, most of which are not coupled to most others.
+
+Gauss's elimination a body at a time, in the form L D Lᵀ, on plain floats: of a row of bodies each
+is coupled to the next alone, and what is not coupled costs nothing. Each sum is written out, so
+that its order is the same everywhere; for six numbers that is also quicker than arrays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+Six = tuple[float, float, float, float, float, float]
+Triangle = Sequence[float]
+"""A symmetric 6 x 6 matrix: the 21 numbers on and below its diagonal, row by row."""
+Columns = Sequence[Six]
+"""A 6 x 6 matrix, column by column."""
+
+
+def order(count: int, pairs: set[tuple[int, int]]) -> list[int]:
+    """Bodies in the order in which to eliminate them: first those coupled to the fewest others.
+
+    Args:
+        count: of bodies.
+        pairs: of bodies that are coupled.
+    """
+    beside: list[set[int]] = [set() for _ in range(count)]
+    for one, other in pairs:
+        beside[one].add(other)
+        beside[other].add(one)
+    left = set(range(count))
+    out = []
+    while left:
+        body = min(left, key=lambda one: (len(beside[one]), one))
+        left.remove(body)
+        out.append(body)
+        around = beside[body]
+        for one in around:
+            # Whatever it is coupled to is coupled through it.
+            beside[one] |= around
+            beside[one] -= {one, body}
+    return out
+
+
+class Eliminated:
+    """A positive definite system, ready to be solved for any right-hand side.
+
+    Args:
+        blocks: of each body's own unknowns; they are used up.
+        beside: what couples a body to a later one, by both in the order of elimination: rows of the
+            earlier, columns of the later one's unknowns.
+        sequence: bodies in the order of elimination.
+    """
+
+    def __init__(
+        self,
+        blocks: list[list[float]],
+        beside: Mapping[tuple[int, int], Columns],
+        sequence: Sequence[int],
+    ) -> None:
+        rank = {body: k for k, body in enumerate(sequence)}
+        coupled: dict[int, dict[int, list[Six]]] = {body: {} for body in sequence}
+        for (one, other), columns in beside.items():
+            coupled[one][other] = list(columns)
+        self._steps: list[tuple[int, Triangle, list[tuple[int, list[Six]]]]] = []
+        for body in sequence:
+            factor = _factor(blocks[body])
+            ahead = []
+            for other in sorted(coupled[body], key=rank.__getitem__):
+                half = [_forward(factor, column) for column in coupled[body][other]]
+                ahead.append((other, half, [_scaled(factor, column) for column in half]))
+            for i, (other, half, whole) in enumerate(ahead):
+                _subtract_own(blocks[other], half, whole)
+                for third, _, theirs in ahead[i + 1 :]:
+                    between = coupled[other].get(third)
+                    coupled[other][third] = _less(between, half, theirs)
+            self._steps.append((body, factor, [(other, whole) for other, _, whole in ahead]))
+
+    def solve(self, right: Sequence[Sequence[float]]) -> list[Six]:
+        """Unknowns of each body.
+
+        Args:
+            right: right-hand sides, six a body.
+        """
+        rest = [list(six) for six in right]
+        scaled: list[Six] = []
+        for body, factor, ahead in self._steps:
+            a, b, c, d, e, f = half = _forward(factor, rest[body])
+            for other, whole in ahead:
+                theirs = rest[other]
+                for p, (u, v, w, x, y, z) in enumerate(whole):
+                    theirs[p] -= a * u + b * v + c * w + d * x + e * y + f * z
+            scaled.append(_scaled(factor, half))
+        out: list[Six] = [(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)] * len(rest)
+        for (body, factor, ahead), known in zip(
+            reversed(self._steps), reversed(scaled), strict=True
+        ):
+            a, b, c, d, e, f = known
+            for other, whole in ahead:
+                for value, (u, v, w, x, y, z) in zip(out[other], whole, strict=True):
+                    a -= value * u
+                    b -= value * v
+                    c -= value * w
+                    d -= value * x
+                    e -= value * y
+                    f -= value * z
+            out[body] = _backward(factor, (a, b, c, d, e, f))
+        return out
+
+
+def _factor(block: Sequence[float]) -> Triangle:
+    """L below the diagonal and the inverse of D on it."""
+    a00, a10, a11, a20, a21, a22, a30, a31, a32, a33, a40, a41, a42, a43, a44 = block[:15]
+    a50, a51, a52, a53, a54, a55 = block[15:]
+    i0 = 1 / a00
+    l10, l20, l30, l40, l50 = a10 * i0, a20 * i0, a30 * i0, a40 * i0, a50 * i0
+    i1 = 1 / (a11 - l10 * a10)
+    u21, u31 = a21 - l20 * a10, a31 - l30 * a10
+    u41, u51 = a41 - l40 * a10, a51 - l50 * a10
+    l21, l31, l41, l51 = u21 * i1, u31 * i1, u41 * i1, u51 * i1
+    i2 = 1 / (a22 - l20 * a20 - l21 * u21)
+    u32 = a32 - l30 * a20 - l31 * u21
+    u42 = a42 - l40 * a20 - l41 * u21
+    u52 = a52 - l50 * a20 - l51 * u21
+    l32, l42, l52 = u32 * i2, u42 * i2, u52 * i2
+    i3 = 1 / (a33 - l30 * a30 - l31 * u31 - l32 * u32)
+    u43 = a43 - l40 * a30 - l41 * u31 - l42 * u32
+    u53 = a53 - l50 * a30 - l51 * u31 - l52 * u32
+    l43, l53 = u43 * i3, u53 * i3
+    i4 = 1 / (a44 - l40 * a40 - l41 * u41 - l42 * u42 - l43 * u43)
+    u54 = a54 - l50 * a40 - l51 * u41 - l52 * u42 - l53 * u43
+    l54 = u54 * i4
+    i5 = 1 / (a55 - l50 * a50 - l51 * u51 - l52 * u52 - l53 * u53 - l54 * u54)
+    return (
+        *(i0, l10, i1, l20, l21, i2, l30, l31, l32, i3, l40, l41, l42, l43, i4),
+        *(l50, l51, l52, l53, l54, i5),
+    )
+
+
+def _forward(factor: Triangle, right: Sequence[float]) -> Six:
+    """Solve L x = right."""
+    (
+        _,
+        l10,
+        _,
+        l20,
+        l21,
+        _,
+        l30,
+        l31,
+        l32,
+        _,
+        l40,
+        l41,
+        l42,
+        l43,
+        _,
+        l50,
+        l51,
+        l52,
+        l53,
+        l54,
+        _,
+    ) = factor
+    a, b, c, d, e, f = right
+    b -= l10 * a
+    c -= l20 * a + l21 * b
+    d -= l30 * a + l31 * b + l32 * c
+    e -= l40 * a + l41 * b + l42 * c + l43 * d
+    f -= l50 * a + l51 * b + l52 * c + l53 * d + l54 * e
+    return a, b, c, d, e, f
+
+
+def _scaled(factor: Triangle, right: Six) -> Six:
+    """Solve D x = right."""
+    a, b, c, d, e, f = right
+    return (
+        a * factor[0],
+        b * factor[2],
+        c * factor[5],
+        d * factor[9],
+        e * factor[14],
+        f * factor[20],
+    )
+
+
+def _backward(factor: Triangle, right: Six) -> Six:
+    """Solve Lᵀ x = right."""
+    (
+        _,
+        l10,
+        _,
+        l20,
+        l21,
+        _,
+        l30,
+        l31,
+        l32,
+        _,
+        l40,
+        l41,
+        l42,
+        l43,
+        _,
+        l50,
+        l51,
+        l52,
+        l53,
+        l54,
+        _,
+    ) = factor
+    a, b, c, d, e, f = right
+    e -= l54 * f
+    d -= l43 * e + l53 * f
+    c -= l32 * d + l42 * e + l52 * f
+    b -= l21 * c + l31 * d + l41 * e + l51 * f
+    a -= l10 * b + l20 * c + l30 * d + l40 * e + l50 * f
+    return a, b, c, d, e, f
+
+
+def _subtract_own(block: list[float], half: Columns, whole: Columns) -> None:
+    """Take from a body's own block what has been eliminated."""
+    k = 0
+    for p, (a, b, c, d, e, f) in enumerate(half):
+        for u, v, w, x, y, z in whole[: p + 1]:
+            block[k] -= a * u + b * v + c * w + d * x + e * y + f * z
+            k += 1
+
+
+def _less(between: Columns | None, half: Columns, whole: Columns) -> list[Six]:
+    """Take it from what couples two bodies; rows go with `half`, columns with `whole`."""
+    a, b, c, d, e, f = half
+    out: list[Six] = []
+    for q, (u, v, w, x, y, z) in enumerate(whole):
+        g, h, i, j, k, m = between[q] if between is not None else (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        out.append(
+            (
+                g - (a[0] * u + a[1] * v + a[2] * w + a[3] * x + a[4] * y + a[5] * z),
+                h - (b[0] * u + b[1] * v + b[2] * w + b[3] * x + b[4] * y + b[5] * z),
+                i - (c[0] * u + c[1] * v + c[2] * w + c[3] * x + c[4] * y + c[5] * z),
+                j - (d[0] * u + d[1] * v + d[2] * w + d[3] * x + d[4] * y + d[5] * z),
+                k - (e[0] * u + e[1] * v + e[2] * w + e[3] * x + e[4] * y + e[5] * z),
+                m - (f[0] * u + f[1] * v + f[2] * w + f[3] * x + f[4] * y + f[5] * z),
+            )
+        )
+    return out
