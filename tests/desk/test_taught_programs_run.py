@@ -53,19 +53,19 @@ def lesson() -> Lesson:
 def test_the_steps_carry_on_where_the_teaching_ended() -> None:
     rig, lesson = taught()
     before = parts_taken(rig)
-    rig.load_text(in_steps(lesson.positions, Manner(speed=60)))
+    rig.load_text(in_steps(lesson.positions, Manner(speed=60, repeats=True)))
     rig.type("RUN\r")
     assert rig.run_until(lambda rig: parts_taken(rig) == before + 2, seconds=40)
     assert slips(rig) == []
     assert rig.registers == rig.joints
 
 
-def test_the_data_lines_begin_where_the_operator_sets_the_arm(lesson: Lesson) -> None:
+def test_the_data_lines_begin_where_the_arm_stands_when_it_is_switched_on(lesson: Lesson) -> None:
     rig = Rig(bench=benchfile.load(BENCH))
-    rig.load_text(in_data(lesson.positions, Manner(speed=60), MINIMOVER5))
+    rig.load_text(in_data(lesson.positions, Manner(speed=60, repeats=True), MINIMOVER5))
     rig.type("RUN\r")
     assert rig.run_until(lambda rig: rig.waiting is Waiting.SET)
-    rig.move_to(lesson.positions[0].pose)
+    assert " X =  5 INCHES" in rig.screen()
     rig.run_for(0.1)
     rig.hold(["0"], 0.2)
     assert rig.run_until(lambda rig: parts_taken(rig) == 2, seconds=60)
@@ -74,7 +74,7 @@ def test_the_data_lines_begin_where_the_operator_sets_the_arm(lesson: Lesson) ->
 
 def test_a_program_that_goes_once_ends(lesson: Lesson) -> None:
     rig = Rig(bench=benchfile.load(BENCH))
-    rig.load_text(in_steps(lesson.positions, Manner(repeats=False)))
+    rig.load_text(in_steps(lesson.positions, Manner()))
     rig.type("RUN\r")
     rig.run_until_waiting(60)
     assert rig.waiting is Waiting.COMMAND

@@ -133,7 +133,7 @@ def test_steps_lead_from_one_reading_to_the_other_as_the_registers_wrap(
 
 
 def test_the_hand_takes_hold_after_arriving_and_lets_go_after_arriving() -> None:
-    route = moves(pick_and_place().positions, Manner())
+    route = moves(pick_and_place().positions, Manner(repeats=True))
     assert [(move.closes, move.hand) for move in route] == [
         (False, 0),
         (True, -30),
@@ -151,17 +151,17 @@ def test_a_tighter_hold_comes_before_the_move_and_a_looser_one_after_it() -> Non
     lesson = pick_and_place()
     lesson.set_grip(2, grips=True, squeeze=0)
     lesson.set_grip(4, grips=True, squeeze=10)
-    route = moves(lesson.positions, Manner())
+    route = moves(lesson.positions, Manner(repeats=True))
     assert [(move.before, move.hand) for move in route[1:4]] == [(0, 0), (-30, 0), (0, 20)]
-    steps = in_steps(lesson.positions, Manner())
-    assert re.search(r"@STEP S,0,0,0,0,0,-30\n\d+ @STEP S, 0, -132", steps)
-    data = in_data(lesson.positions, Manner(), MINIMOVER5)
+    steps = in_steps(lesson.positions, Manner(repeats=True))
+    assert re.search(r"@STEP S,0,0,0,0,0,-30\n\d+ @STEP S,0,-132", steps)
+    data = in_data(lesson.positions, Manner(repeats=True), MINIMOVER5)
     assert "DATA 8, 0, 0.5, -90, 0, 0, -30, 50\n" in data
-    assert "110 DIM UU(8,10)" in data
+    assert "110 DIM UU(8,11)" in data
 
 
 def test_going_round_brings_every_joint_back() -> None:
-    route = moves(pick_and_place().positions, Manner())
+    route = moves(pick_and_place().positions, Manner(repeats=True))
     assert [sum(column) for column in zip(*(move.joints[:5] for move in route), strict=True)] == (
         [0] * 5
     )
@@ -173,17 +173,20 @@ def test_going_once_ends_at_the_last_position() -> None:
 
 
 def test_program_of_steps() -> None:
-    check_golden("taught-steps", in_steps(pick_and_place().positions, Manner()))
+    check_golden("taught-steps", in_steps(pick_and_place().positions, Manner(repeats=True)))
 
 
 def test_program_of_data_lines() -> None:
-    check_golden("taught-data", in_data(pick_and_place().positions, Manner(speed=80), MINIMOVER5))
+    check_golden(
+        "taught-data",
+        in_data(pick_and_place().positions, Manner(speed=80, repeats=True), MINIMOVER5),
+    )
 
 
 @pytest.mark.parametrize("write", [in_steps, partial(in_data, model=MINIMOVER5)])
 def test_line_numbers_rise_and_every_jump_has_its_line(write: object) -> None:
     assert callable(write)
-    listing = write(pick_and_place().positions, Manner())
+    listing = write(pick_and_place().positions, Manner(repeats=True))
     numbers = [int(line.split(" ", 1)[0]) for line in listing.splitlines()]
     assert numbers == sorted(set(numbers))
     jumps = re.findall(r"(?:GOTO|GOSUB|THEN) (\d+)", listing)
@@ -195,19 +198,19 @@ def test_a_position_behind_the_base_cannot_be_given_in_coordinates() -> None:
     lesson = pick_and_place()
     lesson.add(standing((0,) * 6, Pose(-3, 2, 5, -90, 0)), "behind")
     with pytest.raises(OutOfReach, match="BEHIND"):
-        in_data(lesson.positions, Manner(), MINIMOVER5)
-    assert "BEHIND" in in_steps(lesson.positions, Manner())
+        in_data(lesson.positions, Manner(repeats=True), MINIMOVER5)
+    assert "BEHIND" in in_steps(lesson.positions, Manner(repeats=True))
 
 
 @pytest.mark.parametrize("write", [in_steps, partial(in_data, model=MINIMOVER5)])
 def test_nothing_taught_is_no_program(write: object) -> None:
     assert callable(write)
     with pytest.raises(ValueError, match="no position"):
-        write([], Manner())
+        write([], Manner(repeats=True))
 
 
 def test_one_position_alone_is_gone_to() -> None:
     lesson = Lesson()
     lesson.add(standing((5, 0, 0, 0, 0, 0), Pose(8, 0, 1.5, -90, 0)))
-    assert "@STEP S,5-K1,0-K2" in in_steps(lesson.positions, Manner())
-    assert in_data(lesson.positions, Manner(), MINIMOVER5).count("DATA") == 3
+    assert "@STEP S,5-K1,0-K2" in in_steps(lesson.positions, Manner(repeats=True))
+    assert in_data(lesson.positions, Manner(repeats=True), MINIMOVER5).count("DATA") == 4

@@ -101,7 +101,7 @@ async def test_the_program_is_written_in_the_chosen_style(tmp_path: Path) -> Non
         await pilot.pause()
         assert desk.result is not None
         assert "S=90" in desk.result.listing
-        assert "GOTO" not in desk.result.listing
+        assert "GOTO 200" in desk.result.listing
 
 
 @piloted

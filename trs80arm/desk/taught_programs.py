@@ -7,12 +7,13 @@ computes the joints.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from trs80arm.arm.geometry import OutOfReach, inverse
-from trs80arm.arm.model import ArmModel, Motor
+from trs80arm.arm.geometry import JointAngles, OutOfReach, forward, inverse
+from trs80arm.arm.model import ArmModel, Motor, Pose
 from trs80arm.desk.teach import Lesson, Position, steps_between
 from trs80arm.rig import Counts
 
@@ -27,7 +28,7 @@ class Manner:
     """
 
     speed: int = 50
-    repeats: bool = True
+    repeats: bool = False
 
 
 @dataclass(frozen=True)
@@ -92,10 +93,11 @@ def moves(positions: Sequence[Position], manner: Manner) -> list[Move]:
     route = list(positions)
     if manner.repeats and len(route) > 1:
         route.append(route[0])
-    return [_move(start, end) for start, end in pairwise(route)]
+    return [move_between(start, end) for start, end in pairwise(route)]
 
 
-def _move(start: Position, end: Position) -> Move:
+def move_between(start: Position, end: Position) -> Move:
+    """The move from one position to another."""
     *arm, hand = steps_between(start.registers, end.registers)
     a, b, c, d, e = arm
     held = (a, b, c, d, e, 0)
@@ -107,6 +109,37 @@ def _move(start: Position, end: Position) -> Move:
         tighter = start.squeeze - end.squeeze
         return Move(start, end, held, hand=max(0, tighter), before=min(0, tighter))
     return Move(start, end, (a, b, c, d, e, hand))
+
+
+def step_command(delay: object, steps: Sequence[int]) -> str:
+    """A `@STEP`; trailing joints that do not move are left out."""
+    values = list(steps)
+    while len(values) > 1 and not values[-1]:
+        values.pop()
+    return f"@STEP {delay},{','.join(map(str, values))}"
+
+
+def hand_command(delay: object, steps: int) -> str:
+    """A `@STEP` of the hand alone."""
+    return step_command(delay, (0, 0, 0, 0, 0, steps))
+
+
+def commands(move: Move, speed: object, *, back: bool = False) -> list[str]:
+    """The commands of a move.
+
+    Args:
+        move: what to do.
+        speed: the D of its `@STEP`s, a number or a variable's name, unless its end has its own.
+        back: whether it undoes the move from `end` to `start`: what the hand did there on arrival
+            is undone before the arm sets off.
+    """
+    delay = speed if move.end.delay is None or back else move.end.delay
+    before = [hand_command(delay, move.before)] if move.before else []
+    arm = [step_command(delay, move.joints)] if any(move.joints) else []
+    hand = ["@CLOSE"] if move.closes else []
+    if move.hand:
+        hand.append(hand_command(delay, move.hand))
+    return before + (hand + arm if back else arm + hand)
 
 
 def in_steps(positions: Sequence[Position], manner: Manner) -> str:
@@ -130,34 +163,36 @@ def in_steps(positions: Sequence[Position], manner: Manner) -> str:
     lines.add("REM THE REGISTERS MUST COUNT FROM WHERE THEY WERE ZERO IN TEACHING")
     lines.next(100)
     lines.add(f"S={manner.speed}: REM SPEED")
-    lines.add(f"REM TO {first.name} FROM WHEREVER THE ARM IS")
+    lines.add(f"REM TO {first.name} FROM WHEREVER THE ARM IS{_comment(first)}")
     lines.add("@READ K1,K2,K3,K4,K5,K6")
     targets = ",".join(f"{value}-K{joint}" for joint, value in enumerate(first.registers, start=1))
-    lines.add(f"@STEP S,{targets}")
+    lines.add(f"@STEP {'S' if first.delay is None else first.delay},{targets}")
     if first.grips:
         lines.add("@CLOSE")
+        if first.squeeze:
+            lines.add(hand_command("S", -first.squeeze))
     lines.next(200)
     start = lines.number
     for move in moves(positions, manner):
-        lines.add(f"REM {move.start.name} TO {move.end.name}")
-        if move.before:
-            lines.add(f"@STEP S,0,0,0,0,0,{move.before}")
-        if any(move.joints):
-            lines.add(f"@STEP S, {_listed(move.joints)}")
-        if move.closes:
-            lines.add("@CLOSE")
-        if move.hand:
-            lines.add(f"@STEP S,0,0,0,0,0,{move.hand}")
+        lines.add(f"REM {move.start.name} TO {move.end.name}{_comment(move.end)}")
+        for command in commands(move, "S"):
+            lines.add(command)
     if manner.repeats and len(positions) > 1:
         lines.add(f"GOTO {start}")
     lines.add("END")
     return lines.text()
 
 
+def _comment(position: Position) -> str:
+    return f": {position.comment}" if position.comment else ""
+
+
 def in_data(positions: Sequence[Position], manner: Manner, model: ArmModel) -> str:
     """A program of coordinates in DATA lines, after the article's Table 4.
 
-    The operator sets the arm to the first position by keyboard; then it goes through the others.
+    It asks the operator to set the arm to where its registers were zero in teaching, which is where
+    it stands already on a machine that was just switched on; then it goes through the positions. Of
+    positions whose zero cannot be given in coordinates the first one is where it begins.
 
     Args:
         positions: as taught.
@@ -180,10 +215,17 @@ def in_data(positions: Sequence[Position], manner: Manner, model: ArmModel) -> s
         lines.add(text)
     for text in ("REM * TAUGHT POSITIONS IN CARTESIAN COORDINATES", "REM *", "REM *****"):
         lines.add(text)
-    data = list(_data_lines(moves(positions, manner), manner.speed))
+    home = _home(first, model)
+    route = moves(positions, manner)
+    if home is not None:
+        route.insert(0, move_between(home, first))
+    data = list(_data_lines(route, manner.speed))
+    count = sum(line.startswith("DATA") for line in data)
     blanks = {
-        "moves": str(max(1, len(data))),
-        "again": "1010" if data and manner.repeats else "2000",
+        "moves": str(max(1, count)),
+        "again": "1010" if count and manner.repeats and len(positions) > 1 else "2000",
+        # As in Table 4 the way to where the round begins is no part of it.
+        "first": str(1 if home is None else 1 + len(_move_data(move_between(home, first), 0))),
         **_constants(model),
     }
     program = _TABLE_4
@@ -192,36 +234,58 @@ def in_data(positions: Sequence[Position], manner: Manner, model: ArmModel) -> s
     for line in program.splitlines():
         lines.quote(line)
     lines.next(9000)
+    start = home or first
     lines.add("REM DATA: X, Y, Z, PITCH, ROLL, CLOSE (1) OR NOT (0), STEPS OF HAND, SPEED")
-    lines.add(f"REM {first.name}: WHERE THE ARM IS SET TO BEGIN")
+    lines.add(f"REM {start.name}: WHERE THE ARM IS SET TO BEGIN")
     lines.next(10000)
-    opening = round(first.pose.opening * model.hand_steps)
-    lines.add(f"DATA {_coordinates(first)}, 0, {opening}, {manner.speed}")
+    opening = round(start.pose.opening * model.hand_steps)
+    lines.add(f"DATA {_coordinates(start)}, 0, {opening}, {manner.speed}")
     for line in data:
         lines.add(line)
     lines.add("DATA -999, 0, 0, 0, 0, 0, 0, 0")
     return lines.text()
 
 
+HOME = "START"
+"""What the place is called where the registers were zero."""
+
+
+def _home(position: Position, model: ArmModel) -> Position | None:
+    """Where the registers of a position are zero; None if it has no coordinates."""
+    if not position.zero:
+        return None
+    x, y, z = forward(model, angles := JointAngles.of_gears(*position.zero)).fingertip
+    opening = position.pose.opening - position.registers[5] / model.hand_steps
+    pitch, roll = math.degrees(angles.pitch), math.degrees(angles.roll - angles.base)
+    pose = Pose(x, y, z, pitch, roll, min(max(0.0, opening), model.hand.range))
+    try:
+        inverse(model, *(round(value, 2) for value in (x, y, z, pitch, roll)))
+    except OutOfReach:
+        return None
+    return Position(HOME, (0, 0, 0, 0, 0, 0), pose, zero=position.zero)
+
+
 def _data_lines(route: Sequence[Move], speed: int) -> Iterator[str]:
-    """A line for each move, and one more where the hand tightens before it."""
+    """What each move is called, and its data."""
     for move in route:
-        if move.before:
-            yield f"DATA {_coordinates(move.start)}, 0, {move.before}, {speed}"
-        hand = move.hand or move.joints[5]
-        yield f"DATA {_coordinates(move.end)}, {int(move.closes)}, {hand}, {speed}"
+        yield f"REM {move.end.name}{_comment(move.end)}"
+        yield from _move_data(move, speed)
+
+
+def _move_data(move: Move, speed: int) -> list[str]:
+    """A line for a move, and one more where the hand tightens before it."""
+    delay = speed if move.end.delay is None else move.end.delay
+    hand = move.hand or move.joints[5]
+    line = f"DATA {_coordinates(move.end)}, {int(move.closes)}, {hand}, {delay}"
+    if not move.before:
+        return [line]
+    return [f"DATA {_coordinates(move.start)}, 0, {move.before}, {delay}", line]
 
 
 def _first(positions: Sequence[Position]) -> Position:
     if not positions:
         raise ValueError("no position has been taught yet")
     return positions[0]
-
-
-def _listed(steps: Counts) -> str:
-    """Steps as arguments; trailing joints that do not move are left out, but for J5."""
-    values = [str(value) for value in steps]
-    return ", ".join(values if steps[5] else values[:5])
 
 
 def _coordinates(position: Position) -> str:
@@ -315,7 +379,7 @@ _TABLE_4 = """\
 450 GOSUB 3000
 460 GOTO 300
 1000 GOTO {again}
-1010 FOR I=1 TO U
+1010 FOR I={first} TO U
 1020 GOSUB 3000
 1030 NEXT I
 1040 GOTO 1010

@@ -21,6 +21,10 @@ SAME_ZERO = 0.004
 """Radians by which the zeros of two positions may differ: less than a motor's loss of one ring."""
 MOST_NAME = 24
 """Characters of a name; a listing's REM holds it."""
+MOST_COMMENT = 60
+"""Characters of a comment, which stands behind the name."""
+MOST_DELAY = 32767
+"""The largest D of a `@STEP`."""
 
 
 class Standing(Protocol):
@@ -63,6 +67,8 @@ class Position:
         squeeze: half-steps by which it closes on beyond the grip switch.
         zero: base, upper arm, forearm and wrist gears, radians, where the registers were zero,
             going by the registers; empty for a position that was not taught.
+        comment: a word on it, capital letters as the name.
+        delay: the D of the `@STEP` that leads to it; None for that of the program.
     """
 
     name: str
@@ -71,6 +77,29 @@ class Position:
     grips: bool = False
     squeeze: int = 0
     zero: tuple[float, ...] = ()
+    comment: str = ""
+    delay: int | None = None
+
+    @classmethod
+    def taken(cls, standing: Standing, name: str = "") -> Position:
+        """The position in which the arm is now."""
+        hand = standing.model.hand
+        beyond = max(0.0, standing.force - hand.switch_force)
+        grips = standing.switch_closed
+        return cls(
+            name,
+            _six(standing.registers),
+            standing.pose,
+            grips,
+            round(beyond * hand.pound_steps) if grips else 0,
+            _zero(standing),
+        )
+
+    def same_zero(self, zero: Sequence[float]) -> bool:
+        """Whether its registers count from there; one that was not taught counts from anywhere."""
+        return not self.zero or all(
+            abs(here - there) <= SAME_ZERO for here, there in zip(self.zero, zero, strict=True)
+        )
 
 
 def steps_between(start: Counts, end: Counts) -> Counts:
@@ -109,30 +138,25 @@ class Lesson:
         """Say that a program of the positions was written, or put into the machine."""
         self._written = list(self._positions)
 
-    def add(self, standing: Standing, name: str = "") -> Position:
+    def add(self, standing: Standing, name: str = "", place: int | None = None) -> Position:
         """Teach the position in which the arm is now.
 
         Args:
             standing: how arm and registers stand.
             name: what it is called; the next free letter if empty.
+            place: where in the list; at its end if None.
         """
-        hand = standing.model.hand
-        beyond = max(0.0, standing.force - hand.switch_force)
-        grips = standing.switch_closed
-        position = Position(
-            name=listing_name(name) or self._free_name(),
-            registers=_six(standing.registers),
-            pose=standing.pose,
-            grips=grips,
-            squeeze=round(beyond * hand.pound_steps) if grips else 0,
-            zero=_zero(standing),
-        )
-        self.insert(position)
+        position = Position.taken(standing, listing_name(name) or self.free_name())
+        self.insert(position, place)
         return position
 
-    def insert(self, position: Position) -> None:
-        """Put a position at the end of the list."""
-        self._positions.append(position)
+    def insert(self, position: Position, place: int | None = None) -> None:
+        """Put a position into the list, at its end if no place is said."""
+        self._positions.insert(len(self) if place is None else place, position)
+
+    def replace(self, positions: Sequence[Position]) -> None:
+        """Have these positions and no others."""
+        self._positions = list(positions)
 
     def rename(self, place: int, name: str) -> None:
         """Call a position something else; an empty name changes nothing."""
@@ -141,10 +165,25 @@ class Lesson:
             self._positions[place] = replace(self._positions[place], name=cleaned)
 
     def teach_again(self, place: int, standing: Standing) -> None:
-        """Put the position in which the arm is now in the place of an older one; the name stays."""
-        name = self._positions[place].name
-        self._positions[place] = self.add(standing, name)
-        self._positions.pop()
+        """Have an older position be where the arm is now; its name and the words on it stay."""
+        older = self._positions[place]
+        self._positions[place] = replace(
+            Position.taken(standing, older.name), comment=older.comment, delay=older.delay
+        )
+
+    def comment(self, place: int, text: str) -> None:
+        """Have another word on a position, or none."""
+        self._positions[place] = replace(self._positions[place], comment=listing_comment(text))
+
+    def set_delay(self, place: int, delay: int | None) -> None:
+        """Have a D of its own for the `@STEP` to a position; None for the program's.
+
+        Raises:
+            ValueError: it is no D.
+        """
+        if delay is not None and not 0 <= delay <= MOST_DELAY:
+            raise ValueError(f"D is a number from 0 to {MOST_DELAY}")
+        self._positions[place] = replace(self._positions[place], delay=delay)
 
     def set_registers(self, place: int, registers: Sequence[int]) -> None:
         """Change the register values of a position.
@@ -190,16 +229,10 @@ class Lesson:
         the arm was moved by hand.
         """
         taught = [position for position in self._positions if position.zero]
-        return [
-            position.name
-            for position in taught
-            if any(
-                abs(here - there) > SAME_ZERO
-                for here, there in zip(position.zero, taught[0].zero, strict=True)
-            )
-        ]
+        return [p.name for p in taught if not p.same_zero(taught[0].zero)]
 
-    def _free_name(self) -> str:
+    def free_name(self) -> str:
+        """The first letter that no position has for a name."""
         names = {position.name for position in self._positions}
         count = 0
         while (name := _letters(count)) in names:
@@ -215,6 +248,11 @@ def _zero(standing: Standing) -> tuple[float, ...]:
 def listing_name(text: str) -> str:
     """A name as a listing of the machine can hold it: capitals, figures and plain signs."""
     return re.sub(r"[^ -!#-9;-Z]", "", text.upper()).strip()[:MOST_NAME]
+
+
+def listing_comment(text: str) -> str:
+    """A comment as a listing can hold it: as a name, but longer."""
+    return re.sub(r"[^ -!#-9;-Z]", "", text.upper()).strip()[:MOST_COMMENT]
 
 
 def _letters(count: int) -> str:
