@@ -37,6 +37,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--frames", type=int, default=60)
     looks = frames(parser.parse_args().frames)
+    # A program that has run for a while keeps the memory that a picture needs (mallopt(3)).
+    Picture(FROM_ABOVE).draw(looks[0], 4 * WIDTH, 4 * HEIGHT)
     for name, subject in VIEWS.items():
         for style in ArmStyle:
             picture = Picture(subject)

@@ -109,10 +109,10 @@ def test_a_cell_that_a_thing_half_covers_shows_nothing_behind_it(
     count = {style_ascii.draw: 8, HALVES.draw: 2, SEXTANTS.draw: 6}[draw]
     there = (np.arange(count) < count // 2) == upper
     cell = Samples(
-        np.where(there, 4, NO_INK).astype(np.int8)[None, None],
-        np.where(there, 0.7, 0.0).astype(np.float32)[None, None],
-        np.where(there, 3, -1).astype(np.int16)[None, None],
-        np.where(there, -5.0, -inf).astype(np.float32)[None, None],
+        np.where(there, 4, NO_INK).astype(np.int8)[:, None, None],
+        np.where(there, 0.7, 0.0).astype(np.float32)[:, None, None],
+        np.where(there, 3, -1).astype(np.int16)[:, None, None],
+        np.where(there, -5.0, -inf).astype(np.float32)[:, None, None],
     )
     drawn = draw(cell)
     assert drawn.ink.tolist() == [[4]]

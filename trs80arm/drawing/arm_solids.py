@@ -17,7 +17,15 @@ from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Vector, cross, minus, plus
 from trs80arm.drawing.materials import Material
 from trs80arm.drawing.readings import Posture
-from trs80arm.drawing.solids import NOTHING, Solids, box, cylinder, prism, rounded
+from trs80arm.drawing.solids import (
+    NOTHING,
+    Articulated,
+    Solids,
+    box,
+    cylinder,
+    prism,
+    rounded,
+)
 
 BASE, BODY, UPPER_ARM, FOREARM, HAND, LEFT_FINGER, RIGHT_FINGER = range(1, 8)
 """The numbers of the arm's own bodies; 0 is the table's."""
@@ -44,16 +52,16 @@ def arm_solids(posture: Posture) -> Solids:
     pointing, across = points.pointing, points.across
     over = cross(pointing, across)
     hand = (pointing, across, over)
-    links = _links(model)
-    return Solids.joined(
-        (
-            links[0].placed(points.shoulder, (upper, level, cross(upper, level))),
-            links[1].placed(points.elbow, (fore, level, cross(fore, level))),
-            links[2].placed(points.wrist, hand),
-            _finger(model, posture.opening, left=True).placed(points.wrist, hand),
-            _finger(model, posture.opening, left=False).placed(points.wrist, hand),
-        )
-    )
+    axes = np.array(hand)
+    frames = [
+        (points.shoulder, (upper, level, cross(upper, level))),
+        (points.elbow, (fore, level, cross(fore, level))),
+        (points.wrist, hand),
+    ]
+    for left in (True, False):
+        for place, turn in _finger_frames(model, posture.opening, left=left):
+            frames.append((np.array(place) @ axes + points.wrist, np.array(turn) @ axes))
+    return _pieces(model).placed_each([place for place, _ in frames], [turn for _, turn in frames])
 
 
 def pedestal(settings: ArmSettings, base: float) -> Solids:
@@ -138,10 +146,17 @@ def _link(model: ArmModel, link: Link, body: int) -> Solids:
 
 
 @lru_cache(8)
-def _links(model: ArmModel) -> tuple[Solids, Solids, Solids]:
-    """Upper arm, forearm and hand, each in its own frame."""
-    upper_arm = _link(model, Link.UPPER_ARM, UPPER_ARM)
-    return upper_arm, _link(model, Link.FOREARM, FOREARM), _palm(model)
+def _pieces(model: ArmModel) -> Articulated:
+    """Upper arm, forearm, hand, and bar and block of the left and the right finger."""
+    return Articulated(
+        (
+            _link(model, Link.UPPER_ARM, UPPER_ARM),
+            _link(model, Link.FOREARM, FOREARM),
+            _palm(model),
+            *_finger_pieces(model, left=True),
+            *_finger_pieces(model, left=False),
+        )
+    )
 
 
 def _palm(model: ArmModel) -> Solids:
@@ -161,27 +176,26 @@ def _palm(model: ArmModel) -> Solids:
     return Solids.joined((axle, wheel, palm))
 
 
-def _finger(model: ArmModel, opening: float, *, left: bool) -> Solids:
-    """A finger in the hand's frame: a bar from the palm, and a block with a pad at its end."""
+def _finger_frames(
+    model: ArmModel, opening: float, *, left: bool
+) -> tuple[tuple[Vector, tuple[Vector, Vector, Vector]], ...]:
+    """Where in the hand's frame a finger's bar is, which leads from the palm, and its block."""
     side = 1.0 if left else -1.0
     _, palm = _room(model, Link.HAND)
     _, finger = _room(model, Link.LEFT_FINGER)
-    bar, block = _finger_pieces(model, left=left)
     inner = side * opening / 2
     root = (palm[0] - 0.15, side * palm[1] * 0.6)
     end = (model.hand_length - _TIP * 0.6, inner + side * finger[1] * 0.6)
     x, y = root[0] - end[0], root[1] - end[1]
     length = sqrt(x * x + y * y)
     x, y = x / length, y / length
-    return Solids.joined(
-        (
-            bar.placed((*end, 0.0), ((x, y, 0.0), (-y, x, 0.0), (0.0, 0.0, 1.0))),
-            block.placed((model.hand_length, inner, 0.0), np.eye(3)),
-        )
+    up = (0.0, 0.0, 1.0)
+    return (
+        ((*end, 0.0), ((x, y, 0.0), (-y, x, 0.0), up)),
+        ((model.hand_length, inner, 0.0), ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), up)),
     )
 
 
-@lru_cache(8)
 def _finger_pieces(model: ArmModel, *, left: bool) -> tuple[Solids, Solids]:
     """The bar from where it holds the block on into the palm, and the block from the fingertip."""
     body = LEFT_FINGER if left else RIGHT_FINGER

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -18,15 +18,17 @@ from trs80arm.drawing.materials import INKS
 from trs80arm.drawing.rows import LEVELS, Ink, Paint, Row
 from trs80arm.drawing.solids import Ints
 
+_Number = TypeVar("_Number", bound=np.generic)
 NO_INK = -1
 """The ink of a sample that shows nothing."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Samples:
-    """What a picture shows, sample by sample, gathered by cells: height x width x samples a cell.
+    """What a picture shows, sample by sample: samples a cell x height x width.
 
-    In a cell they go along its rows from the top.
+    So what is asked of all samples of a cell goes along the first axis, which is quick. In a cell
+    they go along its rows from the top.
 
     Attributes:
         ink: index of the ink, or `NO_INK`.
@@ -39,6 +41,27 @@ class Samples:
     light: npt.NDArray[np.float32]
     body: npt.NDArray[np.int16]
     nearness: npt.NDArray[np.float32]
+
+    def mixed(self) -> Ints:
+        """The cells whose samples are not all alike, counted along the rows from the top."""
+        mixed = (self.body != self.body[0]).any(0)
+        mixed |= (self.ink != self.ink[0]).any(0)
+        mixed |= (self.light != self.light[0]).any(0)
+        return np.flatnonzero(mixed)
+
+    def of(self, cells: Ints) -> Samples:
+        """The samples of some cells only: samples a cell x cells."""
+        return Samples(
+            _of(self.ink, cells),
+            _of(self.light, cells),
+            _of(self.body, cells),
+            _of(self.nearness, cells),
+        )
+
+
+def _of(values: npt.NDArray[_Number], cells: Ints) -> npt.NDArray[_Number]:
+    """Values of the samples of some cells."""
+    return values.reshape(len(values), -1).take(cells, 1)
 
 
 class Cells:
@@ -105,7 +128,7 @@ class Cells:
     def rows(self) -> list[Row]:
         """The sheet as rows of spans."""
         blank = (self.glyphs == 32) & (self.under == NO_INK)
-        ink, under = self.ink.astype(np.int64) + 1, self.under.astype(np.int64) + 1
+        ink, under = self.ink + np.int64(1), self.under + np.int64(1)
         code = ((ink * _STEPS + self.level) * _INKS + under) * _STEPS + self.under_level
         code *= ~blank
         # A blank takes the paint of its left neighbour, so that it begins no span of its own.
@@ -156,12 +179,16 @@ def _paint(code: int) -> Ink | Paint:
 
 
 def nearest_but(nearness: npt.NDArray[np.float32], but: npt.NDArray[np.bool_]) -> Ints:
-    """The place of the nearest of some samples, one row a cell, but for those that do not count.
+    """The place of the nearest sample of each cell, but for those that do not count.
 
-    At least one of each row must count; where nothing is seen in any of them it is one of those.
+    At least one of each cell must count; where nothing is seen in any of them it is one of those.
+
+    Args:
+        nearness: of samples a cell x cells.
+        but: those that do not count.
     """
     rest = np.where(but, -np.inf, np.maximum(nearness, _FARTHEST))
-    return np.asarray(rest.argmax(1)[:, None], dtype=np.int64)
+    return np.asarray(rest.argmax(0), dtype=np.int64)
 
 
 _FARTHEST = np.float32(-1e9)
@@ -169,4 +196,5 @@ _FARTHEST = np.float32(-1e9)
 
 def levels(light: npt.NDArray[Any]) -> npt.NDArray[np.int64]:
     """Brightness from 0 to 1 as levels."""
-    return np.clip((light * LEVELS).astype(np.int64), 0, LEVELS - 1)
+    whole = (light * LEVELS).astype(np.int64)
+    return np.minimum(np.maximum(whole, 0, out=whole), LEVELS - 1, out=whole)

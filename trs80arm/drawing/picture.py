@@ -185,9 +185,10 @@ def _label(cells: Cells, shot: Shot, window: Window) -> None:
     if shot.resting is not None:
         rule_table(cells, window)
         rule_height(cells, window)
-    for label in shot.labels:
-        ([x], [y]) = _places(shot, window, np.array([label.place]))
-        cells.write(floor(x) - len(label.text) // 2, floor(y), label.text, label.ink)
+    if shot.labels:
+        places = _places(shot, window, np.array([label.place for label in shot.labels]))
+        for label, x, y in zip(shot.labels, *places, strict=True):
+            cells.write(floor(x) - len(label.text) // 2, floor(y), label.text, label.ink)
 
 
 def angles_text(readings: Readings, width: int) -> str:

@@ -7,9 +7,10 @@ the eye is behind the farthest one turned towards it.
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Iterator
 from math import inf
-from typing import Any, TypeAlias
+from typing import TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -18,11 +19,15 @@ from trs80arm.drawing.camera import Projected
 from trs80arm.drawing.solids import Floats, Ints, Solids
 from trs80arm.drawing.viewport import ASPECT, Window
 
+_Number = TypeVar("_Number", bound=np.generic)
 Nearness: TypeAlias = npt.NDArray[np.float32]
+Faces: TypeAlias = npt.NDArray[np.int32]
 Bits: TypeAlias = npt.NDArray[np.bool_]
 
+SMALL = 400
+"""Up to so many samples, the nearest face is quickest found for all of them at once."""
 FEW = 6
-"""Up to so many faces turned to the eye whole arrays are quicker than the samples that are hit."""
+"""Up to so many faces turned to the eye, it is quicker face by face than for the samples hit."""
 NOWHERE = -1
 """The face of a sample that shows nothing."""
 
@@ -65,50 +70,53 @@ class Raster:
             chosen: which of them, None for all.
         """
         order, parts = _sorted(solids, seen)
-        planes, numbers = seen.nearness[order].astype(np.float32), order + self._faces
+        across, down = self._lines(seen.nearness[order])
+        numbers = (order + self._faces).astype(np.int32)
         for solid, rows, columns in self._spans(seen.boxes):
             first, middle, last = parts[solid]
             if not first < middle < last or (chosen is not None and not chosen[solid]):
                 continue
-            fronts, backs = self._planes(planes[first:last], middle - first, rows, columns)
-            held = self.nearness[rows, columns]
-            if middle - first <= FEW:
-                near, which = _nearest(fronts, numbers[first:middle])
-                hit = self._hit(near, backs, held)
-                np.copyto(held, near, where=hit)
-                np.copyto(self.face[rows, columns], which, where=hit)
-                continue
+            planes = down[first:last, rows] + across[first:last, :, columns]
+            fronts, turned = planes[: middle - first], numbers[first:middle]
+            held, face = self.nearness[rows, columns], self.face[rows, columns]
             near = fronts.min(0)
-            places = self._hit(near, backs, held).nonzero()
-            held[places] = near[places]
-            faces = fronts[:, places[0], places[1]].argmin(0)
-            self.face[rows, columns][places] = numbers[first:middle][faces]
+            hit = near > held
+            hit &= near >= planes[middle - first :].max(0)
+            np.copyto(held, near, where=hit)
+            if held.size <= SMALL:
+                np.copyto(face, turned.take(fronts.argmin(0)), where=hit)
+            elif len(fronts) <= FEW:
+                np.copyto(face, _nearest(fronts, near, turned), where=hit)
+            else:
+                places = hit.nonzero()
+                face[places] = turned.take(fronts[:, places[0], places[1]].argmin(0))
         self._faces += len(order)
 
-    @staticmethod
-    def _hit(near: Nearness, backs: Nearness, held: Nearness) -> Bits:
-        """Where a solid is, and nearer than what is drawn already."""
-        hit: Bits = near > held
-        hit &= near >= backs.max(0)
-        return hit
+    def copy(self) -> Raster:
+        """One like it, to be drawn on."""
+        twin = copy.copy(self)
+        twin.nearness, twin.face = self.nearness.copy(), self.face.copy()
+        return twin
 
     def covered(self, solids: Solids, seen: Projected, chosen: Bits) -> Bits:
         """Which samples those of the solids that are chosen cover, whatever is drawn."""
         covered = np.zeros(self.face.shape, dtype=np.bool_)
         order, parts = _sorted(solids, seen)
-        planes = seen.nearness[order].astype(np.float32)
+        across, down = self._lines(seen.nearness[order])
         for solid, rows, columns in self._spans(seen.boxes):
             first, middle, last = parts[solid]
             if not first < middle < last or not chosen[solid]:
                 continue
-            fronts, backs = self._planes(planes[first:last], middle - first, rows, columns)
-            covered[rows, columns] |= fronts.min(0) >= backs.max(0)
+            planes = down[first:last, rows] + across[first:last, :, columns]
+            covered[rows, columns] |= planes[: middle - first].min(0) >= planes[
+                middle - first :
+            ].max(0)
         return covered
 
-    def gathered(self, values: npt.NDArray[Any]) -> npt.NDArray[Any]:
-        """Values of the samples gathered by cells: height x width x samples a cell."""
+    def gathered(self, values: npt.NDArray[_Number]) -> npt.NDArray[_Number]:
+        """Values of the samples gathered by cells: samples a cell x height x width."""
         cells = values.reshape(self.height, self.down, self.width, self.across)
-        return cells.transpose(0, 2, 1, 3).reshape(self.height, self.width, -1)
+        return cells.transpose(1, 3, 0, 2).reshape(-1, self.height, self.width)
 
     def _spans(self, boxes: Floats) -> Iterator[tuple[int, slice, slice]]:
         """The solids that are in the picture, each with the rows and columns that it may cover."""
@@ -122,24 +130,21 @@ class Raster:
             if y1 > y0 and x1 > x0:
                 yield solid, slice(y0, y1), slice(x0, x1)
 
-    def _planes(
-        self, planes: Nearness, turned: int, rows: slice, columns: slice
-    ) -> tuple[Nearness, Nearness]:
-        """How near faces of a solid are: the first so many, turned to the eye, and the others."""
-        across = planes[:, 0, None] * self.x[columns]
-        down = planes[:, 1, None] * self.y[rows] + planes[:, 2, None]
-        near = down[:, :, None] + across[:, None, :]
-        return near[:turned], near[turned:]
+    def _lines(self, nearness: Floats) -> tuple[Nearness, Nearness]:
+        """How near faces are at each column and at each row; the sum is how near at a sample."""
+        planes = nearness.astype(np.float32)
+        across = planes[:, 0, None] * self.x
+        down = planes[:, 1, None] * self.y + planes[:, 2, None]
+        return across[:, None, :], down[:, :, None]
 
 
-def _nearest(fronts: Nearness, numbers: Ints) -> tuple[Nearness, npt.NDArray[np.int32]]:
-    """How near a solid is, and by which of its few faces."""
-    near = fronts[0].copy()
+def _nearest(fronts: Nearness, near: Nearness, numbers: Faces) -> Faces:
+    """By which of its few faces a solid is so near, the first of those that are."""
     which = np.full(near.shape, numbers[0], dtype=np.int32)
-    for face, number in zip(fronts[1:], numbers[1:].tolist(), strict=True):
-        np.copyto(which, number, where=face < near)
-        np.minimum(near, face, out=near)
-    return near, which
+    for face, number in zip(fronts[:0:-1], numbers[:0:-1].tolist(), strict=True):
+        np.copyto(which, number, where=face == near)
+    np.copyto(which, numbers[0], where=fronts[0] == near)
+    return which
 
 
 def _sorted(solids: Solids, seen: Projected) -> tuple[Ints, list[tuple[int, int, int]]]:

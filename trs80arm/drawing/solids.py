@@ -7,7 +7,7 @@ their corners and planes, so that a frame's work is a few operations on arrays. 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, pi, sin
 from typing import TypeAlias
 
@@ -148,6 +148,43 @@ class Solids:
 
 NOTHING = Solids.joined(())
 """No solid at all."""
+
+
+class Articulated:
+    """Solids in some groups, each of which moves in a frame of its own.
+
+    Args:
+        groups: them, each in its frame.
+    """
+
+    def __init__(self, groups: Sequence[Solids]) -> None:
+        self._solids = Solids.joined(groups)
+        numbers = np.arange(len(groups))
+        self._of_corner = np.repeat(numbers, [len(group.corners) for group in groups])
+        self._of_face = np.repeat(numbers, [len(group.offsets) for group in groups])
+
+    def placed_each(self, origins: npt.ArrayLike, axes: npt.ArrayLike) -> Solids:
+        """All of them where their groups' frames are.
+
+        Args:
+            origins: of the frames.
+            axes: the three unit vectors of each.
+        """
+        solids, places = self._solids, np.asarray(origins, dtype=np.float64)
+        turns = np.asarray(axes, dtype=np.float64)
+        normals = _turned(solids.normals, turns[self._of_face])
+        return replace(
+            solids,
+            corners=_turned(solids.corners, turns[self._of_corner]) + places[self._of_corner],
+            normals=normals,
+            offsets=solids.offsets + (normals * places[self._of_face]).sum(1),
+        )
+
+
+def _turned(vectors: Floats, axes: Floats) -> Floats:
+    """Vectors, each in axes of its own."""
+    turned: Floats = np.matmul(vectors[:, None, :], axes)[:, 0]
+    return turned
 
 
 def prism(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import cos, radians, sin
 
 import numpy as np
@@ -300,14 +301,12 @@ def take(shot: Shot, width: int, height: int, samples: tuple[int, int], window: 
         window: which part of the picture's plane the cells show.
     """
     camera = shot.camera
-    raster = Raster(width, height, samples, window)
+    raster = _bare_table(shot.table, camera, width, height, samples, window).copy()
     # What the arm was told hides the table only, and is hidden by whatever is really there.
     coarse = window.scale * raster.down < FINE
-    raster.draw(shot.table, camera.sees(shot.table))
-    raster.nearness[raster.face != NOWHERE] = -BEHIND
     if len(shot.ghost.materials):
         raster.draw(shot.ghost, camera.sees(shot.ghost))
-        raster.nearness[raster.face != NOWHERE] = -BEHIND
+        np.copyto(raster.nearness, -BEHIND, where=raster.face != NOWHERE)
     chosen = ~np.isin(shot.solids.materials, _DETAILS) if coarse else None
     raster.draw(shot.solids, camera.sees(shot.solids), chosen)
     solids = Solids.joined((shot.table, shot.ghost, shot.solids))
@@ -318,14 +317,34 @@ def take(shot: Shot, width: int, height: int, samples: tuple[int, int], window: 
     ink_of = np.append(INK_OF[material], NO_INK).astype(np.int8)
     body_of = np.append(np.repeat(solids.bodies, faces), -1).astype(np.int16)
     face, nearness = raster.gathered(raster.face), raster.gathered(raster.nearness)
-    light, ink, body = light_of[face], ink_of[face], body_of[face]
+    # `NOWHERE` wraps round to the last.
+    light = light_of.take(face, mode="wrap")
+    ink = ink_of.take(face, mode="wrap")
+    body = body_of.take(face, mode="wrap")
     if shot.fades:
         far = body >= FIRST_THING
         light[far] *= 1 - 0.5 * np.clip(-nearness[far] / FADES, 0.0, 1.0)
-    covered = _shadows(raster, shot, window) if shot.shadows else _below(raster, shot)
-    dark = covered & (body == 0)
-    ink[dark], light[dark] = SHADOW, IN_SHADOW
+    dark = _shadows(raster, shot, window) if shot.shadows else _below(raster, shot)
+    dark = dark & (body == 0)
+    np.copyto(ink, SHADOW, where=dark)
+    np.copyto(light, IN_SHADOW, where=dark)
     return Samples(ink, light, body, nearness)
+
+
+@lru_cache(4)
+def _bare_table(
+    table: Solids,
+    camera: Camera,
+    width: int,
+    height: int,
+    samples: tuple[int, int],
+    window: Window,
+) -> Raster:
+    """The table alone, far away: the same in every frame while nobody looks elsewhere."""
+    raster = Raster(width, height, samples, window)
+    raster.draw(table, camera.sees(table))
+    np.copyto(raster.nearness, -BEHIND, where=raster.face != NOWHERE)
+    return raster
 
 
 def _shadows(raster: Raster, shot: Shot, window: Window) -> npt.NDArray[np.bool_]:
@@ -335,9 +354,9 @@ def _shadows(raster: Raster, shot: Shot, window: Window) -> npt.NDArray[np.bool_
     solids = shot.solids
     casts = ~np.isin(solids.materials, _WITHIN)
     covered = coarse.covered(solids, shot.camera.shades(solids, shot.sun), casts)
-    return raster.gathered(
-        covered.repeat(raster.down // down, 0).repeat(raster.across // across, 1)
-    )
+    columns, rows = np.arange(raster.across), np.arange(raster.down)
+    finer = rows[:, None] * down // raster.down * across + columns * across // raster.across
+    return coarse.gathered(covered).take(finer.ravel(), 0)
 
 
 def _below(raster: Raster, shot: Shot) -> npt.NDArray[np.bool_]:
@@ -348,4 +367,5 @@ def _below(raster: Raster, shot: Shot) -> npt.NDArray[np.bool_]:
     left = np.minimum.reduceat(boxes, solids.first_corner)[over, None]
     right = np.maximum.reduceat(boxes, solids.first_corner)[over, None]
     above = ((raster.x >= left) & (raster.x <= right)).any(0)
-    return np.tile(above.reshape(raster.width, raster.across), raster.down)
+    columns = above.reshape(raster.width, raster.across).T
+    return np.tile(columns, (raster.down, 1))[:, None, :]

@@ -75,41 +75,51 @@ _GLYPHS = _table()
 _RAMP = np.array([ord(glyph) for glyph in RAMP], dtype=np.uint32)
 _ORDER = np.array([3, 4, 2, 5, 1, 6, 0, 7])
 """Samples of a cell from its middle outwards."""
+_BITS = 1 << np.arange(7, -1, -1)
+"""The bit of each sample of a cell in the number of a pattern."""
 
 
 def draw(samples: Samples) -> Cells:
     """The cells of a picture."""
-    height, width, _ = samples.ink.shape
+    _, height, width = samples.ink.shape
     cells = Cells(height, width)
-    nearest = samples.nearness.argmax(2)[..., None]
-    body = np.take_along_axis(samples.body, nearest, 2)
-    same = samples.body == body
-    body = body[..., 0]
-    count = same.sum(2)
-    light = (samples.light * same).sum(2) / count
-    inner = _ORDER[same[..., _ORDER].argmax(2)][..., None]
-    ink = np.take_along_axis(samples.ink, inner, 2)[..., 0]
-    level = levels(light)
+    # Most cells are all table, all one face or all nothing: their first sample says everything.
+    ink, light, body = (values[0].ravel() for values in (samples.ink, samples.light, samples.body))
+    mixed = samples.mixed()
+    several = samples.of(mixed)
+    every = np.arange(len(mixed))
+    body[mixed] = nearest = several.body[several.nearness.argmax(0), every]
+    same = several.body == nearest
+    light[mixed] = (several.light * same).sum(0) / same.sum(0)
+    ink[mixed] = several.ink[_ORDER[same[_ORDER].argmax(0)], every]
+    shape = np.zeros(body.shape, dtype=np.uint32)
+    shape[mixed] = _GLYPHS[_BITS @ same]
     solid = body > 0
-    shape = _GLYPHS[np.packbits(same, axis=2)[..., 0]]
-    fill = np.where(ink == GHOST, np.uint32(ord(SHADE)), _RAMP[level])
-    glyph = np.where(shape == 0, fill, shape)
-    cells.glyphs = np.where(solid, glyph, np.uint32(32))
-    cells.ink = np.where(solid, ink, NO_INK)
-    cells.level = np.where(solid, levels(DIMMEST + (1 - DIMMEST) * light), 0)
-    # Behind the character: the same thing, darker, or what is next behind it.
-    cells.under = np.where(ink == GHOST, NO_INK, ink)
-    lit = np.where(body == 0, light, light * GROUND)
-    partly = (solid & (shape != 0)).nonzero()
-    others = nearest_but(samples.nearness[partly], same[partly])
-    cells.under[partly] = np.take_along_axis(samples.ink[partly], others, 1)[:, 0]
-    dim = np.take_along_axis(samples.light[partly], others, 1)[:, 0]
-    table = np.take_along_axis(samples.body[partly], others, 1)[:, 0] == 0
-    lit[partly] = np.where(table, dim, dim * GROUND)
-    cells.under_level = np.where(cells.under == NO_INK, 0, levels(lit))
-    cells.free = ~solid
+    ghost = ink == GHOST
+    level = levels(light)
+    fill = np.where(ghost, np.uint32(ord(SHADE)), _RAMP[level])
+    glyphs = np.where(solid, np.where(shape == 0, fill, shape), np.uint32(32))
+    inks = np.where(solid, ink, NO_INK)
+    bright = np.where(solid, levels(DIMMEST + (1 - DIMMEST) * light), 0)
     shaded = ~solid & (ink == SHADOW)
-    cells.glyphs[shaded] = ord(SHADE)
-    cells.ink[shaded] = SHADOW
-    cells.level[shaded] = LEVELS // 2
+    glyphs[shaded], inks[shaded], bright[shaded] = ord(SHADE), SHADOW, LEVELS // 2
+    # Behind the character: the same thing, darker, or what is next behind it.
+    under = np.where(ghost, NO_INK, ink)
+    lit = np.where(body == 0, light, light * GROUND)
+    partly = np.flatnonzero(solid[mixed] & (shape[mixed] != 0))
+    behind = nearest_but(several.nearness[:, partly], same[:, partly]), partly
+    under[mixed[partly]] = several.ink[behind]
+    dim = several.light[behind]
+    lit[mixed[partly]] = np.where(several.body[behind] == 0, dim, dim * GROUND)
+    cells.glyphs, cells.ink, cells.level, cells.free, cells.under, cells.under_level = (
+        values.reshape(height, width)
+        for values in (
+            glyphs,
+            inks,
+            bright,
+            ~solid,
+            under,
+            np.where(under == NO_INK, 0, levels(lit)),
+        )
+    )
     return cells

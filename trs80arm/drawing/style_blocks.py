@@ -28,29 +28,45 @@ class Blocks:
 
     def draw(self, samples: Samples) -> Cells:
         """The cells of a picture: what is nearest, before what is next behind it."""
-        height, width, count = samples.ink.shape
-        cells = Cells(height, width)
-        nearest = samples.nearness.argmax(2)[..., None]
-        ink = np.take_along_axis(samples.ink, nearest, 2)
-        light = np.take_along_axis(samples.light, nearest, 2)
-        same = (samples.ink == ink) & (np.abs(samples.light - light) < LIKE)
-        pattern = (same << np.arange(count)).sum(2)
+        count, height, width = samples.ink.shape
+        # Most cells show one thing in one light: their first sample says everything.
+        ink, light, body = (
+            values[0].ravel() for values in (samples.ink, samples.light, samples.body)
+        )
+        mixed = samples.mixed()
+        several = samples.of(mixed)
+        nearest = several.nearness.argmax(0), np.arange(len(mixed))
+        ink[mixed], body[mixed] = several.ink[nearest], several.body[nearest]
+        same = several.ink == several.ink[nearest]
+        same &= np.abs(several.light - several.light[nearest]) < LIKE
+        light[mixed] = (several.light * same).sum(0) / same.sum(0)
+        pattern = np.full(ink.shape, (1 << count) - 1)
+        pattern[mixed] = (1 << np.arange(count)) @ same
         full = pattern == (1 << count) - 1
-        shown = ink[..., 0] != NO_INK
-        cells.glyphs = np.where(shown, self.glyphs[pattern], np.uint32(32))
-        cells.ink = np.where(shown, ink[..., 0], NO_INK)
-        cells.level = np.where(shown, levels((samples.light * same).sum(2) / same.sum(2)), 0)
-        partly = (shown & ~full).nonzero()
-        same, inks, lights = same[partly], samples.ink[partly], samples.light[partly]
-        others = nearest_but(samples.nearness[partly], same)
-        behind = np.take_along_axis(inks, others, 1)
-        alike = ~same & (inks == behind)
-        cells.under[partly] = behind[:, 0]
-        lit = levels((lights * alike).sum(1) / alike.sum(1))
-        cells.under_level[partly] = np.where(behind[:, 0] == NO_INK, 0, lit)
-        # A mark takes all of its cell, so that at the table's edge there is no room for one.
-        table = np.take_along_axis(samples.body, nearest, 2)[..., 0] == 0
-        cells.free = ~shown | (full & table)
+        shown = ink != NO_INK
+        # In the rest of the cell, what is nearest there.
+        under = np.full(ink.shape, NO_INK, dtype=np.int64)
+        under_level = np.zeros(ink.shape, dtype=np.int64)
+        partly = np.flatnonzero((shown & ~full)[mixed])
+        some, same = several.of(partly), same[:, partly]
+        behind = some.ink[nearest_but(some.nearness, same), np.arange(len(partly))]
+        alike = ~same & (some.ink == behind)
+        lit = levels((some.light * alike).sum(0) / alike.sum(0))
+        under[mixed[partly]] = behind
+        under_level[mixed[partly]] = np.where(behind == NO_INK, 0, lit)
+        cells = Cells(height, width)
+        cells.glyphs, cells.ink, cells.level, cells.under, cells.under_level, cells.free = (
+            values.reshape(height, width)
+            for values in (
+                np.where(shown, self.glyphs[pattern], np.uint32(32)),
+                np.where(shown, ink, NO_INK),
+                np.where(shown, levels(light), 0),
+                under,
+                under_level,
+                # A mark takes all of its cell: at the table's edge there is no room for one.
+                ~shown | (full & (body == 0)),
+            )
+        )
         return cells
 
 
