@@ -4,7 +4,7 @@
 
 Time of the processor, the best and the median of many frames, so that what else the computer does
 counts little; the arm moves from one frame to the next. From the readings to the rows of text,
-without putting them on the screen.
+without putting them on the screen; in pixels as far as the samples.
 """
 
 from __future__ import annotations
@@ -19,6 +19,8 @@ from trs80arm.options import ArmStyle
 from trs80arm.rig import Rig
 
 WIDTH, HEIGHT = 100, 50
+GRAIN = (10, 20)
+"""Samples a cell of a picture in pixels."""
 VIEWS = {"side": FROM_THE_SIDE, "top": FROM_ABOVE, "space": IN_SPACE}
 
 
@@ -46,7 +48,10 @@ def main() -> None:
             costs = []
             for readings in looks:
                 began = time.thread_time()
-                picture.draw(readings, WIDTH, HEIGHT)
+                if style is ArmStyle.PIXELS:
+                    picture.pixels(readings, WIDTH, HEIGHT, GRAIN)
+                else:
+                    picture.draw(readings, WIDTH, HEIGHT)
                 costs.append(time.thread_time() - began)
             costs.sort()
             print(

@@ -49,6 +49,8 @@ class ArmStyle(StrEnum):
     """Solid, in blocks of 2x3."""
     BRAILLE = "braille"
     """Solid, in dots."""
+    PIXELS = "pixels"
+    """Solid, in pixels, where the terminal shows them."""
     OUTLINE = "outline"
     """In bare lines of ASCII."""
 
@@ -85,8 +87,8 @@ class TerminalSettings:
             off), or auto, which takes releases where the terminal reports them.
         glyphs: the characters of the tube's graphics: sextant, braille, quadrant, ascii, or auto.
         theme: the colours: green, white, amber, contrast, paper, or any theme of Textual.
-        arm: how the arm is drawn: solid in ascii, half blocks, sextants or braille dots, or in bare
-            lines (outline).
+        arm: how the arm is drawn: solid in ascii, half blocks, sextants, braille dots or pixels, or
+            in bare lines (outline).
         cursor: whether the tube's cursor blinks, or is steady as the ROM's own.
         fps: the most frames a second, 1 to 60.
         tap_ms: how long the timer holds a key after a press, milliseconds.

@@ -16,7 +16,7 @@ from trs80arm.drawing.rows import Ink, Paint, Row, text_of
 from trs80arm.options import ArmStyle
 
 VIEWS = {"side": FROM_THE_SIDE, "top": FROM_ABOVE, "space": IN_SPACE}
-SOLID = [style for style in ArmStyle if style is not ArmStyle.OUTLINE]
+SOLID = [style for style in ArmStyle if style not in (ArmStyle.OUTLINE, ArmStyle.PIXELS)]
 
 
 def picture(subject: Subject, style: ArmStyle = ArmStyle.ASCII) -> Picture:

@@ -38,6 +38,7 @@ class Shown:
 
     def __init__(self) -> None:
         self.arm_style = ArmStyle.ASCII
+        self.no_pixels = "no pixels here"
         self.cursor_style = CursorStyle.BLINK
         self.glyph_set = GlyphSet.SEXTANT
         self.done: list[tuple[str, ...]] = []
@@ -325,6 +326,17 @@ def test_choices_of_the_view_are_remembered(desk: Desk) -> None:
     assert 'arm = "braille"' in desk.settings
     desk.view.next_arm_style()
     assert desk.shown.arm_style is ArmStyle.OUTLINE
+
+
+def test_pixels_are_offered_where_the_terminal_shows_them(desk: Desk) -> None:
+    desk.shown.arm_style = ArmStyle.BRAILLE
+    desk.view.next_arm_style()
+    assert desk.shown.arm_style is ArmStyle.OUTLINE
+    desk.shown.no_pixels = ""
+    desk.shown.arm_style = ArmStyle.BRAILLE
+    desk.view.next_arm_style()
+    assert desk.shown.arm_style is ArmStyle.PIXELS
+    assert 'arm = "pixels"' in desk.settings
 
 
 @pytest.mark.parametrize(

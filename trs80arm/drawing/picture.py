@@ -15,6 +15,7 @@ import numpy as np
 
 from trs80arm.drawing.canvas_ascii import AsciiCanvas
 from trs80arm.drawing.cells import Cells
+from trs80arm.drawing.pixels import Pixels
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, fitted, signed
 from trs80arm.drawing.scale import rule_height, rule_table
@@ -140,17 +141,40 @@ class Picture:
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
         """The drawing with its words, `height` rows of `width` cells."""
-        captioned = self.labels and height >= WITH_CAPTION
-        caption = self._subject.caption(readings, width) if captioned else ""
+        caption = self.caption(readings, width, height)
         if caption:
             height -= 1
-        extras = Extras(self._envelope, tuple(self._trail))
+        extras = self._extras
         scene = self._subject.scene
         if self.style is ArmStyle.OUTLINE and scene is not None:
             rows = self._outlined(scene(readings, extras), width, height)
         else:
             rows = self._solid(self._subject.shot(readings, self.orbit, extras), width, height)
         return [*rows, fitted(((caption, Ink.LABEL),), width)] if caption else rows
+
+    def caption(self, readings: Readings, width: int, height: int) -> str:
+        """What is written in the last row of so many, or nothing."""
+        captioned = self.labels and height >= WITH_CAPTION
+        return self._subject.caption(readings, width) if captioned else ""
+
+    def pixels(self, readings: Readings, width: int, height: int, grain: tuple[int, int]) -> Pixels:
+        """The drawing without its caption, in samples much finer than a cell.
+
+        Args:
+            readings: what it is of.
+            width: cells.
+            height: cells.
+            grain: how many samples a cell has across and down, even numbers.
+        """
+        shot = self._subject.shot(readings, self.orbit, self._extras)
+        window = self._window(shot, width, height)
+        pixels = Pixels.of(take(shot, width, height, grain, window), grain)
+        self._mark(pixels.words, shot, window)
+        return pixels
+
+    @property
+    def _extras(self) -> Extras:
+        return Extras(self._envelope, tuple(self._trail))
 
     def _outlined(self, scene: Scene, width: int, height: int) -> list[Row]:
         canvas = AsciiCanvas(width, height)
@@ -159,16 +183,22 @@ class Picture:
 
     def _solid(self, shot: Shot, width: int, height: int) -> list[Row]:
         style = SOLID_STYLES.get(self.style, SOLID_STYLES[ArmStyle.ASCII])
-        window = self._viewport.window(shot, width, height)
-        if shot.resting is not None:
-            window = window.aligned()
+        window = self._window(shot, width, height)
         cells = style.draw(take(shot, width, height, style.samples, window))
+        self._mark(cells, shot, window)
+        return cells.rows()
+
+    def _window(self, shot: Shot, width: int, height: int) -> Window:
+        window = self._viewport.window(shot, width, height)
+        return window if shot.resting is None else window.aligned()
+
+    def _mark(self, cells: Cells, shot: Shot, window: Window) -> None:
+        """Dots on the table and in the air, scales and figures."""
         for mark in shot.marks:
             if window.scale >= mark.least:
                 cells.mark(*_places(shot, window, mark.places), mark.glyphs, mark.ink)
         if self.labels:
             _label(cells, shot, window)
-        return cells.rows()
 
 
 def _places(shot: Shot, window: Window, places: Floats) -> tuple[Floats, Floats]:

@@ -41,6 +41,8 @@ PARTS = (Ink.PART, Ink.PART_2, Ink.PART_3, Ink.PART_4, Ink.PART_5, Ink.PART_6)
 """The inks of parts, by the number of their colour."""
 LEVELS = 12
 """How many steps of brightness a shaded ink has."""
+DARKEST = 0.12
+"""How much of an ink there is in its darkest shade; the rest is the ground behind it."""
 
 
 class Paint(NamedTuple):

@@ -29,5 +29,9 @@ SOLID_STYLES: Mapping[ArmStyle, SolidStyle] = {
     ArmStyle.HALF: SolidStyle(HALVES.samples, HALVES.draw),
     ArmStyle.SEXTANT: SolidStyle(SEXTANTS.samples, SEXTANTS.draw),
     ArmStyle.BRAILLE: SolidStyle(style_braille.SAMPLES, style_braille.draw),
+    ArmStyle.PIXELS: SolidStyle(HALVES.samples, HALVES.draw),
 }
-"""All of them but the bare outlines, which are drawn on a canvas of their own."""
+"""All of them but the bare outlines, which are drawn on a canvas of their own.
+
+Where pixels are wanted and cannot be shown, behind a dialog, there are half blocks in their place.
+"""

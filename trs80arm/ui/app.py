@@ -37,7 +37,7 @@ from trs80arm.desk.session import Session
 from trs80arm.desk.stage import Stage
 from trs80arm.desk.teach import Lesson
 from trs80arm.drawing.glyphs import choose
-from trs80arm.options import TerminalOptions
+from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.shown import shown
 from trs80arm.trace.history import History
 from trs80arm.ui.asking import Dialogs
@@ -234,7 +234,7 @@ class Trs80Arm(Themed[int]):
     def on_mount(self) -> None:
         """Set everything up, and let time begin."""
         self.desk.use_glyphs(choose(self.options.glyphs))
-        self.desk.use_arm_style(self.options.arm)
+        self._use_first_arm_style(self.options.arm)
         self.desk.cursor_style = self.options.cursor
         self.desk.lay_out()
         self.pacer.forgive()
@@ -243,6 +243,13 @@ class Trs80Arm(Themed[int]):
         if self._ticking:
             self.heartbeat.begin(self)
             self.set_interval(COPY_EVERY, self.recovery.keep)
+
+    def _use_first_arm_style(self, style: ArmStyle) -> None:
+        """Draw the arm as the options want it, if the terminal can."""
+        if style is ArmStyle.PIXELS and self.desk.no_pixels:
+            self.say(self.desk.no_pixels)
+            style = ArmStyle.HALF
+        self.desk.use_arm_style(style)
 
     def on_ready(self) -> None:
         """Say what was loaded, run it, or play, as the options want."""

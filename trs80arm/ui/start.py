@@ -15,6 +15,7 @@ from trs80arm.desk.places import state_folder
 from trs80arm.options import TerminalOptions
 from trs80arm.reasons import one_line
 from trs80arm.ui.app import Trs80Arm
+from trs80arm.ui.terminal.pixels import NoPixelsError, PixelScreen, find_pixels
 from trs80arm.ui.themes import THEMES
 
 SERVER = "TRS80ARM_SERVER"
@@ -49,6 +50,7 @@ def run_terminal(options: TerminalOptions) -> int:
         )
         return USAGE_ERROR
     _end_with_server()
+    app.desk.use_pixels(_pixels(app))
     result = app.run()
     if result is None:
         # Textual has restored the terminal.
@@ -62,6 +64,14 @@ def run_terminal(options: TerminalOptions) -> int:
     with contextlib.suppress(OSError):
         _tell_of_copies(app)
     return result
+
+
+def _pixels(app: Trs80Arm) -> PixelScreen | str:
+    """The pixels of this terminal, or why there are none; asked before Textual reads it."""
+    try:
+        return find_pixels(app.console.color_system)
+    except NoPixelsError as error:
+        return str(error)
 
 
 def _end_with_server() -> None:

@@ -141,6 +141,12 @@ class ProgramCommands:
             raise ValueError(f"there is no theme {name}")
         self._shell.show_theme(name)
 
+    def _try_arm_style(self, value: str) -> None:
+        style = ArmStyle(value)
+        if style is ArmStyle.PIXELS and self._view.no_pixels:
+            raise ValueError(self._view.no_pixels)
+        self._view.use_arm_style(style)
+
     def _book(self) -> SettingsBook:
         """The settings, with who takes which of them at once."""
         view, keyboard = self._view, self._keyboard
@@ -160,7 +166,7 @@ class ProgramCommands:
                 "terminal.keys": use_keys,
                 "terminal.glyphs": lambda value: view.use_glyphs(choose(GlyphSet(value))),
                 "terminal.theme": self._try_theme,
-                "terminal.arm": lambda value: view.use_arm_style(ArmStyle(value)),
+                "terminal.arm": self._try_arm_style,
                 "terminal.cursor": use_cursor,
             },
         )

@@ -21,6 +21,7 @@ STYLE_NOTES = {
     ArmStyle.HALF: "solid, in half blocks",
     ArmStyle.SEXTANT: "solid, in blocks of 2x3",
     ArmStyle.BRAILLE: "solid, in braille dots",
+    ArmStyle.PIXELS: "solid, in pixels",
     ArmStyle.OUTLINE: "in bare lines, for screen readers and slow lines",
 }
 LACKING = {
@@ -40,6 +41,7 @@ class View(Protocol):
     """What is seen, and how."""
 
     arm_style: ArmStyle
+    no_pixels: str
     cursor_style: CursorStyle
 
     @property
@@ -125,15 +127,20 @@ class ViewCommands:
 
         Which these are is known from the glyphs of the tube's graphics.
         """
-        styles = list(ArmStyle)
+        styles = self._arm_styles()
         now = styles.index(self._view.arm_style)
         lacking = LACKING.get(self._view.glyph_set, ())
         following = (*styles[now + 1 :], *styles[: now + 1])
         self._use_arm_style(next(style for style in following if style not in lacking).value)
 
+    def _arm_styles(self) -> list[ArmStyle]:
+        """The styles that there are; pixels only where the terminal shows them."""
+        return [s for s in ArmStyle if s is not ArmStyle.PIXELS or not self._view.no_pixels]
+
     def choose_arm_style(self) -> None:
         """Choose how the arm is drawn."""
-        choices = tuple(Choice(style.value, style.value, STYLE_NOTES[style]) for style in ArmStyle)
+        styles = self._arm_styles()
+        choices = tuple(Choice(style.value, style.value, STYLE_NOTES[style]) for style in styles)
         question = ListQuestion("How the arm is drawn", choices, self._view.arm_style.value)
         self._ask.choose(question, self._use_arm_style)
 

@@ -18,14 +18,13 @@ from textual.geometry import Region
 from textual.strip import Strip
 from textual.widget import Widget
 
+from trs80arm.drawing.pixels import Colours
 from trs80arm.drawing.readings import Readings
-from trs80arm.drawing.rows import LEVELS, Ink, Paint, Row, fitted
+from trs80arm.drawing.rows import DARKEST, LEVELS, Ink, Paint, Row, fitted
 
 _BLANK: Row = ()
 _LIGHT = 3 * 128
 """Red, green and blue of a ground, together, from which on a shadow has more ink, and not less."""
-DARKEST = 0.12
-"""How much of an ink there is in its darkest shade; the rest is the panel's ground."""
 
 
 def _component(ink: Ink) -> str:
@@ -134,6 +133,16 @@ class Panel(Widget, can_focus=False):
             strip = Strip([Segment(text, self._style(ink)) for text, ink in row], width)
             self._strips[row] = strip
         return strip
+
+    @property
+    def colours(self) -> Colours | None:
+        """The theme's colours; None where they are the terminal's own, which nobody knows."""
+        ground = self.rich_style.bgcolor
+        inks = {ink: self._style(ink).color for ink in Ink}
+        known = {ink: colour.triplet for ink, colour in inks.items() if colour and colour.triplet}
+        if ground is None or ground.triplet is None or len(known) < len(inks):
+            return None
+        return Colours(ground.triplet, known)
 
     def _style(self, ink: Ink | Paint) -> Style:
         style = self._known_styles.get(ink)

@@ -21,8 +21,9 @@ lies below the arm. Parts have colours of their own, those of one feeder the sam
 farther away is darker.
 
 Ctrl+A draws all of it in the next style: solid in ASCII, in half blocks, in blocks of 2x3, in
-braille dots, or in bare lines. In bare lines `O` is the shoulder and `o` a joint, `[#]` a part,
-`[:]` a thing beside the plane, `=` a feeder, `_` a tray, `X` an obstacle.
+braille dots, in pixels where the terminal has them, or in bare lines. In bare lines `O` is the
+shoulder and `o` a joint, `[#]` a part, `[:]` a thing beside the plane, `=` a feeder, `_` a tray,
+`X` an obstacle.
 
 When a motor has slipped, a dim twin, in bare lines dots `::`, shows where the arm would be if it
 had not, as far as that is elsewhere in the picture.

@@ -7,6 +7,7 @@ opens.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Sequence
 from math import radians
 
@@ -33,6 +34,7 @@ from trs80arm.ui.panels.scope_panel import ScopePanel
 from trs80arm.ui.panels.status import Pace, StatusLine
 from trs80arm.ui.panels.tube import Tube
 from trs80arm.ui.terminal.layers import Layer
+from trs80arm.ui.terminal.pixels import NOT_HERE, PixelScreen
 
 BLINK_SECONDS = 0.5
 STAY = 3.0
@@ -42,6 +44,8 @@ NUMBERS_EVERY = 0.1
 """Seconds of the wall between two looks of the panels with numbers."""
 PICTURES_EVERY = 0.045
 """The same of the pictures of the arm."""
+PIXELS_SHARE = 0.25
+"""How much of the processor's time pictures in pixels may take, which are many to draw and send."""
 TOO_SMALL = (
     "trs80arm needs {0} columns and {1} rows.\nThis terminal has {2} and {3}.\nCtrl+Q leaves."
 )
@@ -73,6 +77,7 @@ class DeskScreen(Layer):
         zoomed: the panel or group that fills the screen, or None.
         history: what latches and arm did lately, for the scope.
         arm_style: how the arm is drawn.
+        no_pixels: why it cannot be in pixels; empty if it can.
         cursor_style: whether the cursor blinks.
         numbers_due: the wall's time at which numbers are to be drawn again.
         still: whether arm and bench stood at the last frame as at the one before.
@@ -101,9 +106,11 @@ class DeskScreen(Layer):
         self.zoomed: str | None = None
         self.history: History | None = None
         self.arm_style = ArmStyle.ASCII
+        self.no_pixels = NOT_HERE
         self.cursor_style = CursorStyle.BLINK
         self.numbers_due = 0.0
         self._pictures_due = 0.0
+        self._pixels_took = 0.0
         self.still = False
         self._chosen_lead: Lead | None = None
         self._moving_lead = Lead.TUBE
@@ -125,6 +132,17 @@ class DeskScreen(Layer):
     def on_screen_suspend(self) -> None:
         """A dialog opened."""
         self._let_go()
+        self._redraw_pixels()
+
+    def on_screen_resume(self) -> None:
+        """It closed."""
+        self._redraw_pixels()
+
+    def _redraw_pixels(self) -> None:
+        """Behind a dialog the arm is drawn in characters, as pixels would lie over it."""
+        if self.arm_style is ArmStyle.PIXELS:
+            for view in self._arm_views:
+                view.redraw()
 
     def on_key(self, event: events.Key) -> None:
         """Hand a plain key on; everything else goes its way to the program's commands."""
@@ -232,6 +250,12 @@ class DeskScreen(Layer):
             if hasattr(panel, "ascii"):
                 panel.ascii = chosen is GlyphSet.ASCII
 
+    def use_pixels(self, pixels: PixelScreen | str) -> None:
+        """The terminal shows pixels, and this is how; or why it does not, in a line."""
+        self.no_pixels = pixels if isinstance(pixels, str) else ""
+        for view in self._arm_views:
+            view.pixels = None if isinstance(pixels, str) else pixels
+
     def use_arm_style(self, style: ArmStyle) -> None:
         """Draw the arm in another style."""
         self.arm_style = style
@@ -311,12 +335,16 @@ class DeskScreen(Layer):
         # The last of a motion is not to be missed.
         pictures = self.still or now >= self._pictures_due
         if pictures:
-            self._pictures_due = now + PICTURES_EVERY
+            self._pictures_due = now + max(PICTURES_EVERY, self._pixels_took / PIXELS_SHARE)
         due = {Cadence.FRAME: True, Cadence.PICTURE: pictures, Cadence.NUMBERS: numbers}
+        began = time.thread_time()
         for row in self._rows:
             panel = self.panels[row.id]
             if due[row.cadence] and panel.display and not isinstance(panel, Tube):
                 panel.show(readings)
+        if pictures:
+            took = time.thread_time() - began
+            self._pixels_took = took if self.arm_style is ArmStyle.PIXELS else 0.0
         if numbers:
             self.status.show(readings, pace, keys=keys, notice=notice)
 
