@@ -42,6 +42,20 @@ def test_a_stack_of_ten_stands_for_a_day_without_moving_and_without_work() -> No
     assert scene.time == DAY // TICK_STATES * TICK_STATES
 
 
+@pytest.mark.parametrize("ratio", [1, 30, 600])
+def test_however_heavy_what_lies_on_something_light_both_come_to_rest(ratio: int) -> None:
+    # A contact gives so much under a weight in however long steps it is looked at.
+    scene = Scene()
+    light = Body("light", Shape.of([box((1.5, 0.4, 0.3))], 0.1), 0.5, (8.0, 0.0, 0.15))
+    heavy = Body("heavy", Shape.of([box((2.5, 2.0, 0.2))], 0.1 * ratio), 0.5, (8.0, 0.1, 0.41))
+    scene.add(light)
+    scene.add(heavy)
+    scene.advance(T_STATES_PER_SECOND)
+    assert scene.quiet
+    assert heavy.place[2] == pytest.approx(0.4, abs=0.01)
+    assert heavy.turn[0] == pytest.approx(1, abs=1e-3)
+
+
 def test_a_fall_of_three_inches_takes_an_eighth_of_a_second() -> None:
     scene = Scene()
     cube = scene.add(block("cube", 3.5))

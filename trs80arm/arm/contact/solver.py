@@ -22,12 +22,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import repeat
 
+from trs80arm.arm.contact.clock import TICK
 from trs80arm.arm.contact.elimination import Eliminated, Six, order
 from trs80arm.arm.contact.rotations import Matrix
 from trs80arm.arm.shapes import Vector, cross, minus, plus
 
 GIVE = 1e-4
-"""Softness of a contact as a fraction of the bodies' own readiness to move."""
+"""Softness of a contact in a tick, as a fraction of the bodies' own readiness to move."""
 CREEP = 1e-3
 """Speed at which friction that holds lets slide at its limit, inches a second."""
 RECOVERY = 0.2
@@ -190,6 +191,8 @@ class _Patch:
         self.lever: Vector | None = None
         self.columns_one = self.columns_two = None
         ease = 0.0
+        # As far as a weight sinks in one tick at once it does in several.
+        give = GIVE * TICK / seconds
         moved: list[tuple[list[tuple[int, Six]], Six]] = []
         if second.screws is None:
             ease += 1 / second.mobile.mass
@@ -221,7 +224,7 @@ class _Patch:
                 (
                     *(rx, ry, rz, ax, ay, az),
                     _least(contact.gap, seconds),
-                    1 / (GIVE * max(own, _EASIEST)),
+                    1 / (give * max(own, _EASIEST)),
                     *(sx, sy, sz, nx * sx + ny * sy + nz * sz),
                 )
             )
@@ -699,7 +702,7 @@ def _least(gap: float, seconds: float) -> float:
     """Speed at which a contact opens at least, or may close at most, inches a second."""
     if gap > 0:
         return -gap / seconds
-    return min(-gap * (RECOVERY / seconds), FASTEST_RECOVERY)
+    return min(-gap * (RECOVERY / TICK), FASTEST_RECOVERY)
 
 
 def _columns(screws: Sequence[tuple[Vector, Vector]], origin: Vector) -> list[tuple[int, Six]]:
