@@ -41,13 +41,6 @@ def box_around(solids: Sequence[Placed], margin: float) -> tuple[Vector, Vector]
     return low, (max(us) + margin, max(vs) + margin, max(ws) + margin)
 
 
-def sphere_around(solid: Placed) -> tuple[Vector, float]:
-    """Middle and radius of a sphere around a solid."""
-    (a, b, c), (d, e, f) = solid.low, solid.high
-    x, y, z = (d - a) / 2, (e - b) / 2, (f - c) / 2
-    return (a + x, b + y, c + z), math.sqrt(x * x + y * y + z * z)
-
-
 def outside(body: Body, around: tuple[Vector, Vector]) -> bool:
     """Whether the sphere around a body is outside an upright box."""
     (a, b, c), (d, e, f) = around
@@ -59,7 +52,7 @@ def outside(body: Body, around: tuple[Vector, Vector]) -> bool:
 def within(mine: Placed, solid: Placed | None, margin: float) -> bool:
     """Whether a solid is within a margin of another, or of the table."""
     if solid is None:
-        return mine.low[2] <= margin
+        return mine.middle[2] <= mine.radius + margin and mine.low[2] <= margin
     return mine.near(solid, margin) and _gap(mine, solid, margin) <= margin
 
 

@@ -10,12 +10,10 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
-from trs80arm.arm.contact.bounds import sphere_around
+from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage, Screw
 from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.solver import Contact, Mobile
-from trs80arm.arm.shapes import cross, dot, plus
 
 GRAVITY = 386.09
 """Inches per second squared."""
@@ -56,11 +54,12 @@ class DrivenArm:
         self.still = 0
         self.links: list[Link] = []
         self.solids: list[Placed] = []
+        self._reach: list[Six] = []
 
     def __getstate__(self) -> dict[str, Any]:
         # Links are where the joints have them. Where a step began is said anew at each, and depends
         # on how many were asked for at once.
-        return {**self.__dict__, "began": [0.0] * 6, "links": [], "solids": []}
+        return {**self.__dict__, "began": [0.0] * 6, "links": [], "solids": [], "_reach": []}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -119,6 +118,7 @@ class DrivenArm:
 
     def place(self) -> None:
         """Have the links be where the joints have them."""
+        self._reach = []
         if self.linkage is not None:
             self.links = self.linkage.links(self.joints)
             self.solids = [
@@ -161,21 +161,20 @@ class DrivenArm:
         inertias = (a, b, c, d, e, f)
         return Mobile(list(rates), NOWHERE, inertias=inertias, before=tuple(self.way))
 
-    def reach(self, index: int) -> list[float]:
+    def reach(self, index: int) -> Six:
         """How far any point of a link moves at most for a unit of each coordinate, inches."""
-        middle, radius = sphere_around(self.solids[index])
-        out = []
-        for spin, velocity in self.links[index].screws:
-            v = plus(velocity, cross(spin, middle))
-            out.append(math.sqrt(dot(v, v)) + radius * math.sqrt(dot(spin, spin)))
-        return out
+        if not self._reach:
+            self._reach = [
+                _reach(solid, link.screws)
+                for solid, link in zip(self.solids, self.links, strict=True)
+            ]
+        return self._reach[index]
 
     def speed(self, index: int, rates: Six) -> float:
         """A bound on the speed of any point of a link, inches a second."""
-        far = 0.0
-        for most, rate in zip(self.reach(index), rates, strict=True):
-            far += most * abs(rate)
-        return far
+        a, b, c, d, e, f = self.reach(index)
+        u, v, w, x, y, z = rates
+        return a * abs(u) + b * abs(v) + c * abs(w) + d * abs(x) + e * abs(y) + f * abs(z)
 
     def touched(self, mobile: Mobile, contacts: Sequence[Contact]) -> bool:
         """Whether anything presses on it."""
@@ -206,3 +205,14 @@ class DrivenArm:
         for k in range(6):
             self.torques[k] = -gives[k] * self.linkage.stiffness[k]
         self.place()
+
+
+def _reach(solid: Placed, screws: Sequence[Screw]) -> Six:
+    """How far any point of a solid moves at most for a unit of each coordinate, inches."""
+    (x, y, z), radius = solid.middle, solid.radius
+    out = [0.0] * 6
+    for k, ((a, b, c), (u, v, w)) in enumerate(screws):
+        u, v, w = u + b * z - c * y, v + c * x - a * z, w + a * y - b * x
+        out[k] = math.sqrt(u * u + v * v + w * w) + radius * math.sqrt(a * a + b * b + c * c)
+    a, b, c, d, e, f = out
+    return a, b, c, d, e, f

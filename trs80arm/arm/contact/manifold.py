@@ -9,12 +9,13 @@ it, or the nearest points of the two edges.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
-from trs80arm.arm.contact.rotations import Matrix, apply
+from trs80arm.arm.contact.rotations import Matrix
 from trs80arm.arm.contact.solids import Solid
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
@@ -34,38 +35,95 @@ _MANY = 48
 
 
 class Placed:
-    """A solid where it stands in the world.
+    """A solid where it stands in the world; what follows from that is worked out when asked for.
 
     Attributes:
-        vertices, normals, edges: as in `Solid`, in the world's frame.
-        faces: as in `Solid`.
-        low: least x, y, z.
-        high: greatest x, y, z.
+        solid: the solid itself.
+        middle: of a sphere around it.
     """
 
-    __slots__ = ("edges", "faces", "high", "low", "normals", "vertices")
+    __slots__ = ("_box", "_edges", "_normals", "_place", "_turn", "_vertices", "middle", "solid")
 
     def __init__(self, solid: Solid, place: Vector, turn: Matrix) -> None:
+        self.solid, self._place, self._turn = solid, place, turn
         a, b, c, d, e, f, g, h, i = turn
+        x, y, z = solid.middle
         px, py, pz = place
-        self.vertices = [
-            (
-                a * x + b * y + c * z + px,
-                d * x + e * y + f * z + py,
-                g * x + h * y + i * z + pz,
-            )
-            for x, y, z in solid.vertices
-        ]
-        self.normals = [apply(turn, n) for n in solid.normals]
-        self.edges = [apply(turn, n) for n in solid.edges]
-        self.faces = solid.faces
-        xs, ys, zs = zip(*self.vertices, strict=True)
-        self.low: Vector = (min(xs), min(ys), min(zs))
-        self.high: Vector = (max(xs), max(ys), max(zs))
+        self.middle: Vector = (
+            a * x + b * y + c * z + px,
+            d * x + e * y + f * z + py,
+            g * x + h * y + i * z + pz,
+        )
+        self._vertices: list[Vector] | None = None
+        self._normals: list[Vector] | None = None
+        self._edges: list[Vector] | None = None
+        self._box: tuple[Vector, Vector] | None = None
+
+    @property
+    def radius(self) -> float:
+        """Of the sphere around it."""
+        return self.solid.radius
+
+    @property
+    def faces(self) -> tuple[tuple[int, ...], ...]:
+        """As in `Solid`."""
+        return self.solid.faces
+
+    @property
+    def vertices(self) -> list[Vector]:
+        """As in `Solid`, in the world's frame."""
+        if self._vertices is None:
+            a, b, c, d, e, f, g, h, i = self._turn
+            px, py, pz = self._place
+            self._vertices = [
+                (
+                    a * x + b * y + c * z + px,
+                    d * x + e * y + f * z + py,
+                    g * x + h * y + i * z + pz,
+                )
+                for x, y, z in self.solid.vertices
+            ]
+        return self._vertices
+
+    @property
+    def normals(self) -> list[Vector]:
+        """As in `Solid`, in the world's frame."""
+        if self._normals is None:
+            self._normals = _turned(self._turn, self.solid.normals)
+        return self._normals
+
+    @property
+    def edges(self) -> list[Vector]:
+        """As in `Solid`, in the world's frame."""
+        if self._edges is None:
+            self._edges = _turned(self._turn, self.solid.edges)
+        return self._edges
+
+    @property
+    def low(self) -> Vector:
+        """Least x, y, z."""
+        return self._around()[0]
+
+    @property
+    def high(self) -> Vector:
+        """Greatest x, y, z."""
+        return self._around()[1]
+
+    def _around(self) -> tuple[Vector, Vector]:
+        """The upright box around it."""
+        if self._box is None:
+            xs, ys, zs = zip(*self.vertices, strict=True)
+            self._box = (min(xs), min(ys), min(zs)), (max(xs), max(ys), max(zs))
+        return self._box
 
     def near(self, other: Placed, margin: float) -> bool:
-        """Whether the upright boxes around two solids are within a margin of each other."""
-        a, b, c, d = self.low, self.high, other.low, other.high
+        """Whether spheres and upright boxes around two solids are within a margin of each other."""
+        (x, y, z), (u, v, w) = self.middle, other.middle
+        x, y, z = x - u, y - v, z - w
+        reach = self.solid.radius + other.solid.radius + margin
+        if x * x + y * y + z * z > reach * reach:
+            return False
+        (a, b), (c, d) = self._around(), other._around()
         return (
             a[2] - margin <= d[2]
             and c[2] - margin <= b[2]
@@ -74,6 +132,13 @@ class Placed:
             and a[1] - margin <= d[1]
             and c[1] - margin <= b[1]
         )
+
+
+def _turned(turn: Matrix, ways: Sequence[Vector]) -> list[Vector]:
+    a, b, c, d, e, f, g, h, i = turn
+    return [
+        (a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z) for x, y, z in ways
+    ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +156,7 @@ class Manifold:
 
 def on_table(solid: Placed, margin: float) -> Manifold | None:
     """How a solid touches the table, all that is below height 0."""
-    if solid.low[2] > margin:
+    if solid.middle[2] > solid.solid.radius + margin or solid.low[2] > margin:
         return None
     points = [((x, y, z / 2), z) for x, y, z in solid.vertices if z <= margin]
     return Manifold((0.0, 0.0, 1.0), _fewer(points, (0.0, 0.0, 1.0)))

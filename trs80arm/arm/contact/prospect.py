@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from trs80arm.arm.contact.bodies import Body, Fixed
-from trs80arm.arm.contact.bounds import box_around, sphere_around
+from trs80arm.arm.contact.bounds import box_around
 from trs80arm.arm.contact.coasting import MOST_STEPS, Coast, Mover, apart, even, join, pace
 from trs80arm.arm.contact.driven import DrivenArm
 from trs80arm.arm.contact.roster import Roster
@@ -89,7 +89,7 @@ class Prospect:
         links = []
         for name, link, solid in zip(self.arm.names, self.arm.links, self.arm.solids, strict=True):
             spin, velocity = total(link.screws, self.arm.way)
-            middle, radius = sphere_around(solid)
+            middle, radius = solid.middle, solid.radius
             velocity = plus(velocity, cross(spin, middle))
             links.append(Mover(name, [solid], middle, radius, velocity, spin))
         return links, [

@@ -27,12 +27,16 @@ class Solid:
         faces: indices of corners, counter-clockwise as seen from outside.
         normals: unit vectors, one for each face, outwards.
         edges: unit vectors along its edges, one for each set of parallels.
+        middle: of a sphere around it.
+        radius: of that sphere, inches.
     """
 
     vertices: tuple[Vector, ...]
     faces: tuple[tuple[int, ...], ...]
     normals: tuple[Vector, ...]
     edges: tuple[Vector, ...]
+    middle: Vector
+    radius: float
 
     @classmethod
     def of(cls, vertices: Sequence[Vector], faces: Sequence[Sequence[int]]) -> Solid:
@@ -51,8 +55,15 @@ class Solid:
                 way = _unit(minus(vertices[k], vertices[i]))
                 if all(abs(dot(way, other)) < 1 - _SAME for other in edges):
                     edges.append(way)
+        xs, ys, zs = zip(*vertices, strict=True)
+        middle = (_between(xs), _between(ys), _between(zs))
         return cls(
-            tuple(vertices), tuple(tuple(face) for face in faces), tuple(normals), tuple(edges)
+            tuple(vertices),
+            tuple(tuple(face) for face in faces),
+            tuple(normals),
+            tuple(edges),
+            middle,
+            math.sqrt(max(dot(way, way) for way in (minus(v, middle) for v in vertices))),
         )
 
     def moved(self, by: Vector, turn: Quaternion = (1.0, 0.0, 0.0, 0.0)) -> Solid:
@@ -63,6 +74,8 @@ class Solid:
             self.faces,
             tuple(apply(m, n) for n in self.normals),
             tuple(apply(m, e) for e in self.edges),
+            plus(apply(m, self.middle), by),
+            self.radius,
         )
 
 
@@ -184,6 +197,10 @@ def moments(solids: Sequence[Solid]) -> Moments:
     inertia = [[(trace if j == k else 0.0) - cov[j][k] for k in range(3)] for j in range(3)]
     (a0, a1, a2), (a3, a4, a5), (a6, a7, a8) = inertia
     return Moments(volume, middle, (a0, a1, a2, a3, a4, a5, a6, a7, a8))
+
+
+def _between(values: Sequence[float]) -> float:
+    return (min(values) + max(values)) / 2
 
 
 def _unit(v: Vector) -> Vector:
