@@ -42,7 +42,17 @@ class Placed:
         middle: of a sphere around it.
     """
 
-    __slots__ = ("_box", "_edges", "_normals", "_place", "_turn", "_vertices", "middle", "solid")
+    __slots__ = (
+        "_box",
+        "_edges",
+        "_levels",
+        "_normals",
+        "_place",
+        "_turn",
+        "_vertices",
+        "middle",
+        "solid",
+    )
 
     def __init__(self, solid: Solid, place: Vector, turn: Matrix) -> None:
         self.solid, self._place, self._turn = solid, place, turn
@@ -56,6 +66,7 @@ class Placed:
         )
         self._vertices: list[Vector] | None = None
         self._normals: list[Vector] | None = None
+        self._levels: list[float] | None = None
         self._edges: list[Vector] | None = None
         self._box: tuple[Vector, Vector] | None = None
 
@@ -91,6 +102,17 @@ class Placed:
         if self._normals is None:
             self._normals = _turned(self._turn, self.solid.normals)
         return self._normals
+
+    @property
+    def levels(self) -> list[float]:
+        """How far out along its normal each face is, in the world's frame."""
+        if self._levels is None:
+            corners = self.vertices
+            self._levels = []
+            for (nx, ny, nz), face in zip(self.normals, self.solid.faces, strict=True):
+                x, y, z = corners[face[0]]
+                self._levels.append(nx * x + ny * y + nz * z)
+        return self._levels
 
     @property
     def edges(self) -> list[Vector]:
@@ -170,35 +192,52 @@ def between(a: Placed, b: Placed, margin: float) -> Manifold | None:
     of_b, face_b = _best_face(b, a, margin)
     if of_b > margin:
         return None
-    faces = max(of_a, of_b)
-    found = _best_edges(a, b, margin, faces + _PREFERENCE)
-    if found is not None and found[0] > margin:
-        return None
     second = of_b > of_a + _PREFERENCE
     x, y, z = b.normals[face_b] if second else a.normals[face_a]
     outwards = (-x, -y, -z) if second else (x, y, z)
-    if found is None or dot(found[1], outwards) > _ALONGSIDE:
-        _, points = _against(b, face_b, a, margin) if second else _against(a, face_a, b, margin)
-        if points:
-            return Manifold(outwards, _fewer(points, outwards))
-        if found is None:
+    points = _against(b, face_b, a, margin) if second else _against(a, face_a, b, margin)
+    least = max(of_a, of_b) + _PREFERENCE
+    # No axis keeps them farther apart than a point of one from one of the other, nor apart at all
+    # if they have a point in common.
+    if not points or max(min(gap for _, gap in points), 0.0) > least:
+        found = _best_edges(a, b, margin, least)
+        if found is not None and (not points or dot(found[1], outwards) <= _ALONGSIDE):
+            apart, normal, one, other = found
+            if apart > margin:
+                return None
+            return Manifold(normal, [(_crossing(a, b, normal, one, other), apart)])
+        if found is None and not points:
             return None
-    apart, normal, one, other = found
-    return Manifold(normal, [(_crossing(a, b, normal, one, other), apart)])
+    return Manifold(outwards, _fewer(points, outwards))
 
 
 def _best_face(a: Placed, b: Placed, margin: float) -> tuple[float, int]:
-    """Which face of one solid another is farthest beyond, and how far."""
-    best, index = -math.inf, 0
-    vertices, corners = b.vertices, a.vertices
-    for i, (nx, ny, nz) in enumerate(a.normals):
-        x, y, z = corners[a.faces[i][0]]
-        apart = min([nx * u + ny * v + nz * w for u, v, w in vertices]) - (nx * x + ny * y + nz * z)
-        if apart > best:
-            best, index = apart, i
-            if apart > margin:
-                break
+    """Which face of one solid another is farthest beyond, and how far.
+
+    Of what cannot be the best nothing but the distance of the other's middle is found out.
+    """
+    x, y, z = b.middle
+    beyond = [
+        nx * x + ny * y + nz * z - level
+        for (nx, ny, nz), level in zip(a.normals, a.levels, strict=True)
+    ]
+    index = beyond.index(max(beyond))
+    best = _beyond(a, index, b)
+    if best <= margin:
+        for i, most in enumerate(beyond):
+            if most > best and i != index:
+                apart = _beyond(a, i, b)
+                if apart > best:
+                    best, index = apart, i
+                    if apart > margin:
+                        break
     return best, index
+
+
+def _beyond(a: Placed, face: int, b: Placed) -> float:
+    """How far a solid is beyond a face of another."""
+    nx, ny, nz = a.normals[face]
+    return min([nx * x + ny * y + nz * z for x, y, z in b.vertices]) - a.levels[face]
 
 
 Edges = tuple[float, Vector, Vector, Vector]
@@ -297,45 +336,49 @@ def _edge(solid: Placed, way: Vector, direction: Vector) -> tuple[Vector, Vector
     return found
 
 
-def _against(
-    a: Placed, face: int, b: Placed, margin: float
-) -> tuple[Vector, list[tuple[Vector, float]]]:
-    """What of a solid lies against the face of another.
-
-    Returns:
-        The face's normal, and points midway between the two with their gaps.
-    """
-    normal = a.normals[face]
-    facing = min(range(len(b.normals)), key=lambda i: dot(b.normals[i], normal))
-    area = [b.vertices[i] for i in b.faces[facing]]
+def _against(a: Placed, face: int, b: Placed, margin: float) -> list[tuple[Vector, float]]:
+    """What of a solid lies against the face of another: points midway between, with their gaps."""
+    nx, ny, nz = a.normals[face]
+    along = [nx * x + ny * y + nz * z for x, y, z in b.normals]
+    vertices = b.vertices
+    area = [vertices[i] for i in b.faces[along.index(min(along))]]
+    corners = a.vertices
     edge = a.faces[face]
-    for i, k in pairwise((*edge, edge[0])):
-        start = a.vertices[i]
-        outwards = cross(minus(a.vertices[k], start), normal)
-        area = _clipped(area, start, outwards)
+    x, y, z = corners[edge[-1]]
+    for i in edge:
+        start = x, y, z
+        u, v, w = corners[i]
+        x, y, z = u - x, v - y, w - z
+        area = _clipped(area, start, (y * nz - z * ny, z * nx - x * nz, x * ny - y * nx))
         if not area:
-            return normal, []
-    level = dot(a.vertices[edge[0]], normal)
+            return []
+        x, y, z = u, v, w
+    level = a.levels[face]
     points = []
-    for point in area:
-        gap = dot(point, normal) - level
+    for x, y, z in area:
+        gap = nx * x + ny * y + nz * z - level
         if gap <= margin:
-            points.append((plus(point, normal, -gap / 2), gap))
-    return normal, points
+            half = gap / 2
+            points.append(((x - half * nx, y - half * ny, z - half * nz), gap))
+    return points
 
 
 def _clipped(area: list[Vector], start: Vector, outwards: Vector) -> list[Vector]:
     """What of a polygon is not beyond a plane."""
+    nx, ny, nz = outwards
+    x, y, z = start
+    level = nx * x + ny * y + nz * z
+    out = [nx * x + ny * y + nz * z - level for x, y, z in area]
+    if max(out) <= 0:
+        return area
     kept: list[Vector] = []
-    out = [dot(minus(point, start), outwards) for point in area]
-    before = len(area) - 1
-    for i, point in enumerate(area):
-        if (out[i] > 0) != (out[before] > 0):
-            t = out[before] / (out[before] - out[i])
-            kept.append(plus(area[before], minus(point, area[before]), t))
-        if out[i] <= 0:
+    before, at = out[-1], area[-1]
+    for here, point in zip(out, area, strict=True):
+        if (here > 0) != (before > 0):
+            kept.append(plus(at, minus(point, at), before / (before - here)))
+        if here <= 0:
             kept.append(point)
-        before = i
+        before, at = here, point
     return kept
 
 

@@ -27,7 +27,7 @@ class Solid:
         faces: indices of corners, counter-clockwise as seen from outside.
         normals: unit vectors, one for each face, outwards.
         edges: unit vectors along its edges, one for each set of parallels.
-        middle: of a sphere around it.
+        middle: of its corners, inside it; of a sphere around it.
         radius: of that sphere, inches.
     """
 
@@ -55,8 +55,9 @@ class Solid:
                 way = _unit(minus(vertices[k], vertices[i]))
                 if all(abs(dot(way, other)) < 1 - _SAME for other in edges):
                     edges.append(way)
-        xs, ys, zs = zip(*vertices, strict=True)
-        middle = (_between(xs), _between(ys), _between(zs))
+        middle = (0.0, 0.0, 0.0)
+        for vertex in vertices:
+            middle = plus(middle, vertex, 1 / len(vertices))
         return cls(
             tuple(vertices),
             tuple(tuple(face) for face in faces),
@@ -197,10 +198,6 @@ def moments(solids: Sequence[Solid]) -> Moments:
     inertia = [[(trace if j == k else 0.0) - cov[j][k] for k in range(3)] for j in range(3)]
     (a0, a1, a2), (a3, a4, a5), (a6, a7, a8) = inertia
     return Moments(volume, middle, (a0, a1, a2, a3, a4, a5, a6, a7, a8))
-
-
-def _between(values: Sequence[float]) -> float:
-    return (min(values) + max(values)) / 2
 
 
 def _unit(v: Vector) -> Vector:
