@@ -8,6 +8,7 @@ unreadable file, with one line on standard error.
 from __future__ import annotations
 
 import difflib
+import gc
 import io
 import math
 import os
@@ -235,6 +236,8 @@ def _open_terminal(given: dict[str, Any], **more: Any) -> NoReturn:
         from trs80arm.plain import run_plain
 
         sys.exit(run_plain(options))
+    # What is imported from here on stays; `run_terminal` sets it aside.
+    gc.disable()
     from trs80arm.ui.start import run_terminal
 
     sys.exit(run_terminal(options))

@@ -16,9 +16,7 @@ from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
-import tomlkit
 from platformdirs import user_config_path
-from tomlkit.exceptions import TOMLKitError
 
 from trs80arm.machine.typist import check_answer
 from trs80arm.options import TerminalOptions, TerminalSettings
@@ -326,6 +324,10 @@ def _content(path: Path) -> str:
 
 def _with_entry(path: Path, content: str, table: str, key: str, value: Any) -> str:
     """The content with the key set, or without it where the value is None."""
+    # Nothing is written before the first frame.
+    import tomlkit
+    from tomlkit.exceptions import TOMLKitError
+
     try:
         document = tomlkit.parse(content)
         if not isinstance(document.get(table, {}), Mapping):

@@ -7,6 +7,7 @@ import inspect
 import pytest
 from textual import events
 from textual._xterm_parser import XTermParser
+from textual.css.stylesheet import Stylesheet
 from textual.drivers.linux_driver import LinuxDriver
 from textual.drivers.web_driver import WebDriver
 from textual.message import Message
@@ -174,3 +175,10 @@ def test_codes_of_no_character_are_no_keys(sequence: str, releases: bool) -> Non
     for message in heard:
         assert not getattr(message, "character", None) or message.character.isprintable()
     assert [getattr(message, "character", None) for message in heard][-1] == "a"
+
+
+def test_the_styles_of_components_still_come_from_the_hooks_that_ours_override() -> None:
+    source = inspect.getsource(Stylesheet._process_component_classes)
+    assert "virtual_node._attach(node)" in source
+    assert "node._component_styles[component] = virtual_node.styles" in source
+    assert "node.notify_style_update()" in inspect.getsource(Stylesheet.replace_rules)

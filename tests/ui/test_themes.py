@@ -91,6 +91,21 @@ async def test_the_focused_button_is_one_block_of_colour(sit_down: Opener) -> No
 
 
 @piloted
+async def test_an_ink_is_looked_up_when_it_is_used_and_anew_in_another_theme(
+    sit_down: Opener,
+) -> None:
+    async with sit_down(120, 40, theme="green") as sitting:
+        side = sitting.app.desk.side
+        assert set(side._component_styles) < {f"panel--{ink.value}" for ink in Ink}
+        before = side.get_component_rich_style("panel--arm")
+        sitting.app.theme = "paper"
+        await sitting.settle()
+        after = side.get_component_rich_style("panel--arm")
+        assert after.color != before.color
+        assert after.color in {style.color for style in styles_at(sitting.app, side.region)}
+
+
+@piloted
 async def test_the_arm_is_no_dark_blue_on_black(sit_down: Opener) -> None:
     async with sit_down(120, 40, theme="ansi-dark") as sitting:
         style = sitting.app.desk.side.get_component_rich_style("panel--arm")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import gc
 import os
 import signal
 import sys
@@ -51,6 +52,9 @@ def run_terminal(options: TerminalOptions) -> int:
         return USAGE_ERROR
     _end_with_server()
     app.desk.use_pixels(_pixels(app))
+    # What is there now stays to the end: to search it for garbage takes as long as ten frames.
+    gc.freeze()
+    gc.enable()
     result = app.run()
     if result is None:
         # Textual has restored the terminal.

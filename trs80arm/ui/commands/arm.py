@@ -1,8 +1,12 @@
-"""The commands of arm and bench: another bench, parts put back, hands on the arm, teaching."""
+"""The commands of arm and bench: another bench, parts put back, hands on the arm, teaching.
+
+Dialogs are imported when they are opened: the first frame needs none.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from trs80arm.desk.asking import Asking, Say
 from trs80arm.desk.files import SessionFiles
@@ -13,8 +17,9 @@ from trs80arm.desk.workbench import Workbench
 from trs80arm.drawing.readings import Readings
 from trs80arm.options import ArmStyle
 from trs80arm.ui.asking import Screens
-from trs80arm.ui.screens.hand_move import HandMoveScreen
-from trs80arm.ui.screens.teach import TeachResult, TeachScreen
+
+if TYPE_CHECKING:
+    from trs80arm.ui.screens.teach import TeachResult
 
 
 class ArmCommands:
@@ -71,6 +76,8 @@ class ArmCommands:
 
     def move_by_hand(self) -> None:
         """Move the arm by hand."""
+        from trs80arm.ui.screens.hand_move import HandMoveScreen
+
         self._screens.open(
             HandMoveScreen(
                 self.look,
@@ -81,6 +88,8 @@ class ArmCommands:
 
     def teach(self) -> None:
         """The list of positions."""
+        from trs80arm.ui.screens.teach import TeachScreen
+
         reach = self._files.reach
         folder = self._session.path.parent if self._session.path else reach.home
         self._screens.open(TeachScreen(self._lesson, self.look, folder, reach), self._taught)

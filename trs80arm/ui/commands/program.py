@@ -1,4 +1,7 @@
-"""The commands about the program itself: help, settings, theme, to the shell, leaving."""
+"""The commands about the program itself: help, settings, theme, to the shell, leaving.
+
+Dialogs are imported when they are opened: the first frame needs none.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,6 @@ from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.view import View
 from trs80arm.ui.help_topics import AFTER_A_SLIP, WHILE_WAITING, Topic
 from trs80arm.ui.keys.keyboard import Keyboard
-from trs80arm.ui.screens.settings import SettingsScreen
 
 
 class Shell(Protocol):
@@ -95,7 +97,6 @@ class ProgramCommands:
 
     def help(self) -> None:
         """The help, at what is being done."""
-        # Markdown takes long to be imported, and the first frame does not need it.
         from trs80arm.ui.screens.help import HelpScreen
 
         session = self._session
@@ -134,6 +135,8 @@ class ProgramCommands:
 
     def settings(self) -> None:
         """What is set, what it means, and how to have it otherwise."""
+        from trs80arm.ui.screens.settings import SettingsScreen
+
         self._screens.open(SettingsScreen(self._settings_book))
 
     def _try_theme(self, name: str) -> None:

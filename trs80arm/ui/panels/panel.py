@@ -7,8 +7,6 @@ and no clock.
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 from rich.color import Color
 from rich.color_triplet import ColorTriplet
 from rich.segment import Segment
@@ -16,11 +14,11 @@ from rich.style import Style
 from textual.events import Resize
 from textual.geometry import Region
 from textual.strip import Strip
-from textual.widget import Widget
 
 from trs80arm.drawing.pixels import Colours
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import DARKEST, LEVELS, Ink, Paint, Row, fitted
+from trs80arm.ui.terminal.components import LateComponents
 
 _BLANK: Row = ()
 _LIGHT = 3 * 128
@@ -31,10 +29,9 @@ def _component(ink: Ink) -> str:
     return f"panel--{ink.value}"
 
 
-class Panel(Widget, can_focus=False):
+class Panel(LateComponents, can_focus=False):
     """A widget of text rows in inks; subclasses say in `draw` what the rows are."""
 
-    COMPONENT_CLASSES: ClassVar[set[str]] = {_component(ink) for ink in Ink}
     DEFAULT_CSS = """
     Panel {
         & > .panel--faint { color: $text-muted; }
