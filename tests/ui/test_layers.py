@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import inspect
 
+import pytest
 from textual._compositor import ChopsUpdate, Compositor
+from textual.geometry import Region
 from textual.screen import Screen
+from textual.strip import Strip
 from textual.widget import Widget
 
 from tests.ui.conftest import Opener, Sitting
@@ -50,6 +53,11 @@ def test_textual_still_has_the_hooks_that_layers_override_and_use() -> None:
         "crop",
         "is_rendered_line",
     ]
+    assert "self._compositor = Compositor()" in inspect.getsource(Screen.__init__)
+    assert "self._get_renders(crop)" in inspect.getsource(Compositor._render_chops)
+    partial = inspect.getsource(Compositor.render_partial_update)
+    assert "self._dirty_regions" in partial
+    assert "self._render_chops(" in partial
 
 
 @piloted
@@ -119,3 +127,68 @@ async def test_a_theme_that_is_tried_colours_what_is_behind_the_list(sit_down: O
         await sitting.press("down")
         await sitting.settle()
         assert screen_colours(sitting.app).splitlines()[0] != green
+
+
+def written_on(sheet: list[list[str]], update: ChopsUpdate) -> None:
+    """Put an update on a sheet of characters, as the terminal would."""
+    for y, left, right in update.spans:
+        strips = zip(update.chop_ends[y], update.chops[y].items(), strict=False)
+        for end, (x, strip) in strips:
+            if strip is not None and x <= right and end > left:
+                text = strip.crop(0, min(end, right) - x).text
+                sheet[y][x : x + len(text)] = text
+
+
+def sheet_of(sitting: Sitting) -> list[list[str]]:
+    strips = sitting.app.screen._compositor.render_strips()
+    return [list(strip.text) for strip in strips]
+
+
+@piloted
+async def test_what_is_written_bit_by_bit_is_what_there_is(sit_down: Opener) -> None:
+    async with sit_down(120, 40) as sitting:
+        sheet, whole = sheet_of(sitting), 0
+        real = sitting.app._display
+
+        def display(screen: Screen[object], update: object) -> None:
+            nonlocal sheet, whole
+            if isinstance(update, ChopsUpdate):
+                written_on(sheet, update)
+            elif update is not None:
+                sheet, whole = sheet_of(sitting), whole + 1
+            real(screen, update)  # type: ignore[arg-type]
+
+        sitting.app._display = display  # type: ignore[assignment, method-assign]
+        await sitting.type_line(
+            '10 PRINT "HERE": @STEP 200,300,-200,200,0,0,-200: @READ A: GOTO 10'
+        )
+        sitting.app.session.rig.type("RUN\r")
+        for _ in range(8):
+            await sitting.pass_time(0.4)
+            assert sheet == sheet_of(sitting)
+        sitting.app.say("A word with an alarm.", error=True)
+        await sitting.pass_time(0.4)
+        await sitting.pilot.pause()
+        assert sheet == sheet_of(sitting)
+        assert whole < 8
+
+
+@piloted
+async def test_only_panels_and_lines_that_changed_are_asked_for(
+    sit_down: Opener, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with sit_down(120, 40) as sitting:
+        desk = sitting.app.desk
+        asked: dict[Widget, int] = {}
+        real = Widget.render_lines
+
+        def render_lines(widget: Widget, crop: Region) -> list[Strip]:
+            asked[widget] = asked.get(widget, 0) + crop.height
+            return real(widget, crop)
+
+        monkeypatch.setattr(Widget, "render_lines", render_lines)
+        desk.tube.refresh(Region(0, 0, 64, 1))
+        desk.status.refresh()
+        await sitting.pilot.pause(0.1)
+        panels = {widget: lines for widget, lines in asked.items() if widget is not desk}
+        assert panels == {desk.tube: 1, desk.status: 1}

@@ -330,7 +330,11 @@ class Trs80Arm(Themed[int]):
         if now >= self._next_frame:
             fps = min(self.options.fps, BEHIND_FPS) if self.dialog_is_open else self.options.fps
             self._next_frame = now + 1 / fps - TICK / 2
+            self._tell()
             self.draw(now)
+
+    def _tell(self) -> None:
+        """Say what the user has to know of what happened."""
         for fault in self.session.new_faults():
             self.say(fault, error=True)
         if (slip := self.session.new_slip()) is not None:

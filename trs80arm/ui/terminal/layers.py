@@ -1,8 +1,9 @@
 """Screens one over the other, of which only what changed is drawn.
 
 Textual draws the whole window again whenever anything changes behind a dialog. Here the lower
-screen says which lines changed, and the dialog keeps the other lines as it dimmed them. The private
-hooks that it leans on are pinned by `tests/ui/test_terminal_hooks.py`.
+screen says which lines changed, and the dialog keeps the other lines as it dimmed them; and of each
+screen only the panels and lines that changed are asked for. The private hooks that it leans on are
+pinned by `tests/ui/test_layers.py`.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from typing import Any
 
 from rich.segment import Segment
 from rich.style import Style
+from textual._compositor import ChopsUpdate, Compositor
 from textual.color import Color
 from textual.geometry import Region
 from textual.screen import Screen
@@ -21,8 +23,48 @@ MOST_STYLES = 4096
 """Dimmed styles that are kept; a theme has some dozens."""
 
 
+class FrugalCompositor(Compositor):
+    """Puts together what changed, of the widgets and lines that changed.
+
+    Textual asks for all lines of all widgets in the rectangle around everything that changed: where
+    two panels at opposite corners change, these are all.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._changed: tuple[Region, ...] = ()
+
+    def render_partial_update(self) -> ChopsUpdate | None:
+        """What is to be written."""
+        self._changed = tuple(self._dirty_regions)
+        try:
+            return super().render_partial_update()
+        finally:
+            self._changed = ()
+
+    def _get_renders(
+        self, crop: Region | None = None
+    ) -> Iterable[tuple[Region, Region, list[Strip]]]:
+        """Of each widget where it is, the part of it that is asked for, and the lines of that."""
+        if not self._changed:
+            yield from super()._get_renders(crop)
+            return
+        for widget, (region, clip) in self.visible_widgets.items():
+            seen = region.intersection(clip)
+            lines = [changed.line_span for changed in self._changed if changed.overlaps(seen)]
+            if lines:
+                top = max(seen.y, min(first for first, _ in lines))
+                bottom = min(seen.bottom, max(last for _, last in lines))
+                part = Region(seen.x, top, seen.width, bottom - top)
+                yield region, part, widget.render_lines(part.translate(-region.offset))
+
+
 class Layer(Screen[Any]):
-    """A screen that tells the one above it which parts of it changed."""
+    """A screen that draws only what changed, and tells the one above it which parts these are."""
+
+    def __init__(self, *arguments: Any, **more: Any) -> None:
+        super().__init__(*arguments, **more)
+        self._compositor = FrugalCompositor()
 
     def _compositor_refresh(self) -> None:
         """Draw what is dirty, or have the screen above draw it where it shows through."""
