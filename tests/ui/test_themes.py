@@ -9,7 +9,8 @@ from textual.widgets import Button
 from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import styles_at
-from trs80arm.drawing.rows import Ink
+from trs80arm.drawing.rows import Ink, Paint
+from trs80arm.ui.filming import picture
 from trs80arm.ui.screens.teach import TeachScreen
 from trs80arm.ui.themes import THEMES
 
@@ -111,6 +112,38 @@ async def test_the_arm_is_no_dark_blue_on_black(sit_down: Opener) -> None:
         style = sitting.app.desk.side.get_component_rich_style("panel--arm")
         assert style.color is not None
         assert style.color.number == 14
+
+
+@pytest.mark.parametrize("name", [theme.name for theme in THEMES])
+@piloted
+async def test_a_shadow_is_darker_than_the_table(sit_down: Opener, name: str) -> None:
+    async with sit_down(120, 40, theme=name) as sitting:
+        top = sitting.app.desk.panels["top"]
+        table, shadow = (
+            top._style(Paint(ink, level)).color for ink, level in ((Ink.TABLE, 2), (Ink.SHADOW, 0))
+        )
+        assert table is not None
+        assert shadow is not None
+        assert luminance(shadow.get_truecolor()) < luminance(table.get_truecolor())
+
+
+@pytest.mark.parametrize(("name", "ground"), [("ansi-dark", "#000000"), ("ansi-light", "#ffffff")])
+@piloted
+async def test_films_in_the_terminals_own_colours_have_a_terminals_ground(
+    sit_down: Opener, name: str, ground: str
+) -> None:
+    async with sit_down(80, 24, theme=name) as sitting:
+        grounds = [look.ground for line in picture(sitting.app) for _, look in line]
+        assert max(grounds, key=grounds.count) == ground
+
+
+@piloted
+async def test_the_table_is_grey_in_the_terminals_own_colours(sit_down: Opener) -> None:
+    for theme, colour in (("ansi-dark", 8), ("ansi-light", 7)):
+        async with sit_down(120, 40, theme=theme) as sitting:
+            style = sitting.app.desk.side.get_component_rich_style("panel--table")
+            assert style.color is not None
+            assert style.color.number == colour
 
 
 @pytest.mark.parametrize("name", [theme.name for theme in THEMES])

@@ -125,7 +125,7 @@ def _body(settings: ArmSettings) -> Solids:
 
 
 def _link(model: ArmModel, link: Link, body: int) -> Solids:
-    """Two plates, what joins them, the axle, and the cables that run along."""
+    """Two plates, what joins them, the axles, and the cables that run along."""
     (near, right, down), (far, outer, up) = _room(model, link)
     # The plates reach to the axle at their end, however little of them can touch anything.
     outline = rounded((down, near), (up, max(far, model.link + _PLATE)), (up - down) * 0.45)
@@ -142,7 +142,13 @@ def _link(model: ArmModel, link: Link, body: int) -> Solids:
         )
         for y in (-inner * 0.5, inner * 0.5)
     ]
-    return Solids.joined((*plates, web, *cables, axle))
+    pieces = [*plates, web, *cables, axle]
+    if link is Link.UPPER_ARM:
+        elbow = (0.0, model.link)
+        pieces.append(
+            cylinder(elbow, _AXLE, right - 0.08, outer + 0.08, Material.JOINT, body, along=1)
+        )
+    return Solids.joined(pieces)
 
 
 @lru_cache(8)
@@ -172,8 +178,11 @@ def _palm(model: ArmModel) -> Solids:
         bevel=(0.0, 0.12),
     )
     wheel = cylinder((0.0, 0.0), high[2] * 1.1, 0.2, 0.5, Material.JOINT, HAND, along=0)
+    neck = cylinder(
+        (0.0, 0.0), high[2] * 0.5, 0.5, low[0] + 0.5, Material.JOINT, HAND, along=0, sides=8
+    )
     axle = cylinder((0.0, 0.0), _AXLE, -gear, gear, Material.JOINT, HAND, along=1)
-    return Solids.joined((axle, wheel, palm))
+    return Solids.joined((axle, wheel, neck, palm))
 
 
 def _finger_frames(

@@ -23,7 +23,7 @@ COLUMN_MS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0
 JOINTS = 6
 LATCHES = 7
 PHASES = 4
-LABEL = 12
+LABEL = 14
 """Columns of what stands left of the signals."""
 TICKS = 10
 """Columns from one figure of the time axis to the next."""
@@ -161,7 +161,7 @@ class Scope:
                 )
                 continue
             for phase in range(PHASES):
-                label = f"{name if phase == 0 else '':9.9}{phase + 1}"
+                label = f"{name if phase == 0 else '':{LABEL - 3}.{LABEL - 3}} {phase + 1}"
                 rows.append(((f"{label:{LABEL}}", Ink.LABEL), *self._wave(history, latch, phase)))
             if spaced:
                 rows.append(())

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from rich.segment import Segment
+from rich.style import Style
 from textual.app import App
 from textual.strip import Strip
 
@@ -168,22 +169,20 @@ def _let_pass(app: Trs80Arm, wall: _Wall, seconds: float) -> None:
 
 def picture(app: App[Any]) -> tuple[Line, ...]:
     """What stands on the screen, as a picture of a film."""
-    return tuple(map(_line, on_screen(app)))
+    own = ("#c0c0c0", "#000000") if app.current_theme.dark else ("#000000", "#ffffff")
+    return tuple(_line(strip, own) for strip in on_screen(app))
 
 
-def _line(strip: Strip) -> Line:
-    return tuple((segment.text, _look(segment)) for segment in strip if segment.text)
+def _line(strip: Strip, own: tuple[str, str]) -> Line:
+    return tuple((segment.text, _look(segment, own)) for segment in strip if segment.text)
 
 
-def _look(segment: Segment) -> Look:
-    style = segment.style
-    ink = ground = None
-    if style is not None:
-        ink, ground = style.color, style.bgcolor
-        if style.reverse:
-            ink, ground = ground, ink
-    return Look(
-        ink.get_truecolor().hex if ink is not None else "#c0c0c0",
-        ground.get_truecolor(foreground=False).hex if ground is not None else "#000000",
-        bool(style is not None and style.bold),
+def _look(segment: Segment, own: tuple[str, str]) -> Look:
+    """How a segment looks in a terminal whose own ink and ground are these."""
+    style = segment.style or Style.null()
+    pairs = list(zip((style.color, style.bgcolor), own, strict=True))
+    ink, ground = (
+        default if colour is None or colour.is_default else colour.get_truecolor().hex
+        for colour, default in (reversed(pairs) if style.reverse else pairs)
     )
+    return Look(ink, ground, bool(style.bold))

@@ -47,8 +47,8 @@ class Panel(LateComponents, can_focus=False):
         & > .panel--lamp-on { color: $text-warning; text-style: bold; }
         & > .panel--lamp-off { color: $text-muted; }
         & > .panel--metal { color: $foreground; }
-        & > .panel--table { color: $secondary; }
-        & > .panel--shadow { color: $secondary; }
+        & > .panel--table { color: $foreground; }
+        & > .panel--shadow { color: $foreground; }
         & > .panel--obstacle { color: $obstacle; }
         & > .panel--part-2 { color: $part-2; }
         & > .panel--part-3 { color: $part-3; }
@@ -61,6 +61,10 @@ class Panel(LateComponents, can_focus=False):
         &:ansi > .panel--part-4 { color: ansi_bright_magenta; }
         &:ansi > .panel--part-5 { color: ansi_magenta; }
         &:ansi > .panel--part-6 { color: ansi_cyan; }
+        &:ansi:dark > .panel--table { color: ansi_bright_black; }
+        &:ansi:dark > .panel--shadow { color: ansi_black; }
+        &:ansi:light > .panel--table { color: ansi_white; }
+        &:ansi:light > .panel--shadow { color: ansi_bright_black; }
         &:ansi:dark > .panel--arm { color: ansi_bright_cyan; }
         &:ansi:dark > .panel--ghost { color: ansi_bright_red; }
         &:ansi:dark > .panel--alarm { color: ansi_bright_red; }
@@ -158,14 +162,14 @@ class Panel(LateComponents, can_focus=False):
         ink = self._plain(paint.ink).color
         if ground is None or ground.triplet is None or ink is None or ink.triplet is None:
             return self._plain(paint.ink)
-        style = Style(color=_mixed(ground.triplet, ink.triplet, paint.level), bgcolor=ground)
+        level, under_level = paint.level, paint.under_level
+        if sum(ground.triplet) > _LIGHT:
+            level = LEVELS // 3 if paint.ink is Ink.SHADOW else level
+            under_level = LEVELS // 3 if paint.under is Ink.SHADOW else under_level
+        style = Style(color=_mixed(ground.triplet, ink.triplet, level), bgcolor=ground)
         under = self._plain(paint.under).color if paint.under else None
         if under is not None and under.triplet is not None:
-            dark = paint.under is Ink.SHADOW and sum(ground.triplet) > _LIGHT
-            behind = _mixed(
-                ground.triplet, under.triplet, LEVELS // 3 if dark else paint.under_level
-            )
-            style += Style(bgcolor=behind)
+            style += Style(bgcolor=_mixed(ground.triplet, under.triplet, under_level))
         return style
 
 
