@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from trs80arm import files, snapshots
-from trs80arm.arm.bench import Bench
+from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, InTheWay, MiniMover, MotorsOn
 from trs80arm.arm.model import Pose
 from trs80arm.basic.activity import Waiting
@@ -248,7 +248,7 @@ class Rig:
             self.run_to(done.time)
             try:
                 getattr(self, done.action)(*done.arguments)
-            except (MotorsOn, InTheWay, ValueError) as error:
+            except (MotorsOn, InTheWay, BenchError, ValueError) as error:
                 when = done.time / T_STATES_PER_SECOND
                 raise ReplayError(f"{done.action} at {when:.3f} s: {error}") from None
 
@@ -372,11 +372,15 @@ class Rig:
         """Clear the table and set up another bench.
 
         The arm goes to where that bench wants it, motors off and registers zero as by `@RESET`.
+
+        Raises:
+            BenchError: the arm cannot stand there; all stays as it is.
         """
-        self._record("set_bench", bench)
         works = self._works
+        world = works.arm.prepare(copy.deepcopy(bench))
+        self._record("set_bench", bench)
         works.driver.reset()
-        works.arm.set_bench(copy.deepcopy(bench))
+        works.arm.work_at(world)
         self._zero()
 
     def _zero(self) -> None:
@@ -384,9 +388,13 @@ class Rig:
         self._works.zero = self._works.arm.state().rotors
 
     def refill(self) -> None:
-        """Put every part of the bench back to where it was at the start."""
-        self._record("refill")
+        """Put every part of the bench back to where it was at the start.
+
+        Raises:
+            InTheWay: the arm stands where one of them was; all are left as they are.
+        """
         self._works.arm.refill()
+        self._record("refill")
 
     def move_joint(self, joint: str, value: float) -> None:
         """Turn one joint by hand, as the operator can while the motors are off.

@@ -6,10 +6,23 @@ import math
 
 import pytest
 
-from trs80arm.arm import ArmEvent, Bench, EventKind, MiniMover, Pose, Reason, benchfile
+from trs80arm import Rig
+from trs80arm.arm import (
+    ArmEvent,
+    ArmSettings,
+    Bench,
+    BenchError,
+    EventKind,
+    InTheWay,
+    MiniMover,
+    Pose,
+    Reason,
+    benchfile,
+)
 from trs80arm.arm.bench import deep
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import PulseGenerator, delay_period
+from trs80arm.works import RigSettings
 
 D50 = delay_period(50)
 EASY = delay_period(200)
@@ -343,3 +356,46 @@ def test_refilling_puts_everything_back() -> None:
     generator.arm.refill()
     assert generator.arm.state().held is None
     assert bench.parts["block"].place == pytest.approx((8, 0, 0.5), abs=CLOSE)
+
+
+def test_parts_are_not_put_back_into_the_arm() -> None:
+    bench = Bench.standard()
+    generator = ready(bench, Pose(8.0, 1.5, 0.3, -90.0, 0.0, 0.0))
+    generator.turn(0, -170, EASY)
+    pushed = bench.parts["block"].place
+    assert pushed[1] < -0.1
+    with pytest.raises(InTheWay, match="it stands where block was"):
+        generator.arm.refill()
+    assert bench.parts["block"].place == pushed
+    generator.turn(0, 170, EASY)
+    generator.arm.refill()
+    assert bench.parts["block"].place == pytest.approx((8, 0, 0.5), abs=CLOSE)
+
+
+def test_what_falls_while_the_bench_is_set_up_does_not_fall_through_the_arm() -> None:
+    bench = benchfile.parse(
+        """
+        [arm]
+        at = [8, 0, 0.5]
+        [[part]]
+        name = "board"
+        at = [8, 0]
+        bottom = 12
+        size = [2, 2, 0.5]
+        """
+    )
+    arm = MiniMover(bench=bench)
+    board = bench.parts["board"]
+    assert board.asleep
+    for link in arm.world.bench.scene.link_solids:
+        assert not any(deep(link, solid, 0.01) for solid in board.placed)
+
+
+def test_a_bench_that_the_arm_cannot_stand_at_changes_nothing() -> None:
+    rig = Rig(RigSettings(arm=ArmSettings(model="teachmover")))
+    rig.type("@STEP 100,50\r")
+    rig.run_until_waiting()
+    before = rig.snapshot()
+    with pytest.raises(BenchError, match="that the TeachMover can reach"):
+        rig.set_bench(benchfile.parse("[arm]\nat = [3.9, 0, 16]\npitch = 0\n"))
+    assert rig.snapshot() == before

@@ -19,10 +19,14 @@ RESTING, MOVING = 0.03, 0.15
 
 SHAPES = (
     "size = [{a}, {b}, {c}]",
+    "size = [3, {a}, 0.2]",
+    "size = [0.3, 0.3, 2.5]",
     "shape = 'cylinder'\ndiameter = {a}\nheight = {c}",
     "shape = 'prism'\noutline = [[-{a}, -{b}], [{a}, -{b}], [0, {b}]]\nheight = {c}",
     "shape = 'tray'\nsize = [2, 2, {a}]\nwall = 0.1",
     "shape = 'holed'\nsize = [1.5, 1.5, {c}]\nhole = [0.6, 0.6]",
+    "shape = 'pegs'\nsize = [2, 1.5, 0.3]\npegs = [[-0.5, 0], [0.5, 0.2]]\n"
+    "peg_diameter = 0.25\npeg_height = {a}",
 )
 
 
@@ -33,8 +37,10 @@ def random_bench(chance: random.Random) -> Bench:
         a, b, c = (round(chance.uniform(0.3, 1.2), 2) for _ in range(3))
         thing = (
             f"[[part]]\nat = [{chance.uniform(6.5, 9.5):.2f}, {chance.uniform(-2, 2):.2f}]\n"
-            f"bottom = {chance.choice([0, 0, 0, 1.3])}\nturn = {chance.randrange(360)}\n"
-            f"weight = {chance.choice([0.5, 2, 8])}\n"
+            f"bottom = {chance.choice([0, 0, 0, 1.3, 4, 9])}\nturn = {chance.randrange(360)}\n"
+            f"tilt = {chance.choice([0, 0, 0, 30, 90])}\n"
+            f"weight = {chance.choice([0.05, 0.5, 2, 8, 30, 100])}\n"
+            f"friction = {chance.choice([0.05, 0.3, 0.5, 0.5, 1, 3])}\n"
             + chance.choice(SHAPES).format(a=a, b=b, c=c)
             + "\n"
         )
@@ -75,11 +81,14 @@ def parts(rig: Rig) -> list[Part]:
 
 
 def assert_possible(rig: Rig) -> None:
-    """Nothing is below the table, inside another, or nowhere."""
+    """Nothing is below the table, inside another or the arm, or nowhere."""
     found = parts(rig)
+    rig.arm.world.show()
+    links = rig.arm.world.bench.scene.link_solids
     for k, part in enumerate(found):
         assert all(math.isfinite(value) and abs(value) < 100 for value in part.place)
         assert part.bottom > -MOVING
+        assert not any(deep(a, b, MOVING) for a in part.placed for b in links)
         for other in found[:k]:
             depth = RESTING if part.asleep and other.asleep else MOVING
             assert not any(deep(a, b, depth) for a in part.placed for b in other.placed)

@@ -50,6 +50,7 @@ class Bench:
         scene: the parts in contact.
         feeders, trays, obstacles, sensors: as the file lists them.
         turntable: on the auxiliary latch, or None.
+        beginning: the parts as they stand at the beginning, all at rest.
         news: what happened since the arm last asked, as (kind, text).
     """
 
@@ -64,7 +65,7 @@ class Bench:
         self.sensors: list[Sensor] = []
         self.turntable: Turntable | None = None
         self.news: list[tuple[EventKind, str]] = []
-        self._beginning: list[Part] = []
+        self.beginning: list[Part] = []
 
     @classmethod
     def standard(cls) -> Bench:
@@ -149,12 +150,12 @@ class Bench:
     def remember(self) -> None:
         """Take the parts as they are for those to begin with, unless feeders have given any."""
         if not any(feeder.given for feeder in self.feeders):
-            self._beginning = [replace(part, held=False) for part in self.parts.values()]
+            self.beginning = [replace(part, held=False) for part in self.parts.values()]
 
     def refill(self) -> None:
         """Put the parts back to where they were at the beginning, feeders and trays too."""
         self.scene.clear()
-        for part in self._beginning:
+        for part in self.beginning:
             self.scene.add(replace(part))
         for feeder in self.feeders:
             feeder.given = 0

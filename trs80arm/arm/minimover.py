@@ -121,31 +121,33 @@ class MiniMover:
         self._time = 0
         self._held_back: set[int] = set()
         self._pull: Vector | None = None
-        self._set_up(Bench.standard() if bench is None else bench)
+        self._stand_at(self.prepare(Bench.standard() if bench is None else bench))
 
     def __getstate__(self) -> dict[str, Any]:
         # The distance to the stops is found anew; how it was counted hangs on how a run is cut.
         return {**self.__dict__, "_stops_off": 0}
 
-    def _set_up(self, bench: Bench) -> None:
-        """Stand at a bench, in the pose in which it has the arm switched on."""
+    def prepare(self, bench: Bench) -> World:
+        """A bench laid out for this arm, everything on it at rest; the arm is not at it yet.
+
+        Raises:
+            BenchError: the arm cannot reach the place where the bench has it.
+        """
         bench.suit(self.settings)
-        self.bench = bench
         try:
-            self.drive = CableDrive.from_pose(self.model, bench.start or self.model.start)
+            drive = CableDrive.from_pose(self.model, bench.start or self.model.start)
         except OutOfReach as error:
             raise BenchError(
                 f"{bench.name}: arm.at: expected a place that the {self.model.title} can reach; "
                 f"{error}"
             ) from None
-        self._rotors = [0] * 6
-        self._stops_off = 0
-        self._world = World(bench, self.settings, self.drive)
-        self._world.start()
+        world = World(bench, self.settings, drive)
+        world.start()
+        return world
 
-    def set_bench(self, bench: Bench) -> None:
-        """Work on another bench, beginning in its starting pose; coils stay as they are."""
-        self._set_up(bench)
+    def work_at(self, world: World) -> None:
+        """Stand at a bench that was prepared, in its starting pose; coils stay as they are."""
+        self._stand_at(world)
         for latch, motor in enumerate(self.motors):
             motor.rotor = 0
             motor.release()
@@ -154,9 +156,20 @@ class MiniMover:
                 motor.turn_field(ROWS[motor.coils])
                 self._follow(latch)
 
+    def _stand_at(self, world: World) -> None:
+        self._world, self.bench, self.drive = world, world.bench, world.drive
+        self._rotors = [0] * 6
+        self._stops_off = 0
+
     def refill(self) -> None:
-        """Put every part of the bench back to where it was at the start."""
-        self._world.refill()
+        """Put every part of the bench back to where it was at the start.
+
+        Raises:
+            InTheWay: the arm stands where one of them was; all are left as they are.
+        """
+        name = self._world.refill()
+        if name is not None:
+            raise InTheWay(f"the arm is in the way: it stands where {name} was")
 
     # The cable
 

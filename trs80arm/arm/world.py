@@ -84,11 +84,13 @@ class World:
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
         bench = self.bench
-        bench.scene.arm = None
+        commands = self._commands(self._rotors)
+        # What falls on the arm comes to lie on it, or slides off.
+        bench.scene.put_arm(commands)
         bench.settle()
         bench.remember()
-        bench.scene.arm = self._linkage
-        bench.scene.put_arm(self._commands(self._rotors))
+        if not any(bench.scene.torques):
+            bench.scene.put_arm(commands)
         for feeder in bench.waiting_feeders():
             if not self._touches(feeder.placed):
                 bench.feed(feeder)
@@ -100,11 +102,20 @@ class World:
         self._jumped, self._busy, self._looked = False, True, None
         self._plate = float(bench.turntable.rotor) if bench.turntable is not None else 0.0
 
-    def refill(self) -> None:
-        """Begin again with the parts; the hand is left empty."""
+    def refill(self) -> str | None:
+        """Begin again with the parts; the hand is left empty.
+
+        Returns:
+            Name of a part in whose place the arm stands, and nothing is done; or None.
+        """
+        solids = [solid for _, solid in self._links_at(self._commands(self._rotors))]
+        for part in self.bench.beginning:
+            if any(deep(mine, other, SUNK) for mine in solids for other in part.placed):
+                return part.name
         self.grip.forget()
         self.bench.refill()
         self.start()
+        return None
 
     # Time
 
@@ -456,15 +467,21 @@ class World:
             self._contact()
         scene.time = time
 
+    def _links_at(self, joints: Sequence[float]) -> list[tuple[str, Placed]]:
+        """The arm's links, with their names, where joints would have them."""
+        linkage = self._linkage
+        return [
+            (name, Placed(solid, link.place, link.turn))
+            for name, solid, link in zip(
+                linkage.names, linkage.solids, linkage.links(joints), strict=True
+            )
+        ]
+
     def _found_at(self, joints: Sequence[float]) -> str | None:
         """Name of what the arm and its load would be in with its joints there."""
         scene, linkage = self.bench.scene, self._linkage
-        links = linkage.links(joints)
-        mine = [
-            (name, Placed(solid, link.place, link.turn))
-            for name, solid, link in zip(linkage.names, linkage.solids, links, strict=True)
-        ]
-        hand = links[linkage.hand]
+        mine = self._links_at(joints)
+        hand = linkage.links(joints)[linkage.hand]
         for load in scene.carried:
             mine += [("", solid) for solid in load_at(load, hand)]
         for name, solid in mine:

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from trs80arm.arm import benchfile
-from trs80arm.arm.bench import Bench
+from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.events import ArmEvent, EventKind
 from trs80arm.arm.motors import RING
 from trs80arm.benches import BenchFile
@@ -293,11 +293,16 @@ class Session:
         """Set up another bench, None for the standard one.
 
         Raises:
-            BenchError: the file cannot be read or is no bench.
+            BenchError: the file cannot be read, is no bench, or none for this arm; all stays.
         """
         file = BenchFile.read(path) if path else None
+        before = self._journal.bench_text
         self._journal.bench_text = file.text if file else None
-        self.rig.set_bench(file.bench if file else Bench.standard())
+        try:
+            self.rig.set_bench(file.bench if file else Bench.standard())
+        except BenchError:
+            self._journal.bench_text = before
+            raise
         self.bench_path = path
 
     def go_home(self) -> None:

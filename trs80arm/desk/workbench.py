@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from trs80arm.arm.events import Reason
+from trs80arm.arm.minimover import InTheWay
 from trs80arm.arm.motors import RING
 from trs80arm.benches import bench_files
 from trs80arm.bundled import programs_folder
@@ -68,9 +69,13 @@ class Workbench:
             self._say(f"Bench: {path.stem if path else STANDARD_BENCH}.")
 
     def refill(self) -> None:
-        """Put the parts back."""
-        self._session.rig.refill()
-        self._say("The parts are back where they were at the start.")
+        """Put the parts back, or say what is in the way."""
+        try:
+            self._session.rig.refill()
+        except InTheWay as error:
+            self._say(f"The parts stay where they are: {error}.", error=True)
+        else:
+            self._say("The parts are back where they were at the start.")
 
     # -- after a slip -----------------------------------------------------------------------------
 
