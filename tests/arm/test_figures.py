@@ -101,6 +101,13 @@ def test_a_figure_is_plain_text_of_the_width_asked_for() -> None:
         assert max(len(line) for line in text.split("\n")) <= width
 
 
+def test_a_tables_notes_are_wrapped_below_it() -> None:
+    table = Table(("a", "b"), (("1", "see 1"),), ("a word " * 30,))
+    lines = Figure("t", "Title", (table,)).text(60).split("\n")
+    assert max(len(line) for line in lines) <= 60
+    assert "1. a word a word" in "\n".join(lines)
+
+
 SMALL = Figure("8", "Title", (Chart("", "x", "y", (Series("a", (0.0, 1.0), (0.0, 2.0)),)),))
 
 

@@ -10,6 +10,7 @@ import math
 from dataclasses import dataclass, field
 from enum import Enum
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 from trs80arm.saving import whole_file
@@ -78,10 +79,16 @@ class Table:
     Attributes:
         heading: names of the columns.
         rows: as many cells each.
+        notes: below it, numbered from 1.
     """
 
     heading: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
+    notes: tuple[str, ...] = ()
+
+
+_NOTE_WIDTH = 110
+"""Characters of a line of notes below a drawn table."""
 
 
 @dataclass(frozen=True)
@@ -107,7 +114,7 @@ class Figure:
         pieces = [self.title, ""]
         for part in self.parts:
             pieces.append(
-                _table_text(part) if isinstance(part, Table) else _chart_text(part, width)
+                _table_text(part, width) if isinstance(part, Table) else _chart_text(part, width)
             )
             pieces.append("")
         return "\n".join(line.rstrip() for line in "\n".join(pieces).rstrip().split("\n")) + "\n"
@@ -133,7 +140,10 @@ class Figure:
         from matplotlib.figure import Figure as Canvas
 
         heights = [
-            0.4 + 0.25 * len(part.rows) if isinstance(part, Table) else 4.5 for part in self.parts
+            0.4 + 0.25 * (len(part.rows) + len(_notes(part, _NOTE_WIDTH)))
+            if isinstance(part, Table)
+            else 4.5
+            for part in self.parts
         ]
         canvas = Canvas(figsize=(8.0, sum(heights) + 0.8), layout="constrained")
         canvas.suptitle(self.title)
@@ -141,7 +151,9 @@ class Figure:
         for part, (axis,) in zip(self.parts, axes, strict=True):
             if isinstance(part, Table):
                 axis.axis("off")
-                axis.table(cellText=part.rows, colLabels=part.heading, loc="center")
+                axis.table(cellText=part.rows, colLabels=part.heading, loc="upper center")
+                notes = "\n".join(_notes(part, _NOTE_WIDTH))
+                axis.text(0, 0, notes, va="bottom", fontsize="small", transform=axis.transAxes)
             else:
                 _plot(axis, part)
         # The same figure gives the same file.
@@ -174,15 +186,26 @@ def _plot(axis: Any, chart: Chart) -> None:
         axis.legend(fontsize="small")
 
 
-def _table_text(table: Table) -> str:
-    """A table with its columns aligned."""
+def _notes(table: Table, width: int) -> list[str]:
+    """The notes of a table, numbered, in lines of a width."""
+    return [
+        line
+        for number, note in enumerate(table.notes, 1)
+        for line in wrap(f"{number}. {note}", width, subsequent_indent="   ")
+    ]
+
+
+def _table_text(table: Table, width: int) -> str:
+    """A table with its columns aligned, its notes below."""
     rows = [table.heading, *table.rows]
     widths = [max(len(row[i]) for row in rows) for i in range(len(table.heading))]
     lines = [
         "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))
         for row in rows
     ]
-    return "\n".join([lines[0], "  ".join("-" * width for width in widths), *lines[1:]])
+    notes = ["", *_notes(table, width)] if table.notes else []
+    rule = "  ".join("-" * column for column in widths)
+    return "\n".join([lines[0], rule, *lines[1:], *notes])
 
 
 def _chart_text(chart: Chart, width: int) -> str:

@@ -143,16 +143,22 @@ def _pulled(start: int, nibble: int) -> int:
 
 def table1_rows() -> Table:
     """Table 1 with what the arm does beside what the article lists."""
+    measured = table1()
+    notes = tuple(
+        dict.fromkeys(row.contradiction for row in measured if row.verdict is Verdict.CONTRADICTED)
+    )
     rows = tuple(
         (
             row.name,
-            f"{row.article:g} {row.unit}",
+            f"{row.listed} {row.unit}",
             f"{row.measured:.3f}".rstrip("0").rstrip(".") + f" {row.unit}",
-            row.contradiction if row.verdict is Verdict.CONTRADICTED else row.verdict.value,
+            f"no: note {notes.index(row.contradiction) + 1}"
+            if row.verdict is Verdict.CONTRADICTED
+            else row.verdict.value,
         )
-        for row in table1()
+        for row in measured
     )
-    return Table(("", "article", "measured", "kept"), rows)
+    return Table(("", "article", "measured", "kept"), rows, notes)
 
 
 def _one_part() -> Bench:
