@@ -21,7 +21,7 @@ from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.program import ProgramCommands
 from trs80arm.ui.commands.table import COMMANDS
 from trs80arm.ui.commands.tube import TubeCommands
-from trs80arm.ui.commands.view import ViewCommands
+from trs80arm.ui.commands.view import ARM_OPTIONS, ViewCommands
 from trs80arm.ui.help_topics import Topic
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.keyboard import Keyboard
@@ -368,7 +368,7 @@ def test_a_choice_that_cannot_be_remembered_is_told_and_made(desk: Desk) -> None
 def test_options_of_the_arms_views_say_whether_they_are_on(desk: Desk) -> None:
     desk.view.arm_option("trail")
     desk.view.arm_option("trail")
-    assert desk.person.told == ["Trail on.", "Trail off."]
+    assert desk.person.told == [*ARM_OPTIONS["trail"][::-1]]
 
 
 def test_who_gives_the_room_away_is_told_how_to_have_it_back(desk: Desk) -> None:

@@ -89,3 +89,20 @@ async def test_keys_walk_round_the_arm_in_space(sit_down: Opener, key: str, way:
         before = getattr(space.picture.orbit, way)
         await sitting.press(key)
         assert getattr(space.picture.orbit, way) != before
+
+
+@pytest.mark.parametrize(
+    ("command", "panel"),
+    [
+        *((f"space_{way}", "space") for way in ("left", "right", "higher", "lower")),
+        *((f"scope_{way}", "scope") for way in ("back", "on", "closer", "farther", "next")),
+    ],
+)
+@piloted
+async def test_a_command_for_a_panel_shows_it(sit_down: Opener, command: str, panel: str) -> None:
+    async with sit_down(80, 24) as sitting:
+        assert not sitting.app.desk.panels[panel].display
+        await sitting.app.run_action(f"do('{command}')")
+        assert sitting.app.desk.panels[panel].display
+        await sitting.app.run_action(f"do('{command}')")
+        assert sitting.app.desk.panels[panel].display

@@ -34,6 +34,12 @@ LEADS = {
     Lead.ARM: "The arm has the room. Ctrl+E: whichever needs it.",
     None: "The arm has the room while it moves, else the tube.",
 }
+ARM_OPTIONS = {
+    "envelope": ("Envelope off.", "Envelope on: + is how far the fingertip reaches."),
+    "trail": ("Trail off.", "Trail on: , marks the way of the fingertip from now on."),
+    "labels": ("Labels off.", "Labels on: scales, and the angles below."),
+}
+"""What is said when one of them is turned off, and on."""
 _SAMPLE = bytes((129, 132, 144, 136, 151, 171, 183, 191))
 
 
@@ -170,11 +176,12 @@ class ViewCommands:
     def arm_option(self, name: str) -> None:
         """Envelope, trail or labels on or off."""
         shown = self._view.toggle_arm_option(name)
-        self._say(f"{name.capitalize()} {'on' if shown else 'off'}.")
+        self._say(ARM_OPTIONS[name][shown])
 
     def clear_trail(self) -> None:
         """Forget where the fingertip has been."""
         self._view.clear_trail()
+        self._say("The trail begins anew.")
 
     def zoom_arm(self, way: str) -> None:
         """Closer, farther, or all of it."""
@@ -200,6 +207,7 @@ class ViewCommands:
         blinks = self._view.cursor_style is CursorStyle.BLINK
         self._view.cursor_style = CursorStyle.STEADY if blinks else CursorStyle.BLINK
         self._remembered.choose("cursor", self._view.cursor_style.value)
+        self._say(f"The cursor {'is steady' if blinks else 'blinks'}.")
 
 
 def sample(chosen: GlyphSet) -> str:

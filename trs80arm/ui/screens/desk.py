@@ -31,6 +31,7 @@ from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.inspector import Inspector
 from trs80arm.ui.panels.registry import Cadence, PanelRow, groups
 from trs80arm.ui.panels.scope_panel import ScopePanel
+from trs80arm.ui.panels.space_view import SpaceView
 from trs80arm.ui.panels.status import Pace, StatusLine
 from trs80arm.ui.panels.tube import Tube
 from trs80arm.ui.terminal.layers import Layer
@@ -279,23 +280,33 @@ class DeskScreen(Layer):
 
     def turn_space(self, round_it: float, above: float) -> None:
         """Look at the arm in space from elsewhere, by so many degrees round it and up."""
+        self._bring(SpaceView)
         for view in self._arm_views:
             view.picture.turn(radians(round_it), radians(above))
             view.redraw()
 
+    def _bring(self, kind: type[Widget]) -> None:
+        """Show a panel of a kind that is to be worked with, if none is seen."""
+        rows = [row for row in self._rows if isinstance(self.panels[row.id], kind)]
+        if rows and not any(self.panels[row.id].display for row in rows):
+            self.show_bottom(rows[0].group)
+
     def scroll_scope(self, columns: int) -> None:
         """Go back in time in the scope, or on, by so many columns."""
+        self._bring(ScopePanel)
         for scope in self._scopes:
             scope.scroll(columns)
 
     def zoom_scope(self, way: int) -> None:
         """More (1) or less (-1) detail in the scope."""
+        self._bring(ScopePanel)
         for scope in self._scopes:
             scope.scope.zoom(way)
             scope.redraw()
 
     def next_joint(self, way: int) -> None:
         """All latches in the scope, or one joint after the other."""
+        self._bring(ScopePanel)
         for scope in self._scopes:
             scope.scope.next_joint(way)
             scope.redraw()
