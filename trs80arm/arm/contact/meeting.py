@@ -14,15 +14,18 @@ from trs80arm.arm.contact.bounds import greatest_speed, met, spheres_within
 from trs80arm.arm.contact.driven import DrivenArm
 from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.manifold import Manifold, on_table
-from trs80arm.arm.contact.memory import Memory
+from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.solver import Contact, Key, Mobile, Side
 from trs80arm.arm.contact.table import TABLE, Plate
+from trs80arm.arm.shapes import Vector, minus
 
 MARGIN = 0.02
 """Gap within which two things are looked at as about to touch, inches."""
 TOUCH = 0.003
 """Gap at which they do, inches."""
+SAME = 0.01
+"""Square of the distance within which a point of contact is the one of the step before, inches."""
 
 _FAST = Side(None)
 
@@ -177,24 +180,30 @@ class Meeting:
     ) -> None:
         """Contacts of a manifold, beginning with the forces of the step before."""
         known = self.memory.known(key)
-        x, y, z = second.mobile.place if second.mobile is not None else NOWHERE
-        for point, gap in found.points:
-            surface = NOWHERE
-            if thing is not None and thing.spin:
-                u, v = point[0] - thing.axis[0], point[1] - thing.axis[1]
-                surface = (-thing.spin * v, thing.spin * u, 0.0)
-            elif self.plate is not None and self.plate.spin and key[0] == TABLE:
-                surface = self.plate.surface(point)
-            contact = Contact(key, point, gap, found.normal, first, second, friction, surface)
-            best, nearest = None, 0.01
-            a, b, c = point[0] - x, point[1] - y, point[2] - z
-            for (i, j, k), pressure in known:
-                square = (i - a) * (i - a) + (j - b) * (j - b) + (k - c) * (k - c)
-                if square < nearest:
-                    best, nearest = pressure, square
-            if best is not None:
-                contact.pressure = best * self.seconds
-            self.contacts.append(contact)
+        points = found.points
+        surfaces = None
+        if thing is not None and thing.spin:
+            x, y = thing.axis
+            surfaces = [
+                (thing.spin * (y - v), thing.spin * (u - x), 0.0) for (u, v, _), _ in points
+            ]
+        elif self.plate is not None and self.plate.spin and key[0] == TABLE:
+            surfaces = [self.plate.surface(point) for point, _ in points]
+        contact = Contact(key, points, found.normal, first, second, friction, surfaces)
+        if known:
+            origin = second.mobile.place if second.mobile is not None else NOWHERE
+            contact.pressures = [self._pressed(known, minus(point, origin)) for point, _ in points]
+        self.contacts.append(contact)
+
+    def _pressed(self, known: Pressures, place: Vector) -> float:
+        """Impulse that pressed in the step before where a point is now."""
+        x, y, z = place
+        best, nearest = 0.0, SAME
+        for (i, j, k), pressure in known:
+            square = (i - x) * (i - x) + (j - y) * (j - y) + (k - z) * (k - z)
+            if square < nearest:
+                best, nearest = pressure, square
+        return best * self.seconds
 
 
 def _about_to_touch(found: Manifold, margin: float) -> bool:

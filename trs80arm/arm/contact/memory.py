@@ -35,10 +35,13 @@ class Memory:
         kept: dict[Key, Pressures] = {}
         for contact in contacts:
             mobile = contact.second.mobile
-            if contact.pressure > 0 and mobile is not None:
-                kept.setdefault(contact.key, []).append(
-                    (minus(contact.point, mobile.place), contact.pressure / seconds)
-                )
+            if mobile is None or not any(contact.pressures):
+                continue
+            kept.setdefault(contact.key, []).extend(
+                (minus(point, mobile.place), pressure / seconds)
+                for (point, _), pressure in zip(contact.points, contact.pressures, strict=True)
+                if pressure > 0
+            )
         for key, pressures in self._pressures.items():
             # What sleeps still presses.
             body = bodies.get(key[1])

@@ -18,8 +18,8 @@ the same to the last bit on every machine.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from itertools import repeat
 
 from trs80arm.arm.contact.clock import TICK
@@ -71,10 +71,13 @@ _NOTHING, _AS_BEFORE, _CAUGHT = 0, 1, 2
 on that pressed before; that those hold now that slid, and would now slide the other way."""
 _LEVEL = (0.0, 0.0, 0.0, 0.0)
 _UNKNOWN = repeat((_APART, _LEVEL))
+_NOWHERE: Vector = (0.0, 0.0, 0.0)
 _STILL: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 _DIAGONAL = (0, 2, 5, 9, 14, 20)
 
 Key = tuple[str, str, int]
+Pressures = list[float] | None
+"""At each point of a contact; None where nothing presses at all."""
 
 
 @dataclass(slots=True)
@@ -131,105 +134,162 @@ def total(screws: Sequence[tuple[Vector, Vector]], rates: Sequence[float]) -> tu
 
 @dataclass(slots=True)
 class Contact:
-    """One point of contact.
+    """Where two things touch, or are about to: an area, an edge or a point, with one normal.
 
     Attributes:
         key: the two things' names, and which of their solids; for finding it again.
-        point: where, in the world.
-        gap: inches, negative for an overlap.
+        points: of contact, in the world, and the gap at each: inches, negative for an overlap.
         normal: from the first side into the second.
         first: side that the normal leaves.
         second: side that it enters; it moves.
         friction: coefficient.
-        surface: velocity of the first side if it stands fast but its surface moves.
-        pressure: impulse along the normal: as it was a tick before, then as found.
+        surfaces: velocity of the first side at each point, if it stands fast but its surface moves.
+        pressures: impulse along the normal at each: as it was a tick before, then as found.
     """
 
     key: Key
-    point: Vector
-    gap: float
+    points: list[tuple[Vector, float]]
     normal: Vector
     first: Side
     second: Side
     friction: float
-    surface: Vector = (0.0, 0.0, 0.0)
-    pressure: float = 0.0
+    surfaces: list[Vector] | None = None
+    pressures: list[float] = field(default_factory=list)
+
+    @property
+    def gap(self) -> float:
+        """The least of all points."""
+        return min(gap for _, gap in self.points)
+
+    @property
+    def pressure(self) -> float:
+        """The whole of all points."""
+        total = 0.0
+        for pressure in self.pressures:
+            total += pressure
+        return total
 
 
 class _Patch:
-    """Contacts of one thing with another along one normal.
+    """A contact as numbers.
 
-    What presses there depends on how the two move against each other alone: on six velocities at a
-    reference point, the centre of mass of the second thing if that is a body.
+    What presses there depends on how the two sides move against each other alone: on six velocities
+    at a reference point, the centre of mass of the second thing if that is a body.
 
     Args:
-        contacts: of the same two sides, with the same normal.
+        contact: the contact.
         one: index of the first side's mobile, or None.
         two: index of the second side's.
         seconds: length of the tick.
     """
 
     __slots__ = (
+        "_nothing",
+        "_origin",
+        "_points",
+        "_seconds",
+        "_soonest",
+        "_spread",
         "columns_one",
         "columns_two",
-        "contacts",
+        "contact",
         "lever",
         "normal",
         "one",
-        "points",
         "regimes",
         "slopes",
         "two",
     )
 
-    def __init__(self, contacts: list[Contact], one: int | None, two: int, seconds: float) -> None:
-        self.contacts, self.one, self.two = contacts, one, two
-        first, second = contacts[0].first, contacts[0].second
-        nx, ny, nz = self.normal = contacts[0].normal
+    def __init__(self, contact: Contact, one: int | None, two: int, seconds: float) -> None:
+        self.contact, self.one, self.two, self._seconds = contact, one, two, seconds
+        first, second = contact.first, contact.second
+        self.normal = contact.normal
         assert second.mobile is not None
-        origin = second.mobile.place if second.screws is None else contacts[0].point
         self.lever: Vector | None = None
         self.columns_one = self.columns_two = None
+        if second.screws is None:
+            self._origin = origin = second.mobile.place
+        else:
+            self._origin = origin = contact.points[0][0]
+            self.columns_two = _columns(second.screws, origin)
+        if first.screws is not None:
+            self.columns_one = _columns(first.screws, origin)
+        elif first.mobile is not None:
+            self.lever = minus(origin, first.mobile.place)
+        self._points: list[tuple[float, ...]] | None = None
+        self._soonest = _least(contact.gap, seconds)
+        ox, oy, oz = origin
+        self._spread = math.sqrt(
+            max(
+                [
+                    (x - ox) * (x - ox) + (y - oy) * (y - oy) + (z - oz) * (z - oz)
+                    for (x, y, z), _ in contact.points
+                ]
+            )
+        )
+        self._nothing = [_APART] * len(contact.points)
+        self.regimes = self._nothing
+        self.slopes = [_LEVEL] * len(contact.points)
+
+    @property
+    def points(self) -> list[tuple[float, ...]]:
+        """Numbers of each point.
+
+        Its place and its moment about the normal, from the reference point; the speed at which it
+        opens at least, its stiffness; velocity of the surface there, and that along the normal.
+        """
+        if self._points is None:
+            self._points = self._find_points()
+        return self._points
+
+    def _find_points(self) -> list[tuple[float, ...]]:
+        contact = self.contact
+        nx, ny, nz = self.normal
+        x, y, z = self._origin
         ease = 0.0
         # As far as a weight sinks in one tick at once it does in several.
-        give = GIVE * TICK / seconds
+        give = GIVE * TICK / self._seconds
         moved: list[tuple[list[tuple[int, Six]], Six]] = []
-        if second.screws is None:
-            ease += 1 / second.mobile.mass
-        else:
-            assert second.mobile.inertias is not None
-            self.columns_two = _columns(second.screws, origin)
-            moved.append((self.columns_two, second.mobile.inertias))
-        if first.mobile is not None:
-            if first.screws is None:
-                ease += 1 / first.mobile.mass
-                self.lever = minus(origin, first.mobile.place)
+        for side, columns in (
+            (contact.first, self.columns_one),
+            (contact.second, self.columns_two),
+        ):
+            if side.mobile is None:
+                continue
+            if columns is None:
+                ease += 1 / side.mobile.mass
             else:
-                assert first.mobile.inertias is not None
-                self.columns_one = _columns(first.screws, origin)
-                moved.append((self.columns_one, first.mobile.inertias))
-        x, y, z = origin
-        self.points: list[tuple[float, ...]] = []
-        for contact in contacts:
-            px, py, pz = contact.point
+                assert side.mobile.inertias is not None
+                moved.append((columns, side.mobile.inertias))
+        out: list[tuple[float, ...]] = []
+        for k, ((px, py, pz), gap) in enumerate(contact.points):
             rx, ry, rz = px - x, py - y, pz - z
             ax, ay, az = ry * nz - rz * ny, rz * nx - rx * nz, rx * ny - ry * nx
             own = ease
             for columns, inertias in moved:
-                for k, (a, b, c, d, e, f) in columns:
+                for at, (a, b, c, d, e, f) in columns:
                     along = nx * a + ny * b + nz * c + ax * d + ay * e + az * f
-                    own += along * along / inertias[k]
-            sx, sy, sz = contact.surface
-            self.points.append(
+                    own += along * along / inertias[at]
+            sx, sy, sz = contact.surfaces[k] if contact.surfaces is not None else _NOWHERE
+            out.append(
                 (
                     *(rx, ry, rz, ax, ay, az),
-                    _least(contact.gap, seconds),
+                    _least(gap, self._seconds),
                     1 / (give * max(own, _EASIEST)),
                     *(sx, sy, sz, nx * sx + ny * sy + nz * sz),
                 )
             )
-        self.regimes: list[int] = []
-        self.slopes: list[tuple[float, float, float, float]] = []
+        return out
+
+    def leaves_alone(self, relative: Six) -> bool:
+        """Whether the two certainly do not press on each other, moving like that."""
+        if self.contact.surfaces is not None:
+            return False
+        nx, ny, nz = self.normal
+        vx, vy, vz, wx, wy, wz = relative
+        turning = math.sqrt(wx * wx + wy * wy + wz * wz) * self._spread
+        return nx * vx + ny * vy + nz * vz - turning >= self._soonest
 
     def relative(self, speeds: Sequence[Sequence[float]]) -> Six:
         """Velocity, at the reference point, and spin of the second thing against the first."""
@@ -258,14 +318,17 @@ class _Patch:
             for _, _, _, ax, ay, az, _, _, _, _, _, surface in self.points
         ]
 
-    def pressures(self, relative: Six) -> list[float]:
-        """Impulse along the normal at each contact."""
-        return [
+    def pressures(self, relative: Six) -> Pressures:
+        """Impulse along the normal at each point."""
+        if self.leaves_alone(relative):
+            return None
+        out = [
             stiff * (least - opening) if opening < least else 0.0
             for (_, _, _, _, _, _, least, stiff, _, _, _, _), opening in zip(
                 self.points, self.openings(relative), strict=True
             )
         ]
+        return out if any(out) else None
 
     def sliding(self, relative: Six) -> list[float]:
         """Speed at which each contact slides, inches a second."""
@@ -281,9 +344,7 @@ class _Patch:
             out.append(math.sqrt(tx * tx + ty * ty + tz * tz))
         return out
 
-    def agrees(
-        self, relative: Six, bounding: list[float], pressures: list[float], off: float
-    ) -> bool:
+    def agrees(self, relative: Six, bounding: Pressures, pressures: Pressures, off: float) -> bool:
         """Whether friction is in line with the pressures found.
 
         Args:
@@ -292,6 +353,10 @@ class _Patch:
             pressures: found.
             off: by how much they may differ, where friction does not hold with less than it might.
         """
+        if bounding is None and pressures is None:
+            return True
+        nothing = [0.0] * len(self._nothing)
+        bounding, pressures = bounding or nothing, pressures or nothing
         apart = [abs(a - b) > off for a, b in zip(bounding, pressures, strict=True)]
         if not any(apart):
             return True
@@ -303,16 +368,21 @@ class _Patch:
             if wrong
         )
 
-    def push(self, relative: Six, bounds: Sequence[float], guess: int) -> Six:
+    def push(self, relative: Six, bounds: Pressures, guess: int) -> Six:
         """Impulse and its moment about the reference point, on the second thing.
 
         Notes down for `stiffness` what each contact does.
 
         Args:
             relative: of the second thing against the first.
-            bounds: of friction at each contact.
+            bounds: of friction at each point.
             guess: what is taken for granted, of `_NOTHING` and so on.
         """
+        if bounds is None:
+            if self.leaves_alone(relative):
+                self.regimes = self._nothing
+                return _STILL
+            bounds = [0.0] * len(self._nothing)
         nx, ny, nz = self.normal
         vx, vy, vz, wx, wy, wz = relative
         along = nx * vx + ny * vy + nz * vz
@@ -450,10 +520,10 @@ class Problem:
                     mobiles.append(side.mobile)
         self.mobiles = mobiles
         self._patches: list[_Patch] = []
-        for together in _together(contacts):
-            first, second = together[0].first.mobile, together[0].second.mobile
+        for contact in contacts:
+            first, second = contact.first.mobile, contact.second.mobile
             one = None if first is None else index[id(first)]
-            self._patches.append(_Patch(together, one, index[id(second)], seconds))
+            self._patches.append(_Patch(contact, one, index[id(second)], seconds))
         self._wanted = [_six(mobile.speed) for mobile in mobiles]
         self._order: list[int] | None = None
         self._rank: dict[int, int] = {}
@@ -461,39 +531,36 @@ class Problem:
 
     def solve(self) -> int:
         """Find the velocities and the impulses; steps of Newton's method taken."""
+        patches = self._patches
         speeds: list[Six] = [_six(mobile.speed) for mobile in self.mobiles]
         steps = 0
-        if any(any(patch.pressures(patch.relative(speeds))) for patch in self._patches):
+        pressures = [patch.pressures(patch.relative(speeds)) for patch in patches]
+        # Otherwise nothing is in the way of anything.
+        if any(pressures):
             speeds = [_six(mobile.before or mobile.speed) for mobile in self.mobiles]
-            pressures = [[c.pressure for c in patch.contacts] for patch in self._patches]
+            pressures = [c.pressures if any(c.pressures) else None for c in self.contacts]
             for _ in range(PASSES):
                 bounds = [
-                    [c.friction * p for c, p in zip(patch.contacts, pressing, strict=True)]
-                    for patch, pressing in zip(self._patches, pressures, strict=True)
+                    None if pressing is None else [contact.friction * each for each in pressing]
+                    for contact, pressing in zip(self.contacts, pressures, strict=True)
                 ]
                 speeds, taken = self._least(speeds, bounds)
                 steps += taken
-                relative = [patch.relative(speeds) for patch in self._patches]
+                relative = [patch.relative(speeds) for patch in patches]
                 before = pressures
                 pressures = [
-                    patch.pressures(moving)
-                    for patch, moving in zip(self._patches, relative, strict=True)
+                    patch.pressures(moving) for patch, moving in zip(patches, relative, strict=True)
                 ]
-                most = AGREED * max(max(pressing) for pressing in pressures)
+                off = AGREED * max((max(each) for each in pressures if each), default=0.0)
                 if all(
-                    patch.agrees(moving, old, now, most)
+                    patch.agrees(moving, old, now, off)
                     for patch, moving, old, now in zip(
-                        self._patches, relative, before, pressures, strict=True
+                        patches, relative, before, pressures, strict=True
                     )
                 ):
                     break
-            for patch, pressing in zip(self._patches, pressures, strict=True):
-                for contact, pressure in zip(patch.contacts, pressing, strict=True):
-                    contact.pressure = pressure
-        else:
-            # Nothing is in the way of anything.
-            for contact in self.contacts:
-                contact.pressure = 0.0
+        for contact, pressing in zip(self.contacts, pressures, strict=True):
+            contact.pressures = pressing or [0.0] * len(contact.points)
         for mobile, found in zip(self.mobiles, speeds, strict=True):
             mobile.speed[:] = found
         return steps
@@ -503,10 +570,11 @@ class Problem:
         """Whether what presses has settled, of the little that contacts give."""
         speeds = [mobile.speed for mobile in self.mobiles]
         return all(
-            not contact.pressure or abs(opening) < SETTLED
+            not pressure or abs(opening) < SETTLED
             for patch in self._patches
-            for contact, opening in zip(
-                patch.contacts, patch.openings(patch.relative(speeds)), strict=True
+            if any(patch.contact.pressures)
+            for pressure, opening in zip(
+                patch.contact.pressures, patch.openings(patch.relative(speeds)), strict=True
             )
         )
 
@@ -522,13 +590,13 @@ class Problem:
         lasting = math.inf
         tilting = 0.0
         for patch in self._patches:
-            relative = patch.relative(going)
-            for contact, opening in zip(patch.contacts, patch.openings(relative), strict=True):
-                pressing = contact.pressure > 0
-                if pressing or opening < 0:
-                    room = DRIFT if pressing else max(contact.gap, 0.0) + DRIFT
+            contact, relative = patch.contact, patch.relative(going)
+            for (_, gap), pressure, opening in zip(
+                contact.points, contact.pressures, patch.openings(relative), strict=True
+            ):
+                if pressure > 0 or opening < 0:
+                    room = DRIFT if pressure > 0 else max(gap, 0.0) + DRIFT
                     lasting = min(lasting, room / max(abs(opening), _SLOWEST))
-            contact = patch.contacts[0]
             if contact.key[0] not in endless:
                 shift = max(patch.sliding(relative))
                 lasting = min(lasting, SHIFT / max(shift, _SLOWEST))
@@ -540,7 +608,7 @@ class Problem:
             tilting = max(tilting, span * span * (a * a + b * b + c * c))
         return min(lasting, TILT / max(math.sqrt(tilting), _SLOWEST))
 
-    def _least(self, speeds: list[Six], bounds: list[list[float]]) -> tuple[list[Six], int]:
+    def _least(self, speeds: list[Six], bounds: list[Pressures]) -> tuple[list[Six], int]:
         """Newton's method: velocities at which impulses and momentum balance."""
         slope = self._slope(speeds, bounds, _AS_BEFORE)
         for step in range(MOST_STEPS):
@@ -566,7 +634,7 @@ class Problem:
         return speeds, MOST_STEPS
 
     def _slope(
-        self, speeds: list[Six], bounds: list[list[float]], guess: int = _NOTHING
+        self, speeds: list[Six], bounds: list[Pressures], guess: int = _NOTHING
     ) -> list[list[float]]:
         """How the function to be made least grows with each velocity."""
         out = [
@@ -649,7 +717,7 @@ class Problem:
         slope: list[list[float]],
         there: list[Six],
         slope_there: list[list[float]],
-        bounds: list[list[float]],
+        bounds: list[Pressures],
     ) -> tuple[list[Six], list[list[float]]]:
         """Where along a step the function is about least, and its slope there.
 
@@ -680,22 +748,6 @@ class Problem:
             else:
                 high, at_high = far, here
         return there, slope_there
-
-
-def _together(contacts: list[Contact]) -> Iterator[list[Contact]]:
-    """Contacts that came together: of the same two sides, with the same normal."""
-    patch: list[Contact] = []
-    for contact in contacts:
-        if patch and not (
-            contact.normal is patch[0].normal
-            and contact.first.mobile is patch[0].first.mobile
-            and contact.second.mobile is patch[0].second.mobile
-            and contact.key == patch[0].key
-        ):
-            yield patch
-            patch = []
-        patch.append(contact)
-    yield patch
 
 
 def _least(gap: float, seconds: float) -> float:
