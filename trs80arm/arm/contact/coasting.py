@@ -209,14 +209,15 @@ def apart(
             of what never touches.
         most: more than so much does not matter.
     """
+    turning = {id(mover): mover.turning for mover in (*bodies, *links, *others)}
     for one, other in _pairs(bodies, links, others):
         if (one.name, other.name) in heedless or (other.name, one.name) in heedless:
             continue
         way = minus(one.velocity, other.velocity)
-        speed = math.sqrt(dot(way, way)) + one.turning + other.turning
+        speed = math.sqrt(dot(way, way)) + turning[id(one)] + turning[id(other)]
         for a in one.solids:
             for b in other.solids:
-                if boxes_apart(a, b) < speed * most:
+                if a.near(b, speed * most) and boxes_apart(a, b) < speed * most:
                     most = min(most, distance(a, b) / speed)
     return most
 

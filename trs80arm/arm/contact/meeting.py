@@ -63,6 +63,7 @@ class Meeting:
     wake: Callable[[str], None]
     make: Callable[[Body], Mobile]
     contacts: list[Contact] = field(default_factory=list)
+    _ways: dict[str, float] = field(default_factory=dict)
 
     def find(self, awake: Sequence[Body], *, arm: bool) -> list[Contact]:
         """All contacts.
@@ -81,21 +82,23 @@ class Meeting:
             done.add(body.name)
             margin = MARGIN + self._way(body)
             self._body(body, margin, reach)
-            for other in self._about(body, margin):
-                if other.name in done:
-                    continue
+            for other in self._about(body, margin, done):
                 wider = margin
                 if other.name in self.mobiles:
                     wider += self._way(other)
-                if spheres_within(body, other, wider):
-                    self._pair(body, other, wider, queue)
+                self._pair(body, other, wider, queue)
         if arm and self.arm_mobile is not None:
             self._arm(self.arm_mobile, reach)
         return self.contacts
 
     def _way(self, body: Body) -> float:
         """Inches that any point of a body goes in this step, at most."""
-        return self.seconds * greatest_speed(self.mobiles[body.name].speed, body.shape.radius)
+        way = self._ways.get(body.name)
+        if way is None:
+            speed = self.mobiles[body.name].speed
+            way = self.seconds * greatest_speed(speed, body.shape.radius)
+            self._ways[body.name] = way
+        return way
 
     def _body(self, body: Body, margin: float, reach: Sequence[float]) -> None:
         """A body against table, what stands fast, and links."""
@@ -123,12 +126,22 @@ class Meeting:
                     other_side = Side(self.arm_mobile, self.arm.links[k].screws)
                     self._add(key, found, other_side, side, rough)
 
-    def _about(self, body: Body, margin: float) -> list[Body]:
-        """What is awake, and what else could be within a margin of a body."""
-        roster = self.roster
+    def _about(self, body: Body, margin: float, done: set[str]) -> list[Body]:
+        """What else that is not done yet could touch a body, as it came to the scene."""
+        roster, mobiles = self.roster, self.mobiles
         (x, y, z), r = body.place, body.shape.radius + margin
-        asleep = roster.near((x - r, y - r, z - r), (x + r, y + r, z + r))
-        return roster.ordered([*roster.awake.values(), *roster.carried.values(), *asleep])
+        found = roster.near((x - r, y - r, z - r), (x + r, y + r, z + r))
+        found += [*roster.awake.values(), *roster.carried.values()]
+        return roster.ordered(
+            [
+                other
+                for other in found
+                if other.name not in done
+                and spheres_within(
+                    body, other, margin + (self._way(other) if other.name in mobiles else 0.0)
+                )
+            ]
+        )
 
     def _pair(self, body: Body, other: Body, margin: float, queue: list[Body]) -> None:
         """Contacts of two bodies, the second of which may wake by them."""

@@ -74,6 +74,8 @@ class Roster:
     def near(self, low: Vector, high: Vector) -> list[Body]:
         """What sleeps, and is not carried, in or about an upright box; as it came to the scene."""
         found: dict[str, Body] = {}
+        if not self._squares:
+            return []
         for square in _squares(low[0], low[1], high[0], high[1]):
             here = self._squares.get(square)
             if here:

@@ -534,11 +534,10 @@ class Problem:
         patches = self._patches
         speeds: list[Six] = [_six(mobile.speed) for mobile in self.mobiles]
         steps = 0
-        pressures = [patch.pressures(patch.relative(speeds)) for patch in patches]
+        pressures = [c.pressures if any(c.pressures) else None for c in self.contacts]
         # Otherwise nothing is in the way of anything.
-        if any(pressures):
+        if any(pressures) or any(patch.pressures(patch.relative(speeds)) for patch in patches):
             speeds = [_six(mobile.before or mobile.speed) for mobile in self.mobiles]
-            pressures = [c.pressures if any(c.pressures) else None for c in self.contacts]
             for _ in range(PASSES):
                 bounds = [
                     None if pressing is None else [contact.friction * each for each in pressing]
