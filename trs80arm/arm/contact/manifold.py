@@ -9,7 +9,7 @@ it, or the nearest points of the two edges.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -252,22 +252,27 @@ def _best_edges(a: Placed, b: Placed, margin: float, least: float) -> Edges | No
     if len(a.edges) * len(b.edges) > _MANY:
         return _best_of_many_edges(a, b, least)
     found: Edges | None = None
-    middle = minus(_center(b), _center(a))
+    mx, my, mz = middle = minus(_center(b), _center(a))
+    # No axis keeps two solids farther apart than a point of one and a point of the other.
+    ux, uy, uz = minus(min(b.vertices, key=_along(middle)), max(a.vertices, key=_along(middle)))
     for one in a.edges:
-        for other in b.edges:
-            nx, ny, nz = cross(one, other)
+        px, py, pz = one
+        for qx, qy, qz in b.edges:
+            nx, ny, nz = py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx
             square = nx * nx + ny * ny + nz * nz
             if square < _PARALLEL:
                 continue
             scale = 1 / math.sqrt(square)
-            if nx * middle[0] + ny * middle[1] + nz * middle[2] < 0:
+            if nx * mx + ny * my + nz * mz < 0:
                 scale = -scale
             nx, ny, nz = nx * scale, ny * scale, nz * scale
+            if nx * ux + ny * uy + nz * uz <= least:
+                continue
             apart = min([nx * x + ny * y + nz * z for x, y, z in b.vertices]) - max(
                 [nx * x + ny * y + nz * z for x, y, z in a.vertices]
             )
             if apart > least:
-                least, found = apart, (apart, (nx, ny, nz), one, other)
+                least, found = apart, (apart, (nx, ny, nz), one, (qx, qy, qz))
                 if apart > margin:
                     return found
     return found
@@ -298,6 +303,12 @@ def _best_of_many_edges(a: Placed, b: Placed, least: float) -> Edges | None:
         return None
     normal = (float(nx[best]), float(ny[best]), float(nz[best]))
     return float(apart[best]), normal, a.edges[which[best][0]], b.edges[which[best][1]]
+
+
+def _along(way: Vector) -> Callable[[Vector], float]:
+    """How far a point is out along a way."""
+    x, y, z = way
+    return lambda point: x * point[0] + y * point[1] + z * point[2]
 
 
 def _center(solid: Placed) -> Vector:
