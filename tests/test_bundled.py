@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from tests.own_places import PROGRAMS
-from trs80arm.bundled import BENCH_SUFFIX, PROGRAM_SUFFIX, described, named
+from trs80arm.bundled import BENCH_SUFFIX, PROGRAM_SUFFIX, described, named, programs_folder
 from trs80arm.cli import cli, main
 
 
@@ -48,6 +48,26 @@ def test_a_folder_of_that_name_is_no_program(elsewhere: Path) -> None:
 @pytest.mark.parametrize("name", ["nothing", "/table4", "", "..", "a\0b", "x" * 300])
 def test_other_names_stay_as_they_were_typed(name: str) -> None:
     assert named(Path(name), PROGRAM_SUFFIX) == Path(name)
+
+
+@pytest.mark.parametrize(
+    ("package", "programs"),
+    [
+        ("trs80arm", "programs"),
+        ("lib/python3.11/site-packages/trs80arm", "share/trs80arm/programs"),
+        ("Lib/site-packages/trs80arm", "share/trs80arm/programs"),
+        ("trs80arm", "share/trs80arm/programs"),
+    ],
+    ids=["checkout", "environment", "windows", "target"],
+)
+def test_programs_are_found_wherever_the_package_was_installed(
+    package: str, programs: str, elsewhere: Path
+) -> None:
+    module = elsewhere / package / "bundled.py"
+    assert programs_folder(module) is None
+    (elsewhere / programs).mkdir(parents=True)
+    (elsewhere / programs / "table4.bas").write_text("10 END\n")
+    assert programs_folder(module) == elsewhere / programs
 
 
 def test_programs_lists_all_that_come_along() -> None:

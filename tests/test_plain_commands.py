@@ -5,11 +5,15 @@ from __future__ import annotations
 import io
 from pathlib import Path
 
+import pytest
+
 from tests.own_places import PROGRAMS, own_places
 from tests.test_plain import talk
+from trs80arm.desk.places import state_folder
 from trs80arm.desk.session import Session
 from trs80arm.plain import PlainMode
 from trs80arm.plain.table import GROUPS
+from trs80arm.rig import RigSettings
 
 __all__ = ["own_places"]
 
@@ -134,3 +138,44 @@ def test_a_name_is_asked_for_and_one_that_exists_twice(tmp_path: Path) -> None:
     assert "a.bas exists" in said
     assert "Saved as a.bas." in said
     assert "NEW" in target.read_text()
+
+
+@pytest.mark.parametrize("line", ['LPRINT "ON PAPER"', 'CSAVE "A"'])
+def test_leaving_asks_about_cassettes_and_paper_in_memory(line: str) -> None:
+    said = talk("10 REM", line, "NEW", ".quit", "back", "PRINT 7*6", ".quit", "leave", "PRINT 1+8")
+    assert said.count("is in memory only") == 2
+    assert "\n 42 \n" in said
+    assert "\n 9 \n" not in said
+    assert "Ctrl+C" not in said
+
+
+def test_paper_is_saved_before_leaving(tmp_path: Path) -> None:
+    talk('LPRINT "ON PAPER"', ".quit", "save", str(tmp_path / "kept"))
+    assert "ON PAPER" in (tmp_path / "kept" / "paper.txt").read_text()
+
+
+def test_who_ends_the_input_is_asked_and_asked_again_leaves_copies() -> None:
+    said = talk('LPRINT "ON PAPER"')
+    assert "is in memory only" in said
+    assert "cassettes and paper are kept in" in said
+    [copy] = state_folder().glob("recovered-*-tapes")
+    assert "ON PAPER" in (copy / "paper.txt").read_text()
+
+
+def test_who_has_nothing_unsaved_leaves_at_the_end_of_the_input() -> None:
+    said = talk("PRINT 7*6")
+    assert said.endswith(">\n")
+    assert not state_folder().exists() or not list(state_folder().glob("recovered-*"))
+
+
+@pytest.mark.parametrize(
+    ("setting", "said", "line"),
+    [("tape_folder", "cassette: ", 'CSAVE "A"'), ("printer_file", "printer: ", 'LPRINT "X"')],
+)
+def test_what_a_device_cannot_write_is_told_at_once(
+    setting: str, said: str, line: str, tmp_path: Path
+) -> None:
+    (tmp_path / "file").write_text("")
+    session = Session(RigSettings(**{setting: tmp_path / "file" / "none"}))
+    told = talk("10 REM", line, "PRINT 7*6", session=session)
+    assert told.index(said) < told.index("\n 42 \n")

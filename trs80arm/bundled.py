@@ -7,27 +7,26 @@ They open by name from anywhere, unless there is a file of that name where one i
 from __future__ import annotations
 
 import re
-import sys
 from pathlib import Path
 
 from trs80arm.paths import is_file
 
 PROGRAM_SUFFIX = ".bas"
 BENCH_SUFFIX = ".toml"
-_PLACES = (
-    Path(__file__).parents[1] / "programs",
-    Path(sys.prefix) / "share" / "trs80arm" / "programs",
-)
 _LISTED = re.compile(r"\| `([\w-]+)\.bas` \| (.*) \|")
 """A line of the list in `programs/README.md`."""
 
 
-def programs_folder() -> Path | None:
-    """The folder with `table4.bas` and the others; None where they were not installed."""
-    for folder in _PLACES:
-        if (folder / "table4.bas").is_file():
-            return folder
-    return None
+def programs_folder(module: Path = Path(__file__)) -> Path | None:
+    """The folder with `table4.bas` and the others; None where they were not installed.
+
+    Args:
+        module: this module's file, by which the package is found: the shared folder is some folders
+            above it, of an environment, of the user or of a folder that was installed into.
+    """
+    above = module.parents[1:]
+    places = [above[0] / "programs", *(folder / "share/trs80arm/programs" for folder in above[:4])]
+    return next((place for place in places if (place / "table4.bas").is_file()), None)
 
 
 def named(path: Path, suffix: str) -> Path:

@@ -125,7 +125,7 @@ def test_status_line_leaves_out_what_matters_less() -> None:
     assert status(8, Pace()) == "running"
 
 
-def test_a_notice_takes_the_place_of_the_machines_state() -> None:
+def test_a_notice_stands_last() -> None:
     assert status(80, Pace(), notice="saved").endswith("  saved")
 
 

@@ -23,11 +23,19 @@ class Choice:
 
 @dataclass(frozen=True)
 class Question:
-    """A question with a few answers; the first is what Enter says."""
+    """A question with a few answers; the first is what Enter says.
+
+    Attributes:
+        title: of the dialog.
+        text: the question.
+        answers: to choose from.
+        again: what the screen's key that led here does when it is pressed again.
+    """
 
     title: str
     text: str
     answers: tuple[Choice, ...]
+    again: str = ""
 
 
 @dataclass(frozen=True)

@@ -13,20 +13,25 @@ from trs80arm.desk.teach import Lesson
 BACK = (Choice("go", "Leave without saving"), Choice("stay", "Back"))
 AGAIN = "Ctrl+C again leaves and keeps a recovery copy."
 PROGRAM_UNSAVED = Question(
-    "Leave", f"The program in memory is not saved. {AGAIN}", (Choice("save", "Save"), *BACK)
+    "Leave", "The program in memory is not saved.", (Choice("save", "Save"), *BACK), AGAIN
 )
 LESSON_UNWRITTEN = Question(
     "Leave",
-    f"Positions were taught, and no program of them is written. {AGAIN}",
+    "Positions were taught, and no program of them is written.",
     (Choice("teach", "Look at them"), *BACK),
+    AGAIN,
 )
 KEEPSAKES_UNSAVED = Question(
     "Leave",
-    f"What was recorded on cassettes or printed is in memory only. {AGAIN}",
+    "What was recorded on cassettes or printed is in memory only.",
     (Choice("keep", "Save it"), *BACK),
+    AGAIN,
 )
 NOTHING_UNSAVED = Question(
-    "Leave", "Leave trs80arm? Ctrl+C again leaves.", (Choice("go", "Leave"), Choice("stay", "Back"))
+    "Leave",
+    "Leave trs80arm?",
+    (Choice("go", "Leave"), Choice("stay", "Back")),
+    "Ctrl+C again leaves.",
 )
 """What is asked when the key that leaves may have been meant for the machine."""
 QUESTIONS = (PROGRAM_UNSAVED, LESSON_UNWRITTEN, KEEPSAKES_UNSAVED, NOTHING_UNSAVED)

@@ -132,11 +132,31 @@ class PlainMode:
             except KeyboardInterrupt:
                 self._press_break()
                 continue
-            if line is None:
+            if line is not None:
+                self.take(line.rstrip("\r\n"))
+            elif not self._asks_at_the_end():
                 break
-            self.take(line.rstrip("\r\n"))
+        for what, path in self._recovery.kept():
+            self._tell(f"{what} in {path}")
+        self._recovery.let_go()
         self._teletype.end_line()
         return 0
+
+    def _asks_at_the_end(self) -> bool:
+        """The lines end. A person, who pressed Ctrl+D, is asked what `.quit` asks, and once.
+
+        Returns:
+            Whether an answer is to come; if not, copies are kept of what is unsaved.
+        """
+        if self._echo:
+            return False
+        if self._sitting.ask.waits:
+            self._recovery.keep()
+            return False
+        self._sitting.leave()
+        if self._sitting.ask.waits:
+            self._tell("Ctrl+D again leaves and keeps a recovery copy.")
+        return self._sitting.ask.waits
 
     def take(self, line: str) -> None:
         """Do what one line says."""

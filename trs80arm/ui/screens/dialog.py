@@ -122,7 +122,8 @@ class Ask(Dialog[str]):
         """Question and buttons."""
         with Vertical(classes="dialog") as box:
             box.border_title = self.question.title
-            yield Static(self.question.text, markup=False)
+            text = f"{self.question.text} {self.question.again}".rstrip()
+            yield Static(text, markup=False)
             with Horizontal(classes="buttons"):
                 for number, answer in enumerate(self.question.answers):
                     yield Button(answer.label, id=f"answer-{number}", compact=True)

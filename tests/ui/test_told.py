@@ -1,0 +1,73 @@
+"""What the user is told, and where: faults of devices at once, notices beside the state."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from textual import events
+
+from tests.ui.conftest import Opener
+from tests.ui.piloted import piloted
+from tests.ui.screen_text import screen_text
+from tests.ui.test_file_dialogs import type_name
+from trs80arm.rig import RigSettings, Waiting
+
+
+@pytest.mark.parametrize(
+    ("setting", "said", "line"),
+    [("tape_folder", "cassette: ", 'CSAVE "A"'), ("printer_file", "printer: ", 'LPRINT "X"')],
+)
+@piloted
+async def test_what_a_device_cannot_write_is_told_at_once(
+    sit_down: Opener, tmp_path: Path, setting: str, said: str, line: str
+) -> None:
+    (tmp_path / "file").write_text("")
+    rig = RigSettings(**{setting: tmp_path / "file" / "none"})
+    async with sit_down(120, 40, rig=rig) as sitting:
+        await sitting.type_line("10 REM")
+        assert said not in screen_text(sitting.app)
+        await sitting.type_line(line)
+        await sitting.pass_time(0.2)
+        assert said in screen_text(sitting.app)
+        assert sitting.app.session.rig.waiting is Waiting.COMMAND
+
+
+@piloted
+async def test_a_notice_stands_beside_what_the_machine_waits_for(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await sitting.type_line("@SET")
+        sitting.app.say("Position 1 is taught.")
+        await sitting.pass_time(0.2)
+        status = screen_text(sitting.app).splitlines()[-2]
+        assert "@SET" in status
+        assert "0 ends" in status
+        assert "Position 1 is taught." in status
+
+
+@piloted
+async def test_a_pasted_listing_is_entered_at_once_or_typed_on_demand(sit_down: Opener) -> None:
+    listing = "".join(f"{10 * n} PRINT {n}\r" for n in range(1, 101))
+    async with sit_down() as sitting:
+        rig = sitting.app.session.rig
+        sitting.app.post_message(events.Paste(listing))
+        await sitting.pilot.pause()
+        await sitting.pass_time(0.1)
+        assert len(list(rig.basic.program.lines())) == 100
+        assert "100 lines" in screen_text(sitting.app)
+        assert not rig.typing
+
+
+@piloted
+async def test_a_pipe_is_neither_offered_nor_waited_for(sit_down: Opener, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "zz.bas")
+    async with sit_down() as sitting:
+        await sitting.press("f2")
+        await type_name(sitting, "zz.bas")
+        await sitting.press("enter")
+        await sitting.settle()
+        assert "There is no file zz.bas." in screen_text(sitting.app)
+        await sitting.press("escape")
+        await sitting.type_line("PRINT 6*7")
+        assert "\n 42\n" in sitting.tube
