@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pty
 import re
@@ -11,7 +12,7 @@ import subprocess
 import sys
 import termios
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -19,7 +20,6 @@ import pytest
 
 from trs80arm.desk import recording
 from trs80arm.files import load_program
-from trs80arm.machine.clock import T_STATES_PER_SECOND
 
 PATIENCE = 40.0
 """Seconds of the wall after which something that should come has not come."""
@@ -38,6 +38,8 @@ def draw(self, now=None):
 Desk.draw = draw
 from trs80arm.cli import main; main()
 """
+IN_MANUAL_MODE = "0 ends"
+"""What the status line says in `@SET`, in many words or in few."""
 MODES = re.compile(rb"\x1b\[\?([\d;]+)([hl])")
 STACK = re.compile(rb"\x1b\[([<>])(\d*)u")
 
@@ -97,9 +99,9 @@ class Terminal:
                 os.write(self.master, b"\x1b[?31u\x1b[?62;22c")
         self._answered = asked
 
-    def wait_for(self, text: str) -> None:
-        """Wait until something is shown, from now on."""
-        start = len(self.output)
+    def wait_for(self, text: str, since: int | None = None) -> None:
+        """Wait until something is shown, from now on or since so many bytes of output."""
+        start = len(self.output) if since is None else since
         end = time.monotonic() + PATIENCE
         while text.encode() not in self.output[start:]:
             assert time.monotonic() < end, (text, self.output[-2000:])
@@ -111,12 +113,15 @@ class Terminal:
         os.write(self.master, data.encode())
         self.read(seconds)
 
-    def type(self, text: str) -> None:
-        """Type text as this terminal spells it."""
+    def type(self, text: str, shown: str | None = None) -> None:
+        """Type text as this terminal spells it, and wait until something is shown for it."""
+        since = len(self.output)
         for character in text:
             self.send(self._down(character))
             self.read(0.02)
             self.send(self._up(character))
+        if shown is not None:
+            self.wait_for(shown, since)
 
     def _down(self, character: str) -> str:
         if not self.reports:
@@ -134,6 +139,13 @@ class Terminal:
         self.read(seconds)
         for character in characters:
             self.send(self._up(character))
+
+    def until(self, so: Callable[[], bool]) -> None:
+        """Wait until something is so."""
+        end = time.monotonic() + PATIENCE
+        while not so():
+            assert time.monotonic() < end, self.output[-2000:]
+            self.read(0.05)
 
     def leave(self) -> int:
         """Wait until the program has ended; its exit code."""
@@ -186,6 +198,13 @@ def replayed_registers(path: Path) -> tuple[int, ...]:
     return rig.registers
 
 
+def done_with(path: Path, key: str) -> list[str]:
+    """What a recording, which is still being written, says was done with a key."""
+    whole = [line for line in path.read_text().splitlines(keepends=True)[1:] if line[-1] == "\n"]
+    entries = [json.loads(line) for line in whole]
+    return [entry["do"] for entry in entries if entry.get("with") == [key]]
+
+
 @pytest.mark.parametrize(("reports", "keys"), [(True, "auto"), (False, "latch")])
 def test_two_joints_are_jogged_at_once_and_the_terminal_is_left_alone(
     tmp_path: Path, reports: bool, keys: str
@@ -195,15 +214,14 @@ def test_two_joints_are_jogged_at_once_and_the_terminal_is_left_alone(
     arguments = ("--record", str(record), "--keys", keys)
     with terminal(tmp_path, *arguments, reports=reports) as one:
         one.read(0.5)
-        one.type("@SET\r")
-        one.read(0.8)
+        one.type("@SET\r", shown=IN_MANUAL_MODE)
         one.hold("1w", 0.7)
         one.read(0.1)
         if not reports:
             one.type(" ")
-            one.read(0.2)
-        one.type("0")
-        one.read(0.6)
+        one.until(lambda: len(done_with(record, "W")) == 2)
+        one.type("0", shown="at READY")
+        one.until(lambda: done_with(record, "0") == ["press", "release"])
         one.send("\x1b[21~")
         assert one.leave() == 0
         assert one.is_as_it_was()
@@ -226,18 +244,15 @@ def test_a_terminal_without_releases_jogs_by_taps(tmp_path: Path) -> None:
     record = tmp_path / "session.jsonl"
     with terminal(tmp_path, "--record", str(record)) as one:
         one.read(0.5)
-        one.type("@SET\r")
-        one.read(0.8)
+        one.type("@SET\r", shown=IN_MANUAL_MODE)
         one.type("1")
-        one.read(0.5)
-        one.type("0")
-        one.read(0.4)
+        # Nobody tells that the key was let go: the program does it by itself.
+        one.until(lambda: done_with(record, "1") == ["press", "release"])
+        one.type("0", shown="at READY")
         one.send("\x11")
         assert one.leave() == 0
         assert one.is_as_it_was()
-    holds = [done for done in recording.load(record).inputs if done.arguments == ("1",)]
-    down, up = (done.time / T_STATES_PER_SECOND for done in holds)
-    assert 0.08 < up - down < 0.4
+    assert done_with(record, "1") == ["press", "release"]
     assert replayed_registers(record)[0] > 0
 
 
