@@ -18,8 +18,6 @@ from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.forces import cosines
 from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import ROWS
-from trs80arm.arm.shapes import Box
-from trs80arm.arm.surroundings import FEED_CLEARANCE, NEAR
 
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
@@ -31,7 +29,6 @@ MARGIN = 0.02
 
 Array = npt.NDArray[np.int64]
 Floats = npt.NDArray[np.float64]
-Places = tuple[Floats, Floats, Floats]
 
 _ROWS = np.array(ROWS, dtype=np.int64)
 
@@ -215,62 +212,18 @@ class _Stretch:
         bad |= np.abs(pitch - elbow) > limits.pitch - MARGIN
         bad |= np.maximum(np.abs(left), np.abs(right)) > limits.gear - MARGIN
         self._cut(bad)
-        n = self.free_until
-        if n:
-            self._bench(base[:n], shoulder[:n], elbow[:n], pitch[:n])
+        if self.free_until:
+            self._bench()
 
-    def _bench(self, base: Floats, shoulder: Floats, elbow: Floats, pitch: Floats) -> None:
-        """Spheres around links, hand and carried part, against table, boxes and feeders."""
-        arm, model, world = self.arm, self.arm.model, self.arm.world
-        height, link, length = model.shoulder_height, model.link, model.hand_length
-        c1, s1 = np.cos(base), np.sin(base)
-        r2, z2 = link * np.cos(shoulder), height + link * np.sin(shoulder)
-        r3, z3 = r2 + link * np.cos(elbow), z2 + link * np.sin(elbow)
-        r4, z4 = r3 + length * np.cos(pitch), z3 + length * np.sin(pitch)
-        n = len(base)
-        opening = np.maximum(self.cable[:n], arm.grip.contact) / model.hand_steps
-        clear = self._clear()
-        ahead, aside = world.around.extent(float(opening.max()))
-        thick = max(solid.half[2] for solid in model.solids[:2])
-        # Pointing down the hand is as low at its sides as in its middle.
-        lowest = z4 - (ahead - length) - np.abs(np.cos(pitch)) * aside
-        bad = np.minimum(lowest, z3 - max(thick, aside)) < clear
-        for feeder in world.vacant:
-            far = FEED_CLEARANCE + feeder.place.radius - clear
-            bad |= (r4 * c1 - feeder.x) ** 2 + (r4 * s1 - feeder.y) ** 2 > far * far
-        hand = math.hypot(length / 2 + ahead - length, aside) + clear
-        r, z = (r3 + r4) / 2, (z3 + z4) / 2
-        bottom = float((z - hand).min())
-        reach = max(
-            math.hypot(solid.half[0] - link / 4, solid.half[1], solid.half[2])
-            for solid in model.solids[:2]
-        )
-        links = [
-            (a * p + b * q, a * h + b * k)
-            for p, h, q, k in ((r2, z2, r3, z3), (0 * r2, 0 * z2 + height, r2, z2))
-            for a, b in ((0.75, 0.25), (0.25, 0.75))
-        ]
-        for box, own in world.around.boxes():
-            if box.top > bottom:
-                bad |= _near(box, (r * c1, r * s1, z), hand)
-            if own:
-                continue
-            for ahead_of, over in links:
-                if box.top > float(over.min()) - reach - clear:
-                    bad |= _near(box, (ahead_of * c1, ahead_of * s1, over), reach + clear)
-        self._cut(bad)
-
-    def _clear(self) -> float:
-        """Inches that must be between the arm and anything: more than it goes in a tick."""
-        spare = NEAR + MARGIN
-        for lever, mine in zip(self.arm.world.around.levers(), self.writes, strict=True):
-            if len(mine) > 1:
-                when = self.times[mine]
-                least = max(1, int((when[1:] - when[:-1]).min()))
-                spare += lever * 3 * (TICK_STATES // least + 1)
-            elif len(mine):
-                spare += lever * 3
-        return spare
+    def _bench(self) -> None:
+        """Ticks on which contact would have to be looked at."""
+        n, arm = self.free_until, self.arm
+        ticks = arm.world.ticks_until(int(self.times[n - 1]))
+        before = np.searchsorted(self.times[:n], ticks) - 1
+        rotors = np.where(before[:, None] < 0, np.array(arm.rotors), self.rotors[before])
+        clear = arm.world.ticks_clear(rotors)
+        if clear < len(ticks):
+            self.free_until = int(np.searchsorted(self.times[:n], ticks[clear]))
 
     def commit(self, count: int) -> None:
         """Leave the arm as the first `count` writes leave it."""
@@ -295,13 +248,3 @@ class _Stretch:
         before = int(np.searchsorted(self.times[:count], time // TICK_STATES * TICK_STATES))
         ticked = self.rotors[before - 1].tolist() if before else list(arm.rotors)
         arm.arrive(self.rotors[count - 1].tolist(), ticked, time)
-
-
-def _near(box: Box, place: Places, reach: float) -> npt.NDArray[np.bool_]:
-    """Whether points are within reach of a box."""
-    total = np.zeros(len(place[0]))
-    d = [p - c for p, c in zip(place, box.center, strict=True)]
-    for axis, half in zip(box.axes, box.half, strict=True):
-        out = np.abs(d[0] * axis[0] + d[1] * axis[1] + d[2] * axis[2]) - half
-        total += np.square(np.maximum(out, 0.0))
-    return total < reach * reach

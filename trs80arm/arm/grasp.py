@@ -38,6 +38,8 @@ class Grasp:
         burdens: what hangs in the hand and touches nothing else.
         pushed: what else presses on the five joints, ounce-inches.
         leaned_on: whether parts touch the arm.
+        alone: whether nothing touches the arm but what hangs in the hand.
+        between: names of the parts on which both fingers press.
     """
 
     def __init__(self, bench: Bench, linkage: ArmLinkage, grip: Grip, telling: Telling) -> None:
@@ -46,14 +48,18 @@ class Grasp:
         self.burdens: tuple[Burden, ...] = ()
         self.pushed: Five = (0.0,) * 5
         self.leaned_on = False
+        self.alone = True
+        self.between: tuple[str, ...] = ()
         self._bench = bench
         self._linkage = linkage
         self._telling = telling
         self._met: tuple[float, int] | None = None
 
     def clear(self) -> None:
-        """Nothing touches the arm."""
+        """Begin anew: what touches the arm is seen on the first tick, if anything strains it."""
         self.burdens, self.pushed = (), (0.0,) * 5
+        self.leaned_on, self.between = False, ()
+        self.alone = not any(self._bench.scene.torques)
 
     def look(self, *, loaded: bool) -> None:
         """See from what presses on the fingers what is between them, and whether it is held.
@@ -63,14 +69,31 @@ class Grasp:
         """
         parts = self._bench.parts
         between = set(self._linkage.fingers)
+        looked_at = {name for contact in self._bench.scene.contacts for name in contact.key[:2]}
         # What sleeps in the grip stays there.
         if not any(
-            part.asleep and (part.held or between <= set(part.touching)) for part in parts.values()
+            part.asleep and (part.held or between <= set(part.touching)) and name not in looked_at
+            for name, part in parts.items()
         ):
             self._measure()
             self._hold()
         self.weigh(loaded=loaded)
         self.met = self._presser()
+
+    @property
+    def firm(self) -> bool:
+        """Whether the fingers press on something that gives way no more."""
+        return self.grip.contact > 0 and not self.grip.strain
+
+    @property
+    def picks_up(self) -> bool:
+        """Whether the fingers press so much by now that they hold what they did not hold before."""
+        between = self.between
+        return self.grip.part is None and bool(between) and self._carries(between)
+
+    def _carries(self, names: Sequence[str]) -> bool:
+        weight = sum(self._bench.parts[name].weight for name in names)
+        return self.grip.carries(self._roughness(names)) >= weight
 
     def weigh(self, *, loaded: bool) -> None:
         """See what hangs in the hand and touches nothing else, and what else presses on the arm.
@@ -96,16 +119,16 @@ class Grasp:
                 break
             loads.append(name)
             waiting += sorted(leaning.get(name, ()))
-        alone = touched <= set(loads)
+        self.alone = touched <= set(loads)
         hand = scene.links[self._linkage.hand]
         found = []
         for name in loads:
             part = parts[name]
             x, y, z = apply_back(hand.turn, minus(part.place, hand.place))
             found.append(Burden(part.weight, (x - self._linkage.model.hand_length, y, z)))
-        self.burdens = tuple(found) if alone or loaded else ()
+        self.burdens = tuple(found) if self.alone or loaded else ()
         a, b, c, d, e, _ = scene.torques
-        self.pushed = (0.0,) * 5 if alone else (a, b, c, d, e)
+        self.pushed = (0.0,) * 5 if self.alone else (a, b, c, d, e)
 
     def _measure(self) -> None:
         """Where the fingers meet what is between them, or with what strain it holds them up."""
@@ -127,7 +150,7 @@ class Grasp:
         if pressed and (both or self._between()):
             before, self._met = self._met, (opening * steps, grip.cable)
             resists = before is not None and (
-                before[0] - self._met[0] <= YIELDING * (before[1] - grip.cable) + HAIR / 3
+                before[0] - self._met[0] <= YIELDING * max(0, before[1] - grip.cable) + HAIR / 3
             )
             if not resists:
                 scene.look_closely()
@@ -144,7 +167,7 @@ class Grasp:
                 return
         # What is pushed along or squared gives way: only what it resists with strains the cable.
         grip.contact = 0
-        if pressed:
+        if pressed and gaps:
             grip.strain = scene.torques[5] / model.stiffness[5] * steps
 
     def _met_with(self, cable: float, give: float) -> None:
@@ -185,7 +208,8 @@ class Grasp:
         grip, parts = self.grip, self._bench.parts
         between = self._between()
         weight = sum(parts[name].weight for name in between)
-        if between and grip.carries(self._roughness(between)) < weight:
+        self.between = tuple(between)
+        if between and not self._carries(between):
             between = []
         for name, part in parts.items():
             if part.held == (name in between):

@@ -35,8 +35,10 @@ Ints = Sequence[int] | npt.NDArray[np.int64]
 
 TURNED_BY_HAND = (*(angle.name for angle in fields(JointAngles)), "hand")
 """What the operator's hands can turn one by one."""
-SHORT = 48
+SHORT = 24
 """Writes in a burst below which a plain loop is quicker than arrays."""
+FEW = 4
+"""Writes done one by one where something may happen, before it is looked at again."""
 
 STRONGEST = 1000.0
 """Ounces that an operator pulls by at most."""
@@ -121,11 +123,14 @@ class MiniMover:
         self._time = 0
         self._held_back: set[int] = set()
         self._pull: Vector | None = None
+        self._heaviest: tuple[tuple[Burden, ...], list[float]] | None = None
         self._stand_at(self.prepare(Bench.standard() if bench is None else bench))
 
     def __getstate__(self) -> dict[str, Any]:
+        # What is on the bench is seen before the world is: all of it has to be where it is.
+        self._world.show()
         # The distance to the stops is found anew; how it was counted hangs on how a run is cut.
-        return {**self.__dict__, "_stops_off": 0}
+        return {**self.__dict__, "_stops_off": 0, "_heaviest": None}
 
     def prepare(self, bench: Bench) -> World:
         """A bench laid out for this arm, everything on it at rest; the arm is not at it yet.
@@ -203,49 +208,51 @@ class MiniMover:
         when = np.asarray(times, dtype=np.int64)
         where = np.asarray(latches, dtype=np.int64)
         what = np.asarray(nibbles, dtype=np.int64)
-        done = 0
-        self._pass(int(when[0]))
-        if self._free and stride(self, when, where, what, stop):
-            return count
-        ahead = self._hand_ahead(where)
-        if ahead >= SHORT and stride(self, when[:ahead], where[:ahead], what[:ahead], stop):
-            done = ahead
-        lists = when.tolist(), where.tolist(), what.tolist()
+        lists: tuple[list[int], list[int], list[int]] | None = None
         ends = np.append(when[1:] != when[:-1], True)
-        patience = SHORT
+        done, patience = 0, FEW
         while done < count:
-            ran = 0
-            if count - done >= SHORT and self._free:
-                end = min(count, done + LONGEST)
-                window = slice(done, end)
-                piece = when[window], where[window], what[window]
+            if count - done >= SHORT:
                 self._pass(int(when[done]))
-                if done and stride(self, *piece, stop):
-                    done = end
-                    continue
-                ran, ended = run_free(self, *piece, stop, ends[window])
+            if count - done >= SHORT and self._free:
+                rest = slice(done, min(count, done + LONGEST))
+                piece = when[rest], where[rest], what[rest]
+                ahead = self._hand_ahead(piece[1])
+                ran = stride(self, piece[0][:ahead], piece[1][:ahead], piece[2][:ahead], stop)
+                if ran is None:
+                    ran, ended = run_free(self, *piece, stop, ends[rest])
+                    if ended:
+                        return done + ran
                 done += ran
-                if ended:
-                    return done
-            # Where something happens it goes on happening for a while.
-            patience = SHORT if ran > patience else min(2 * patience, 8 * SHORT)
-            done, ended = self._apply_singly(*lists, stop, done, min(count, done + patience))
+                if done == count:
+                    break
+                # Where something happens it goes on happening for a while.
+                patience = FEW if ran else min(2 * patience, 8 * SHORT)
+            few = patience if self._free else FEW
+            lists = lists or (when.tolist(), where.tolist(), what.tolist())
+            done, ended = self._apply_singly(*lists, stop, done, min(count, done + few))
             if ended:
                 return done
         return done
 
     def _hand_ahead(self, latches: npt.NDArray[np.int64]) -> int:
-        """Writes at the beginning of a burst in which the hand alone goes on to open or close."""
-        if not self._free or (latches != HAND).any():
-            return 0
-        return min(len(latches), self._world.finger_steps())
+        """Writes at the beginning of a burst up to which an empty hand cannot come to its end."""
+        cable, model = self.grip.cable, self.model
+        if self.grip.contact or cable <= 0 or (latches != HAND).any():
+            return len(latches)
+        most = model.hand.range * model.hand_steps - cable
+        return max(0, min(len(latches), int(min(most, cable)) - 2))
 
     @property
     def _free(self) -> bool:
-        """Whether every motor is in step and no more than its own weight and load bears on it."""
-        return (
-            self._world.at_rest and not self._bears and all(motor.settled for motor in self.motors)
-        )
+        """Whether every motor is in step and no more than its own weight and load bears on it.
+
+        Or what else does cannot change, as what it grips rests.
+        """
+        world = self._world
+        if not all(motor.settled for motor in self.motors):
+            return False
+        return (world.free and not self._bears) or (world.gripped and self._pull is None)
 
     def _apply_singly(
         self,
@@ -408,6 +415,9 @@ class MiniMover:
         """
         for latch, drive in enumerate(self.model.drives):
             motor, curve = self.motors[latch], self.strength.curves[drive.turns]
+            most = self._most(drive.turns) + abs(self._pushed(drive.turns))
+            if most <= (curve.holds if motor.row >= 0 else curve.friction):
+                continue
             for _ in range(1 if motor.row >= 0 else GIVEN_WAY):
                 pull = self._pushed(drive.turns)
                 if drive.turns is not Motor.BASE:
@@ -418,6 +428,15 @@ class MiniMover:
                     break
                 if self._world.strained:
                     break
+
+    def _most(self, turns: Motor) -> float:
+        """The most torque that weight can be on a motor."""
+        burdens = self._world.burdens()
+        if self._heaviest is None or self._heaviest[0] is not burdens:
+            most = [self.strength.most(motor, burdens) for motor in Motor]
+            most[Motor.BASE] = 0.0
+            self._heaviest = burdens, most
+        return self._heaviest[1][turns]
 
     def _turned(self, latch: int, step: int) -> bool:
         """Let a rotor be turned to its next place of rest by what pulls; whether it could."""

@@ -9,6 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import zip_longest
 
+import numpy as np
+import numpy.typing as npt
+
 from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.model import Motor
@@ -16,6 +19,15 @@ from trs80arm.arm.motors import PHASES, T_STATES_PER_SECOND
 
 SWITCH_CLOSED = (1, 0)
 """Stop condition for a burst: the grip switch closes."""
+
+
+_PHASES = np.array(PHASES)
+
+
+def _spread(count: int, longest: int) -> npt.NDArray[np.int64]:
+    """At which of the steps of the motor that has most another one steps, from 1 on."""
+    steps = np.arange(longest + 1)
+    return np.flatnonzero(np.diff((2 * count * steps + longest) // (2 * longest))) + 1
 
 
 def delay_period(delay: int) -> int:
@@ -62,38 +74,38 @@ class PulseGenerator:
         longest = max(abs(count) for count in wanted)
         if not longest:
             return 0
-        writes: list[tuple[int, int, int]] = []
-        owners: list[tuple[int, int, int]] = []
-        done = [0] * 6
         model = self.arm.model
         back = model.hand_per_elbow if compensate else 0
-        for tick in range(1, longest + 1):
-            time = self.time + tick * period
-            for motor, count in enumerate(wanted):
-                if (2 * abs(count) * tick + longest) // (2 * longest) == done[motor]:
-                    continue
-                done[motor] += 1
-                sign = 1 if count > 0 else -1
-                writes.append((time, motor, self._next(motor, sign)))
-                owners.append((tick, motor, sign))
-                if motor == Motor.ELBOW and back:
-                    writes.append((time, Motor.HAND, self._next(Motor.HAND, back * sign)))
-                    owners.append((tick, -1, back * sign))
-        times, latches, nibbles = zip(*writes, strict=True)
-        applied = self.arm.apply(times, latches, nibbles, stop)
-        for _, motor, sign in owners[applied:]:
-            self._rows[motor if motor >= 0 else Motor.HAND] -= sign
-        for _, motor, sign in owners[:applied]:
-            if motor >= 0:
-                self.counts[motor] += sign
-        ticks = owners[applied - 1][0] if applied else 0
-        self.time += ticks * period
-        return ticks
-
-    def _next(self, motor: int, sign: int) -> int:
-        """The next pattern down or up Figure 8."""
-        self._rows[motor] += sign
-        return PHASES[self._rows[motor] % 8]
+        trains = []
+        for motor, count in enumerate(wanted):
+            if not count:
+                continue
+            when, sign = _spread(abs(count), longest), 1 if count > 0 else -1
+            trains.append((when, motor, sign, 2 * motor))
+            if motor == Motor.ELBOW and back:
+                # What makes up for a step of the elbow follows it at once.
+                trains.append((when, Motor.HAND, back * sign, 2 * motor + 1))
+        places = np.concatenate([when * (2 * len(wanted)) + slot for when, _, _, slot in trains])
+        order = np.argsort(places)
+        places = places[order]
+        ticks = places // (2 * len(wanted))
+        latches = np.repeat([latch for _, latch, _, _ in trains], [len(each[0]) for each in trains])
+        latches = latches[order]
+        signs = np.repeat([sign for _, _, sign, _ in trains], [len(each[0]) for each in trains])
+        signs = signs[order]
+        rows = np.empty(len(order), dtype=np.int64)
+        for latch in {latch for _, latch, _, _ in trains}:
+            mine = latches == latch
+            rows[mine] = self._rows[latch] + np.cumsum(signs[mine])
+        done = self.arm.apply(self.time + ticks * period, latches, _PHASES[rows % 8], stop)
+        for _, latch, sign, slot in trains:
+            steps = int(np.count_nonzero(places[:done] % (2 * len(wanted)) == slot))
+            self._rows[latch] += sign * steps
+            if not slot % 2:
+                self.counts[latch] += sign * steps
+        last = int(ticks[done - 1]) if done else 0
+        self.time += last * period
+        return last
 
     def turn(self, motor: int, count: int, period: int) -> int:
         """Step one motor, with no compensation; half-steps done."""

@@ -1,9 +1,10 @@
-"""A whole burst in one stride: free motion far from everything, for next to nothing a write.
+"""A whole burst in one stride: free motion, for next to nothing a write.
 
 `MiniMover` asks here first. Nothing is computed for single writes but which way each motor turns
 and when; that nothing can happen follows from bounds: the longest time that a motor may need for
-a half-step, the stops, and how far the arm is from whatever it could touch, in inches that its
-drives' levers make of half-steps. Where a bound is not enough `burst` looks more closely.
+a half-step, the stops, and that on none of the world's ticks anything has to be looked at. From
+where it has to, it goes on write by write. Where the other bounds are not enough `burst` looks more
+closely.
 """
 
 from __future__ import annotations
@@ -59,8 +60,8 @@ def stride(
     latches: Array,
     nibbles: Array,
     stop: tuple[int, int] | None,
-) -> bool:
-    """Do a burst at once, if it is certain that nothing happens in it.
+) -> int | None:
+    """Do a burst at once, or the beginning of it in which it is certain that nothing happens.
 
     Args:
         arm: the arm, every motor of it settled.
@@ -70,11 +71,14 @@ def stride(
         stop: as for `MiniMover.apply`, the grip switch only.
 
     Returns:
-        Whether it was done; if not, nothing was.
+        How many writes were done before something on the bench has to be looked at; None where the
+        bounds on everything else are not enough.
     """
-    trains = _trains(arm, latches, nibbles)
+    if arm.world.gripped and (latches != Motor.HAND).any():
+        return 0
+    trains = _trains(arm, latches, nibbles) if len(times) else []
     if not trains:
-        return False
+        return None
     low, high = list(arm.rotors), list(arm.rotors)
     for train in trains:
         low[train.latch], high[train.latch] = train.low, train.high
@@ -89,11 +93,18 @@ def stride(
         and _load_stays(arm, trains, dict(pays), times, pitched, rolled)
         and _within_stops(arm, low, high, pitched)
         and _in_time(arm, trains, times, low, high, paid[0])
-        and _clear(arm, trains, times, low, high, pitched)
     ):
-        return False
-    _arrive(arm, trains, times, nibbles)
-    return True
+        return None
+    count = len(times)
+    ticks = arm.world.ticks_until(int(times[-1]))
+    clear = arm.world.ticks_clear(_on_ticks(arm, trains, times, ticks))
+    if clear < len(ticks):
+        count = int(np.searchsorted(times, ticks[clear]))
+        if not count:
+            return 0
+        trains = _trains(arm, latches[:count], nibbles[:count])
+    _arrive(arm, trains, times[:count], nibbles[:count])
+    return count
 
 
 def _trains(arm: MiniMover, latches: Array, nibbles: Array) -> list[_Train]:
@@ -156,6 +167,8 @@ def _load_stays(
     """Whether what rests in the hand goes on doing so: neither squeezed nor tilted otherwise."""
     world = arm.world
     if not arm.grip.contact:
+        return True
+    if world.gripped:
         return True
     # A step of the elbow and the hand's that makes up for it are one instant.
     least, most = _together(arm, trains, pays, times, instants=True)
@@ -276,40 +289,16 @@ def _in_time(
     return True
 
 
-def _clear(
-    arm: MiniMover,
-    trains: list[_Train],
-    times: Array,
-    low: Sequence[int],
-    high: Sequence[int],
-    pitched: tuple[int, int],
-) -> bool:
-    """Whether nothing can come near anything, however the motors get to where they get.
-
-    What the arm goes in a tick is spare: within that of something the world looks for itself.
-    """
-    lever = arm.world.around.levers()
-    travel = [
-        by * max(most - here, here - least)
-        for by, here, least, most in zip(lever, arm.rotors, low, high, strict=True)
-    ]
-    way = sum(travel)
-    turn = travel[arm.model.latch(Motor.BASE)]
-    rolling = sum(travel[arm.model.latch(gear)] for gear in _GEARS)
-    # Seen as rings around the base everything is far from the hand however it is rolled.
-    pitching = lever[arm.model.latch(Motor.LEFT_WRIST)] * max(-pitched[0], pitched[1])
-    spare = sum(lever[train.latch] * _in_a_tick(train, times) for train in trains)
-    return way + spare < arm.world.clearance(turning=False) or (
-        way - turn - rolling + pitching + spare < arm.world.clearance(turning=True)
-    )
-
-
-def _in_a_tick(train: _Train, times: Array) -> int:
-    """Half-steps that a motor makes in a tick of the world's, at most."""
-    when = times[train.places]
-    if len(when) < 2:
-        return 1
-    return TICK_STATES // max(1, int((when[1:] - when[:-1]).min())) + 1
+def _on_ticks(
+    arm: MiniMover, trains: Sequence[_Train], times: Array, ticks: Array
+) -> npt.NDArray[np.int64]:
+    """Positions of all rotors on some ticks, ticks x 6."""
+    rotors = np.empty((len(ticks), 6), dtype=np.int64)
+    rotors[:] = arm.rotors
+    for train in trains:
+        done = np.searchsorted(times[train.places], ticks)
+        rotors[:, train.latch] += np.concatenate(([0], np.cumsum(train.turns)))[done]
+    return rotors
 
 
 def _arrive(arm: MiniMover, trains: list[_Train], times: Array, nibbles: Array) -> None:

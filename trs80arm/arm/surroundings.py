@@ -1,18 +1,24 @@
 """How far the arm, with what it carries, is from everything: bounds that spare it being looked at.
 
-Inches, and inches that a half-step of each motor moves anything of the arm at most. Nothing here
+Inches, and inches that a unit of each coordinate moves anything of the arm at most. Nothing here
 decides what happens: only whether it is certain that nothing does.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
 
 from trs80arm.arm.bench import Bench
-from trs80arm.arm.contact.distance import boxes_apart, distance
+from trs80arm.arm.contact.carrying import load_at
+from trs80arm.arm.contact.distance import boxes_apart, distance, separation
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import apply
+from trs80arm.arm.course import Course, Floats, beyond
 from trs80arm.arm.fixtures import Feeder
 from trs80arm.arm.geometry import CableDrive, forward
 from trs80arm.arm.linkage import FINGERS, ArmLinkage
@@ -23,10 +29,34 @@ from trs80arm.arm.trigonometry import sin_cos
 
 FAR = 100.0
 """More inches than there are."""
-NEAR = 0.005
-"""Inches beyond what the arm goes in a tick within which contact is looked at."""
+NEAR = 0.001
+"""Inches from which on contact with anything but the table is looked at."""
+HAIR = 1e-9
+"""Inches below the table that are not below it."""
+SPARE = 1e-6
+"""Inches by which bounds are taken too narrow."""
+AXES = 6
+"""Ways along which two solids are seen apart in turn, at most."""
 FEED_CLEARANCE = 2.5
 """A feeder gives its next part when the fingertip is this far from its middle, inches."""
+
+
+@dataclass(frozen=True, slots=True)
+class Room:
+    """What room the arm has somewhere.
+
+    Attributes:
+        beside: inches to anything but the table, less those at which contact is looked at.
+        low: height of the lowest point of the arm and what it carries, inches.
+    """
+
+    beside: float
+    low: float
+
+    @property
+    def enough(self) -> bool:
+        """Whether contact need not be looked at."""
+        return self.beside >= 0.0 and self.low >= -HAIR
 
 
 class Surroundings:
@@ -37,18 +67,16 @@ class Surroundings:
         self._linkage = linkage
         self._drive = drive
         self._levers: tuple[float, ...] = ()
+        self._load: list[object] = []
 
     def __getstate__(self) -> dict[str, object]:
-        return {**self.__dict__, "_levers": ()}
-
-    def load_changed(self) -> None:
-        """The hand has another load, or none."""
-        self._levers = ()
+        return {**self.__dict__, "_levers": (), "_load": []}
 
     def levers(self) -> tuple[float, ...]:
-        """Inches that a half-step of each motor moves anything of the arm or its load, at most."""
-        if not self._levers:
-            self._levers = self._longest_levers()
+        """Inches that anything of arm and load goes for a unit of each coordinate, at most."""
+        load: list[object] = [(load.name, load.carried) for load in self._bench.scene.carried]
+        if not self._levers or self._load != load:
+            self._levers, self._load = self._longest_levers(), load
         return self._levers
 
     def _longest_levers(self) -> tuple[float, ...]:
@@ -64,26 +92,36 @@ class Surroundings:
         levers = {
             Motor.BASE: math.hypot(2 * swung, wide) + out,
             Motor.SHOULDER: swung,
-            # Raising the forearm opens the hand as well.
-            Motor.ELBOW: swung + 0.5 * model.drives[2].steps / model.hand_steps,
+            Motor.ELBOW: swung,
             # A gear turns pitch and roll by half as much.
             Motor.LEFT_WRIST: (out + aside) / 2,
             Motor.RIGHT_WRIST: (out + aside) / 2,
             Motor.HAND: 0.5,
         }
-        return tuple(levers[drive.turns] / drive.steps for drive in model.drives)
+        return tuple(levers[motor] for motor in Motor)
 
-    def travel(self, before: Sequence[int], after: Sequence[int]) -> float:
-        """Inches that any point of arm and load goes at most between two places."""
+    def ways(self, turned: Sequence[float]) -> list[float]:
+        """Inches that any point of arm and load goes at most.
+
+        Args:
+            turned: how far each coordinate goes, radians, and inches of the opening.
+
+        Returns:
+            By coordinate.
+        """
+        return [lever * abs(by) for lever, by in zip(self.levers(), turned, strict=True)]
+
+    def travel(self, before: Sequence[float], after: Sequence[float]) -> tuple[float, float]:
+        """Inches that any point of arm and load goes at most between two places, and goes down."""
         a, b, c, d, e, f = self.levers()
-        return (
-            a * abs(after[0] - before[0])
-            + b * abs(after[1] - before[1])
+        down = (
+            b * abs(after[1] - before[1])
             + c * abs(after[2] - before[2])
             + d * abs(after[3] - before[3])
             + e * abs(after[4] - before[4])
             + f * abs(after[5] - before[5])
         )
+        return down + a * abs(after[0] - before[0]), down
 
     def extent(self, opening: float) -> tuple[float, float]:
         """How far hand, fingers and load reach from the wrist, ahead and to any side, inches."""
@@ -104,13 +142,21 @@ class Surroundings:
                 ahead, aside = max(ahead, abs(x)), max(aside, math.hypot(y, z))
         return ahead, aside
 
-    def measured(self) -> float:
-        """How far the arm and what it carries are from all else but the table."""
-        scene = self._bench.scene
-        least = FAR
-        mine = list(zip(self._linkage.names, scene.link_solids, strict=True))
+    def measured(self, joints: Sequence[float]) -> Room:
+        """How far the arm and what it carries would be from all else.
+
+        Args:
+            joints: the arm's six coordinates.
+        """
+        scene, linkage = self._bench.scene, self._linkage
+        links = linkage.links(joints)
+        mine = [
+            (name, Placed(solid, link.place, link.turn))
+            for name, solid, link in zip(linkage.names, linkage.solids, links, strict=True)
+        ]
         for load in scene.carried:
-            mine += [("", solid) for solid in load.placed]
+            mine += [("", solid) for solid in load_at(load, links[linkage.hand])]
+        least = FAR
         for thing in scene.fixed.values():
             for other in thing.placed:
                 for name, solid in mine:
@@ -122,7 +168,64 @@ class Surroundings:
             for other in body.placed:
                 for _, solid in mine:
                     least = _nearer(solid, other, least)
-        return least
+        return Room(least - NEAR, min(solid.low[2] for _, solid in mine))
+
+    def places_clear(self, joints: Floats) -> int:
+        """At how many of some places in a row the arm has room, with what it carries.
+
+        Seen along the way in which a solid is beyond another, rather than by how far it goes: what
+        goes past something close by is no nearer to it.
+
+        Args:
+            joints: the arm's six coordinates, 6 x places.
+        """
+        scene = self._bench.scene
+        course = Course(self._linkage, joints, scene.carried)
+        count = len(joints[0])
+        names = self._linkage.names
+        for k in range(len(course)):
+            low, high = course.box(k)
+            if low[2] < -HAIR / 2:
+                count = _first(course.corners(k)[2, :count].min(axis=1) >= -HAIR / 2)
+            (a, b, c), (d, e, f) = low.tolist(), high.tolist()
+            reach = (a - NEAR, b - NEAR, c - NEAR), (d + NEAR, e + NEAR, f + NEAR)
+            for other in self._near(reach, names[k] if k < len(names) else ""):
+                if not count:
+                    return 0
+                count = _clear_of(course.corners(k)[:, :count], other)
+        return count
+
+    def _near(self, around: tuple[Vector, Vector], name: str) -> Iterator[Placed]:
+        """What is in or about an upright box, and can touch a link (or what is carried)."""
+        (a, b, c), (d, e, f) = around
+        scene = self._bench.scene
+        solids = [
+            solid
+            for thing in scene.fixed.values()
+            if name not in thing.passes
+            for solid in thing.placed
+        ]
+        for body in scene.sleepers(*around):
+            solids += body.placed
+        for solid in solids:
+            (u, v, w), (x, y, z) = solid.low, solid.high
+            if a <= x and u <= d and b <= y and v <= e and c <= z and w <= f:
+                yield solid
+
+    def places_unfed(self, joints: Floats, vacant: Sequence[Feeder]) -> int:
+        """At how many of some places in a row no feeder can give its next part.
+
+        Args:
+            joints: the arm's six coordinates, 6 x places.
+            vacant: feeders at whose place nothing stands.
+        """
+        x, y, _ = Course(self._linkage, joints, ()).fingertip
+        count = len(x)
+        for feeder in vacant:
+            far = FEED_CLEARANCE + feeder.place.radius - SPARE
+            out = (x - feeder.x) ** 2 + (y - feeder.y) ** 2
+            count = min(count, _first(out < far * far))
+        return count
 
     def until_fed(self, vacant: Sequence[Feeder], rotors: Sequence[int]) -> float:
         """Inches that the fingertip may go until a feeder can give; 0 where one can.
@@ -138,12 +241,10 @@ class Surroundings:
         """Where the fingertip is with the rotors somewhere."""
         return forward(self._linkage.model, self._drive.angles(rotors)).fingertip
 
-    def over_rings(self, vacant: Sequence[Feeder], rotors: Sequence[int], opening: float) -> float:
+    def over_rings(self, opening: float) -> float:
         """How far all is from the arm wherever the base turns, as it was on the last tick.
 
         Args:
-            vacant: feeders at whose place nothing stands.
-            rotors: positions on the last tick.
             opening: of the hand, inches.
         """
         scene = self._bench.scene
@@ -153,10 +254,6 @@ class Surroundings:
         joined = len(mine)
         mine += self._hand_rings(c, s, opening)
         least = min(each.low for each in mine)
-        x, y, _ = self.fingertip(rotors)
-        for feeder in vacant:
-            out = math.hypot(x, y) + math.hypot(feeder.x, feeder.y)
-            least = min(least, FEED_CLEARANCE + feeder.place.radius - out)
         # Base and body are joined to the arm's first links, and always behind a line across it.
         for thing in scene.fixed.values():
             for solid in thing.placed:
@@ -201,6 +298,39 @@ def too_near(feeder: Feeder, tip: Vector) -> float:
     """Inches by which a fingertip is too near to a feeder for its next part."""
     out = math.hypot(tip[0] - feeder.x, tip[1] - feeder.y)
     return FEED_CLEARANCE + feeder.place.radius - out
+
+
+def _clear_of(corners: Floats, other: Placed) -> int:
+    """At how many places in a row a solid is clear of another that stands.
+
+    Args:
+        corners: of the solid, 3 x places x corners.
+        other: what stands.
+    """
+    low, high = corners.min(axis=2), corners.max(axis=2)
+    gaps = np.maximum(low - np.array(other.high)[:, None], np.array(other.low)[:, None] - high).max(
+        axis=0
+    )
+    clear = gaps >= NEAR + SPARE
+    count = _first(clear)
+    for _ in range(AXES):
+        if count == len(clear):
+            break
+        here = [(x, y, z) for x, y, z in corners[:, count].T.tolist()]
+        out, way = separation(here, other.vertices)
+        if out < NEAR:
+            break
+        clear[count:] |= beyond(corners[:, count:], other.vertices, way) >= NEAR + SPARE
+        if not clear[count]:
+            break
+        count = _first(clear)
+    return count
+
+
+def _first(good: npt.NDArray[np.bool_]) -> int:
+    """How many come before the first that is not good."""
+    bad = int(np.argmin(good)) if len(good) else 0
+    return len(good) if good[bad : bad + 1].all() else bad
 
 
 def _nearer(solid: Placed, other: Placed, least: float) -> float:

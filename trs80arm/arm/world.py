@@ -12,6 +12,9 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+import numpy.typing as npt
+
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.body import Body
 from trs80arm.arm.contact.carrying import load_at
@@ -27,7 +30,7 @@ from trs80arm.arm.grip import Grip
 from trs80arm.arm.linkage import ArmLinkage, said
 from trs80arm.arm.model import Motor
 from trs80arm.arm.settings import ArmSettings
-from trs80arm.arm.surroundings import FAR, NEAR, Surroundings, too_near
+from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings, too_near
 from trs80arm.arm.telling import Telling
 
 Six = tuple[float, float, float, float, float, float]
@@ -60,10 +63,11 @@ class World:
         self.model = drive.model
         self.grip = Grip(self.model, drive.home_cable)
         self.vacant: list[Feeder] = []
+        self._lying: tuple[list[tuple[object, ...]], list[int]] = [], []
         self._rotors = [0] * 6
         self._ticked = [0] * 6
-        self._looked: list[int] | None = None
-        self._clear = self._beside = 0.0
+        self._looked: tuple[list[float], Room] | None = None
+        self._easing: list[list[float]] = []
         self._jumped = False
         self._busy = True
         self._loaded = False
@@ -79,7 +83,7 @@ class World:
     def __getstate__(self) -> dict[str, Any]:
         # How far things are is found anew; when it was looked at hangs on how a run is cut.
         self.show()
-        return {**self.__dict__, "_looked": None, "_clear": 0.0, "_beside": 0.0}
+        return {**self.__dict__, "_looked": None, "_easing": [], "_lying": ([], [])}
 
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
@@ -130,10 +134,21 @@ class World:
         return not self._busy
 
     @property
-    def at_rest(self) -> bool:
-        """Whether nothing moves of itself, and nothing but its load touches the arm."""
+    def free(self) -> bool:
+        """Whether nothing moves of itself, and nothing but its load touches the arm.
+
+        Its cables may still ease off.
+        """
         scene = self.bench.scene
-        return scene.quiet and not self._strained and self._plate_stands
+        return scene.quiet and self._plate_stands and (self._grasp.alone or not self._strained)
+
+    @property
+    def gripped(self) -> bool:
+        """Whether a part rests between the fingers, and on something else too.
+
+        Then nothing moves as long as nothing but the hand does.
+        """
+        return self.bench.scene.gripped and self._grasp.firm and self._plate_stands
 
     def skip(self, time: int) -> None:
         """Let ticks pass, up to a T-state, that would change nothing."""
@@ -142,11 +157,11 @@ class World:
 
     def tick(self) -> None:
         """Let a tick pass; contact is looked at if there can be any."""
-        if self._no_contact():
+        if self._tick_gripping() or (self.free and self._tick_freely()):
             self.bench.scene.time = self.due
-            self._jumped = self._jumped or self._ticked != self._rotors
             self._ticked[:] = self._rotors
-            self._busy = False
+            self._let_alone()
+            self._busy = self._strained and not self.gripped
             if self.vacant and not self.around.until_fed(self.vacant, self._rotors):
                 self.show()
                 self._feed()
@@ -154,34 +169,75 @@ class World:
         self.show()
         self._contact()
 
-    def _no_contact(self) -> bool:
-        """Whether it is certain that nothing touches the arm, or its load anything, in a tick."""
-        if not self.at_rest:
+    def _tick_gripping(self) -> bool:
+        """Squeeze what rests in the grip, if nothing else is to be done."""
+        if not (self.gripped and self.bench.scene.quiet):
             return False
-        rotors, ticked = self._rotors, self._ticked
-        if rotors == ticked:
-            return True
-        if not self._holds_on():
+        commands = self._commands(self._rotors)
+        if self._grasp.picks_up or not self.bench.scene.carrying.goes_on(commands):
             return False
-        base = self.around.levers()[0]
-        now = self.around.travel(ticked, rotors)
-        # The base turns nothing nearer to the table.
-        level = now - base * abs(rotors[0] - ticked[0])
-        gone = FAR if self._looked is None else self.around.travel(self._looked, ticked)
-        if gone + now < self._clear:
-            return True
-        clear = self._clearance_at_tick()
-        return now < clear or (now < self._beside and level == 0.0)
+        self.bench.scene.squeeze(commands)
+        return True
 
-    def _holds_on(self) -> bool:
-        """Whether the hand still holds its load as it took it up."""
-        scene = self.bench.scene
-        if not self._loaded:
+    def _let_alone(self) -> None:
+        """On a tick nothing was near the fingers but what rests in the hand."""
+        if not (self._loaded or self.gripped):
+            self.grip.contact = 0
+
+    def _tick_freely(self) -> bool:
+        """Move as nothing is in the way, unless contact has to be looked at; whether it has not."""
+        strained = self._strained
+        if self._rotors == self._ticked and not strained:
             return True
         commands = self._commands(self._rotors)
-        return scene.carrying.openings[0] <= commands[-1] <= scene.carrying.openings[1] and (
+        if not self._holds_on(commands):
+            return False
+        joints = self._led_to(commands)
+        if not self._room_to(joints) and not self._look(joints).enough:
+            return False
+        if strained:
+            self.bench.scene.ease(joints, commands)
+        else:
+            self._jumped = True
+        return True
+
+    def _led_to(self, commands: list[float]) -> list[float]:
+        """The arm's six coordinates after a tick in which nothing is in the way."""
+        driven = self.bench.scene.driven
+        if self._strained:
+            return driven.eased(driven.joints, driven.reached, commands, loaded=self._loaded)
+        return [*commands[:5], driven.joints[5] if self._loaded else commands[5]]
+
+    def _room_to(self, joints: Sequence[float]) -> bool:
+        """Whether there must be room somewhere, there being room where it was looked at.
+
+        What the arm went since is a bound on how much nearer anything can be; the base takes
+        nothing nearer to the table.
+        """
+        if self._looked is None:
+            return False
+        there, room = self._looked
+        if not room.enough:
+            return False
+        way, down = self.around.travel(there, joints)
+        return way <= room.beside - SPARE and (
+            down <= room.low - SPARE or (down == 0.0 and room.low >= -HAIR / 2)
+        )
+
+    def _look(self, joints: list[float]) -> Room:
+        """What room there is somewhere; remembered for bounds."""
+        room = self.around.measured(joints)
+        self._looked = joints, room
+        return room
+
+    def _holds_on(self, commands: list[float]) -> bool:
+        """Whether the hand still holds its load as it took it up."""
+        carrying = self.bench.scene.carrying
+        if not self._loaded:
+            return True
+        return carrying.openings[0] <= commands[-1] <= carrying.openings[1] and (
             self._rotors[3:5] == self._ticked[3:5]
-            or scene.carrying.upright_in(self._linkage.links(commands)[self._linkage.hand])
+            or carrying.upright_in(self._linkage.links(commands)[self._linkage.hand])
         )
 
     def tilt(self) -> float:
@@ -207,7 +263,6 @@ class World:
         self._loaded = bool(scene.carried)
         self._ticked[:] = self._rotors
         self._looked = None
-        self.around.load_changed()
         if not scene.went_on:
             self._grasp.look(loaded=self._loaded)
         self._telling.look(asleep)
@@ -271,9 +326,19 @@ class World:
         self._rotors[:] = rotors
         self.grip.cable = self.drive.cable(rotors)
         if time >= self.due:
+            ticks = (time - self.due) // TICK_STATES
             self.skip(time)
             self._ticked[:] = ticked
-            self._jumped = True
+            self._let_alone()
+            if self.gripped:
+                self.bench.scene.squeeze(self._commands(ticked))
+            elif self._strained and ticks < len(self._easing):
+                self.bench.scene.ease(self._easing[ticks], self._commands(ticked))
+            else:
+                self._jumped = True
+                if self._strained:
+                    # What was to ease off has.
+                    self.show()
         self._busy = True
 
     def show_load(self) -> None:
@@ -341,46 +406,87 @@ class World:
 
     # How far from everything
 
-    def _clearance_at_tick(self) -> float:
-        """Inches by which all that moves is clear of all that it could touch, on the last tick."""
-        if self._looked != self._ticked:
-            self.show()
-            self._looked = list(self._ticked)
-            self._beside = self.around.measured() - NEAR
-            low = min(solid.low[2] for solid in self.bench.scene.link_solids)
-            for load in self.bench.scene.carried:
-                low = min(low, *(solid.low[2] for solid in load.placed))
-            self._clear = min(self._beside, low - NEAR)
-        return self._clear
+    def ticks_until(self, time: int) -> npt.NDArray[np.int64]:
+        """T-states of the ticks up to a time."""
+        return np.arange(self.due, time + 1, TICK_STATES)
 
-    def clearance(self, *, turning: bool) -> float:
-        """Inches that any point of arm and load may go before anything can happen, at least.
+    def ticks_clear(self, rotors: npt.NDArray[np.int64]) -> int:
+        """How many ticks in a row need not be looked at, the arm being free, or gripping.
 
         Args:
-            turning: whether the base may turn meanwhile, as far as it likes; things are then taken
-                for rings around its axis.
-
-        Returns:
-            0 where something may happen with the next half-step.
+            rotors: positions on the ticks from the next on, ticks x 6.
         """
-        if not self.at_rest:
-            return 0.0
-        clear = self._clearance_at_tick() - self.around.travel(self._ticked, self._rotors)
-        if self.vacant and not turning:
-            clear = min(clear, self.around.until_fed(self.vacant, self._rotors) - NEAR)
-        if turning and clear > 0.0:
-            rings = self.around.over_rings(self.vacant, self._ticked, self.grip.opening)
-            clear = min(clear, rings - self.around.travel(self._ticked, self._rotors))
-        return max(0.0, clear)
-
-    def finger_steps(self) -> int:
-        """Half-steps that the hand alone can be stepped, either way, before anything happens."""
-        grip, model = self.grip, self.model
-        if grip.contact or grip.cable < 0:
+        if not len(rotors):
             return 0
-        lever = self.around.levers()[model.latch(Motor.HAND)]
-        most = model.hand.range * model.hand_steps - grip.cable
-        return max(0, int(min(self.clearance(turning=False) / lever, most, grip.cable)) - 2)
+        drive, scene = self.drive, self.bench.scene
+        cable = np.clip(drive.cable(rotors.T) / self.model.hand_steps, 0.0, self.model.hand.range)
+        joints = np.array((*drive.driven(rotors.T), cable))
+        if self.gripped:
+            return self._ticks_gripping(joints.T.tolist())
+        if self._strained:
+            self._ease(joints)
+        elif self._loaded:
+            joints[5] = scene.joints[5]
+        count = len(rotors)
+        if self.vacant:
+            count = self.around.places_unfed(joints, self.vacant)
+        if count and not self._far(joints[:, :count]):
+            count = self.around.places_clear(joints[:, :count])
+        return count
+
+    def _ticks_gripping(self, commands: Sequence[list[float]]) -> int:
+        """How many ticks in a row what rests in the grip goes on resting there.
+
+        Args:
+            commands: on the ticks.
+        """
+        goes_on = self.bench.scene.carrying.goes_on
+        if not self.grip.part:
+            return 0
+        for count, each in enumerate(commands):
+            if not goes_on(each):
+                return count
+        return len(commands)
+
+    def _ease(self, joints: npt.NDArray[np.float64]) -> None:
+        """Have the arm lag behind where it is wanted while its cables ease off.
+
+        Args:
+            joints: where the motors want it on some ticks, 6 x ticks; made where it is.
+        """
+        driven, loaded = self.bench.scene.driven, self._loaded
+        now, before = driven.joints, driven.reached
+        self._easing = []
+        for tick, commands in enumerate(joints.T.tolist()):
+            now = driven.eased(now, before, commands, loaded=loaded)
+            joints[:, tick] = now
+            self._easing.append(now)
+            before = commands
+            if now[:5] == commands[:5] and (loaded or now[5] == commands[5]):
+                # All that was to ease off has.
+                if loaded:
+                    joints[5, tick:] = now[5]
+                break
+
+    def _far(self, joints: npt.NDArray[np.float64]) -> bool:
+        """Whether everything is so far that the arm can go as far as it does, whichever way."""
+        self.show()
+        now = self.bench.scene.joints
+        there, room = self._looked or (now, self._look(list(now)))
+        far: list[float] = np.abs(joints - np.array(now)[:, None]).max(axis=1).tolist()
+        ways = self.around.ways(far)
+        gone, down = (each + SPARE for each in self.around.travel(there, now))
+        base, left, right = Motor.BASE, Motor.LEFT_WRIST, Motor.RIGHT_WRIST
+        way = sum(ways)
+        if gone + way <= room.beside and down + way - ways[base] <= room.low:
+            return True
+        if not ways[base]:
+            return False
+        # Seen as rings around the base everything is as far, however base and hand are turned.
+        pitched = float(np.abs(joints[left] + joints[right] - (now[left] + now[right])).max())
+        way += self.around.ways([0.0] * 3 + [pitched, 0.0, 0.0])[left]
+        way -= ways[base] + ways[left] + ways[right]
+        return way + SPARE <= self.around.over_rings(self.grip.opening)
 
     # The operator's hands
 
@@ -438,7 +544,6 @@ class World:
         if taken:
             scene.take([name for name in parts if name in taken])
             self._loaded = True
-            self.around.load_changed()
             self._grasp.weigh(loaded=True)
 
     def _turn_hand(self, rotors: list[int], wanted: int) -> None:
@@ -526,7 +631,14 @@ class World:
     def _changed(self) -> None:
         """Parts have moved: see which feeders have room, and whether the hand has a load."""
         self._loaded = bool(self.bench.scene.carried)
-        self.vacant = self.bench.waiting_feeders() if self.bench.feeders else []
+        if self.bench.feeders:
+            lying: list[tuple[object, ...]] = [
+                (part.name, part.place, part.turn, part.held) for part in self.bench.parts.values()
+            ]
+            given = [feeder.given for feeder in self.bench.feeders]
+            if self._lying != (lying, given):
+                self._lying = lying, given
+                self.vacant = self.bench.waiting_feeders()
 
     def _touches(self, solids: Sequence[Placed]) -> bool:
         """Whether a link or finger is in some solids."""

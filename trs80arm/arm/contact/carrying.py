@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from trs80arm.arm.contact.bodies import Body, Link
+from trs80arm.arm.contact.driven import DrivenArm
 from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.meeting import sliding
 from trs80arm.arm.contact.rotations import (
     apply,
     apply_back,
@@ -14,43 +17,76 @@ from trs80arm.arm.contact.rotations import (
     times,
     transposed,
 )
+from trs80arm.arm.contact.solver import CREEP, Contact
 from trs80arm.arm.shapes import Vector, dot, minus, plus
 
 TILT = 0.9962
 """Cosine of the turn of the hand, against the vertical, at which what it carries is looked at
 again: five degrees."""
-LOOSER, TIGHTER = 1e-9, 0.015
-"""Inches of cable by which a hand may let up or tighten before its load is looked at again."""
+WIDEST = 100.0
+"""More inches of cable than a hand can be tightened by."""
+RESERVE = 1.3
+"""How many times as hard as friction needs it a hand must press on what goes on resting in it."""
 _DOWN: Vector = (0.0, 0.0, -1.0)
 
 
 class Carrying:
-    """How the hand held what rests in it when that came to rest."""
+    """How the hand holds what rests in it: carried along, or gripped where it stands.
+
+    Attributes:
+        gripped: names of what rests between the fingers and on something else too.
+        openings: from where to where the hand can be commanded while what rests in it goes on doing
+            so: squeezed harder friction only holds better, and less hard until its reserve is gone.
+    """
 
     def __init__(self) -> None:
+        self.gripped: list[str] = []
+        self.openings: tuple[float, float] = (0.0, 0.0)
         self._down: Vector = _DOWN
-        self._opening = 0.0
+        self._standing: list[float] = [0.0] * 5
 
-    def take(self, body: Body, hand: Link, opening: float) -> None:
-        """Have a body rest in the hand from now on.
+    def hold(self, arm: DrivenArm, contacts: Sequence[Contact], names: Sequence[str]) -> None:
+        """Take note of how the fingers hold something.
 
         Args:
-            body: that does.
-            hand: where it stands.
-            opening: to which the hand is commanded.
+            arm: whose hand it is.
+            contacts: as solved.
+            names: of what rests there.
         """
+        assert arm.linkage is not None
+        force, needed = arm.torques[5], 0.0
+        for contact in contacts:
+            one, other, _ = contact.key
+            if one in arm.fingers and other in names:
+                # Friction that holds creeps in proportion to what it holds.
+                needed = max(needed, sliding(contact) / CREEP)
+        spare = force * max(0.0, 1 - RESERVE * needed)
+        commanded = arm.commands[5]
+        self.openings = commanded - WIDEST, commanded + spare / arm.linkage.stiffness[5]
+
+    def take(self, body: Body, hand: Link) -> None:
+        """Have a body rest in the hand from now on, and go with it."""
         place = apply_back(hand.turn, minus(body.place, hand.place))
         body.carried = place, times(transposed(hand.turn), matrix(body.turn))
         self._down = apply_back(hand.turn, _DOWN)
-        self._opening = opening
 
-    @property
-    def openings(self) -> tuple[float, float]:
-        """From where to where the hand can be commanded while what rests in it goes on doing so."""
-        return self._opening - TIGHTER, self._opening + LOOSER
+    def grip(self, names: Sequence[str], commands: Sequence[float]) -> None:
+        """Have bodies rest between the fingers, for as long as the arm stands.
+
+        Args:
+            names: of them.
+            commands: where the motors want the arm.
+        """
+        self.gripped = list(names)
+        self._standing = list(commands[:5])
+
+    def goes_on(self, commands: Sequence[float]) -> bool:
+        """Whether what is gripped goes on resting where it is with the arm commanded there."""
+        low, high = self.openings
+        return list(commands[:5]) == self._standing and low <= commands[5] <= high
 
     def upright_in(self, hand: Link) -> bool:
-        """Whether it does with the hand turned like that: not much against the vertical."""
+        """Whether a load goes on resting in a hand turned like that: as against the vertical."""
         return dot(apply_back(hand.turn, _DOWN), self._down) >= TILT
 
     def tilt_left(self, hand: Link) -> float:

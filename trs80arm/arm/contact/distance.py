@@ -19,12 +19,26 @@ _MOST_ROUNDS = 40
 
 def distance(a: Placed, b: Placed) -> float:
     """Inches between two solids; 0 where they touch or overlap."""
-    return _least(a.vertices, b.vertices)
+    return _least(a.vertices, b.vertices)[0]
+
+
+def separation(a: Sequence[Vector], b: Sequence[Vector]) -> tuple[float, Vector]:
+    """How far two solids are apart, and along which way.
+
+    Args:
+        a: corners of the first.
+        b: corners of the second.
+
+    Returns:
+        Inches, 0 where they touch or overlap; and a vector of length 1 along which the first is
+        beyond the second by so much (any vector where they are not apart).
+    """
+    return _least(a, b)
 
 
 def distance_to(solid: Placed, *points: Vector) -> float:
     """Inches from a point, or from all that lies between some, to a solid; 0 inside."""
-    return _least(solid.vertices, points)
+    return _least(solid.vertices, points)[0]
 
 
 def boxes_apart(a: Placed, b: Placed) -> float:
@@ -37,24 +51,29 @@ def boxes_apart(a: Placed, b: Placed) -> float:
     return math.sqrt(total)
 
 
-def _least(ours: Sequence[Vector], theirs: Sequence[Vector]) -> float:
-    """Distance of the origin from all differences of two sets of corners and what is between."""
+def _least(ours: Sequence[Vector], theirs: Sequence[Vector]) -> tuple[float, Vector]:
+    """Distance of the origin from all differences of two sets of corners and what is between.
+
+    And the way along which they are that far from it.
+    """
     nearest = minus(ours[0], theirs[0])
     simplex = [nearest]
-    bound = 0.0
+    bound, way = 0.0, (0.0, 0.0, 1.0)
     for _ in range(_MOST_ROUNDS):
         length = math.sqrt(dot(nearest, nearest))
         if length <= CLOSE_ENOUGH:
-            return 0.0
+            return 0.0, way
         corner = minus(_farthest(ours, nearest, -1.0), _farthest(theirs, nearest, 1.0))
-        bound = max(bound, dot(nearest, corner) / length)
+        out = dot(nearest, corner) / length
+        if out > bound:
+            bound, way = out, (nearest[0] / length, nearest[1] / length, nearest[2] / length)
         if length - bound <= CLOSE_ENOUGH or corner in simplex:
             break
         simplex.append(corner)
         nearest, simplex = _nearest(simplex)
         if len(simplex) == 4:
-            return 0.0
-    return bound
+            return 0.0, way
+    return bound, way
 
 
 def _farthest(corners: Sequence[Vector], way: Vector, sign: float) -> Vector:

@@ -10,7 +10,8 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage, Screw
+from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
+from trs80arm.arm.contact.clock import TICK
 from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.solver import Contact, Mobile
@@ -38,8 +39,7 @@ class DrivenArm:
         way: rates of the coordinates in the last step.
         moved: whether it has been commanded elsewhere since the last tick.
         still: ticks for which it has been commanded nowhere else.
-        links: where they stand.
-        solids: of the links, where they stand.
+        standing: ticks for which only the hand has been.
     """
 
     def __init__(self, linkage: Linkage | None) -> None:
@@ -52,23 +52,44 @@ class DrivenArm:
         self.way: list[float] = [0.0] * 6
         self.moved = False
         self.still = 0
-        self.links: list[Link] = []
-        self.solids: list[Placed] = []
-        self._reach: list[Six] = []
+        self.standing = 0
+        self._links: list[Link] = []
+        self._solids: list[Placed] = []
+        self._reaches: list[list[float]] = []
 
     def __getstate__(self) -> dict[str, Any]:
         # Links are where the joints have them. Where a step began is said anew at each, and depends
         # on how many were asked for at once.
-        return {**self.__dict__, "began": [0.0] * 6, "links": [], "solids": [], "_reach": []}
+        nowhere: dict[str, Any] = {"_links": [], "_solids": [], "_reaches": []}
+        return {**self.__dict__, "began": [0.0] * 6, **nowhere}
 
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-        self.place()
+    @property
+    def links(self) -> list[Link]:
+        """Where the links stand."""
+        if not self._links and self.linkage is not None:
+            self._links = self.linkage.links(self.joints)
+        return self._links
+
+    @property
+    def solids(self) -> list[Placed]:
+        """The links as solids, where they stand."""
+        if not self._solids and self.linkage is not None:
+            self._solids = [
+                Placed(solid, link.place, link.turn)
+                for solid, link in zip(self.linkage.solids, self.links, strict=True)
+            ]
+        return self._solids
 
     @property
     def names(self) -> Sequence[str]:
         """Of the links."""
         return () if self.linkage is None else self.linkage.names
+
+    @property
+    def fingers(self) -> tuple[str, ...]:
+        """Names of the links that the last coordinate moves."""
+        links = zip(self.names, self.links, strict=True)
+        return tuple(name for name, link in links if any(link.screws[5][1]))
 
     @property
     def hand(self) -> Link:
@@ -91,7 +112,7 @@ class DrivenArm:
         self.torques = [0.0] * 6
         self.place()
         self.moved = True
-        self.still = 0
+        self.still = self.standing = 0
 
     def jump(self, joints: Sequence[float], *, loaded: bool) -> None:
         """Be elsewhere, having met nothing on the way.
@@ -117,14 +138,8 @@ class DrivenArm:
             self.moved = True
 
     def place(self) -> None:
-        """Have the links be where the joints have them."""
-        self._reach = []
-        if self.linkage is not None:
-            self.links = self.linkage.links(self.joints)
-            self.solids = [
-                Placed(solid, link.place, link.turn)
-                for solid, link in zip(self.linkage.solids, self.links, strict=True)
-            ]
+        """Have the links be where the joints have them from now on."""
+        self._links, self._solids, self._reaches = [], [], []
 
     # Moving
 
@@ -137,12 +152,52 @@ class DrivenArm:
             seconds: length of the step.
             loaded: whether something rests in the hand.
         """
-        h = seconds
-        a, b, c, d, e, f = (
-            ((there - here) + EASE * (there - before) / h) / (h + EASE)
-            for there, here, before in zip(self.commands, self.joints, self.began, strict=True)
-        )
-        return a, b, c, d, e, 0.0 if loaded else f
+        return _rates(self.joints, self.began, self.commands, seconds, loaded=loaded)
+
+    def eased(
+        self,
+        joints: Sequence[float],
+        before: Sequence[float],
+        after: Sequence[float],
+        *,
+        loaded: bool,
+    ) -> list[float]:
+        """Joints after a tick in which nothing touches the arm but what rests in its hand.
+
+        Args:
+            joints: before.
+            before: where the motors wanted them then.
+            after: where they want them in the end.
+            loaded: whether something rests in the hand, which keeps the opening at which it does.
+        """
+        rates = _rates(joints, before, after, TICK, loaded=loaded)
+        moved = [at + rate * TICK for at, rate in zip(joints, rates, strict=True)]
+        held = 1 if loaded else 0
+        if all(abs(a - b) < EASED for a, b in zip(after[: 6 - held], moved, strict=False)):
+            moved[: 6 - held] = after[: 6 - held]
+        return moved
+
+    def ease(self, joints: Sequence[float], commands: Sequence[float]) -> None:
+        """Be where a tick has led in which nothing touched the arm.
+
+        Args:
+            joints: as `eased` has them.
+            commands: where the motors want them.
+        """
+        assert self.linkage is not None
+        self.joints, self.commands = list(joints), list(commands)
+        self.reached = self.commands
+        self.torques = [
+            (here - there) * stiff
+            for here, there, stiff in zip(joints, commands, self.linkage.stiffness, strict=True)
+        ]
+        self.place()
+
+    def squeeze(self, commands: Sequence[float]) -> None:
+        """Have the motors want the hand otherwise, which stays as it is around what it grips."""
+        assert self.linkage is not None
+        self.commands = self.reached = list(commands)
+        self.torques[5] = (self.joints[5] - commands[5]) * self.linkage.stiffness[5]
 
     def mobile(self, rates: Six, seconds: float, *, loaded: bool) -> Mobile | None:
         """The arm for the solver; None without one.
@@ -161,20 +216,19 @@ class DrivenArm:
         inertias = (a, b, c, d, e, f)
         return Mobile(list(rates), NOWHERE, inertias=inertias, before=tuple(self.way))
 
-    def reach(self, index: int) -> Six:
-        """How far any point of a link moves at most for a unit of each coordinate, inches."""
-        if not self._reach:
-            self._reach = [
-                _reach(solid, link.screws)
-                for solid, link in zip(self.solids, self.links, strict=True)
+    @property
+    def reaches(self) -> list[list[float]]:
+        """How far any point of each link moves at most for a unit of each coordinate, inches."""
+        if not self._reaches:
+            self._reaches = [
+                _reach(link, solid) for link, solid in zip(self.links, self.solids, strict=True)
             ]
-        return self._reach[index]
+        return self._reaches
 
-    def speed(self, index: int, rates: Six) -> float:
-        """A bound on the speed of any point of a link, inches a second."""
-        a, b, c, d, e, f = self.reach(index)
-        u, v, w, x, y, z = rates
-        return a * abs(u) + b * abs(v) + c * abs(w) + d * abs(x) + e * abs(y) + f * abs(z)
+    def speeds(self, rates: Six) -> list[float]:
+        """Bounds on the speed of any point of each link, inches a second."""
+        a, b, c, d, e, f = (abs(rate) for rate in rates)
+        return [u * a + v * b + w * c + x * d + y * e + z * f for u, v, w, x, y, z in self.reaches]
 
     def touched(self, mobile: Mobile, contacts: Sequence[Contact]) -> bool:
         """Whether anything presses on it."""
@@ -207,12 +261,28 @@ class DrivenArm:
         self.place()
 
 
-def _reach(solid: Placed, screws: Sequence[Screw]) -> Six:
-    """How far any point of a solid moves at most for a unit of each coordinate, inches."""
+def _rates(
+    joints: Sequence[float],
+    before: Sequence[float],
+    after: Sequence[float],
+    seconds: float,
+    *,
+    loaded: bool,
+) -> Six:
+    """Rates at which joints go from where they are to where they are wanted in the end."""
+    a, b, c, d, e, f = (
+        ((there - here) + EASE * (there - then) / seconds) / (seconds + EASE)
+        for there, here, then in zip(after, joints, before, strict=True)
+    )
+    return a, b, c, d, e, 0.0 if loaded else f
+
+
+def _reach(link: Link, solid: Placed) -> list[float]:
+    """How far any point of a link moves at most for a unit of each coordinate, inches."""
     (x, y, z), radius = solid.middle, solid.radius
-    out = [0.0] * 6
-    for k, ((a, b, c), (u, v, w)) in enumerate(screws):
+    out = []
+    for (a, b, c), (u, v, w) in link.screws:
         u, v, w = u + b * z - c * y, v + c * x - a * z, w + a * y - b * x
-        out[k] = math.sqrt(u * u + v * v + w * w) + radius * math.sqrt(a * a + b * b + c * c)
-    a, b, c, d, e, f = out
-    return a, b, c, d, e, f
+        far = math.sqrt(u * u + v * v + w * w)
+        out.append(far + radius * math.sqrt(a * a + b * b + c * c) if a or b or c else far)
+    return out

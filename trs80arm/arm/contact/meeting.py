@@ -16,9 +16,9 @@ from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.manifold import Manifold, on_table
 from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.roster import Roster
-from trs80arm.arm.contact.solver import Contact, Key, Mobile, Side
+from trs80arm.arm.contact.solver import Contact, Key, Mobile, Side, total
 from trs80arm.arm.contact.table import TABLE, Plate
-from trs80arm.arm.shapes import Vector, minus
+from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
 MARGIN = 0.02
 """Gap within which two things are looked at as about to touch, inches."""
@@ -26,6 +26,8 @@ TOUCH = 0.003
 """Gap at which they do, inches."""
 SAME = 0.01
 """Square of the distance within which a point of contact is the one of the step before, inches."""
+NOTHING = 1e-6
+"""Inches a second at which something comes closer without pressing, and inches of an overlap."""
 
 _FAST = Side(None)
 
@@ -74,7 +76,7 @@ class Meeting:
         """
         done: set[str] = set()
         queue = list(awake)
-        reach = [self.seconds * self.arm.speed(k, self.rates) for k in range(len(self.arm.solids))]
+        reach = [self.seconds * speed for speed in self.arm.speeds(self.rates)]
         while queue:
             body = queue.pop(0)
             if body.name in done:
@@ -241,3 +243,53 @@ def islands(contacts: Sequence[Contact]) -> list[list[Contact]]:
     for contact in contacts:
         groups.setdefault(find(id(contact.second.mobile)), []).append(contact)
     return list(groups.values())
+
+
+def presses(contacts: Sequence[Contact], seconds: float) -> bool:
+    """Whether anything has to press for contacts that belong together to be kept.
+
+    Where nothing has to, everything moves as it would if they were not there, and needs no solving;
+    their pressures are then none.
+
+    Args:
+        contacts: with the velocities that would be without them.
+        seconds: length of the step.
+    """
+    for contact in contacts:
+        for k, (_, gap) in enumerate(contact.points):
+            opening = dot(_relative(contact, k), contact.normal)
+            if opening < (-gap / seconds if gap > 0 else 0.0) - NOTHING or gap < -NOTHING:
+                return True
+    for contact in contacts:
+        contact.pressures = [0.0] * len(contact.points)
+    return False
+
+
+def sliding(contact: Contact) -> float:
+    """How fast the second side slides along the first at most where they press, inches a second."""
+    most = 0.0
+    for k, pressure in enumerate(contact.pressures):
+        if pressure > 0:
+            off = _relative(contact, k)
+            off = plus(off, contact.normal, -dot(off, contact.normal))
+            most = max(most, math.sqrt(dot(off, off)))
+    return most
+
+
+def _relative(contact: Contact, index: int) -> Vector:
+    """Velocity of the second side against the first at a point."""
+    point = contact.points[index][0]
+    off = minus(_velocity(contact.second, point), _velocity(contact.first, point))
+    return minus(off, contact.surfaces[index]) if contact.surfaces is not None else off
+
+
+def _velocity(side: Side, point: Vector) -> Vector:
+    """Of what a side is of, at a point."""
+    mobile = side.mobile
+    if mobile is None:
+        return NOWHERE
+    if side.screws is not None:
+        spin, velocity = total(side.screws, mobile.speed)
+        return plus(velocity, cross(spin, point))
+    u, v, w, *_ = mobile.speed
+    return plus((u, v, w), cross(side.spin, minus(point, mobile.place)))

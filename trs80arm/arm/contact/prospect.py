@@ -51,8 +51,7 @@ class Prospect:
             return None
         levers = [1.0] * 6
         if self.arm.linkage is not None:
-            reach = [self.arm.reach(k) for k in range(len(self.arm.links))]
-            levers = [max(each) for each in zip(*reach, strict=True)]
+            levers = [max(each) for each in zip(*self.arm.reaches, strict=True)]
         faster = pace(levers, self.way, self.arm.way)
         driven: set[str] = set()
         for problem in self.problems:

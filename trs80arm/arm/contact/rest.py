@@ -13,6 +13,10 @@ from trs80arm.arm.shapes import Vector, minus
 
 STILL = 0.03
 """Speed of a body's outermost point below which it hardly moves, inches a second."""
+AT_REST = 0.0015
+"""Speed of it below which it does not move at all."""
+SURE = 5
+"""How many times as much a tick counts in which it does not."""
 CALM_TICKS = 10
 """Ticks for which everything that leans on each other must be still to fall asleep."""
 
@@ -71,13 +75,16 @@ def _group(
     return Group(members, outside)
 
 
-def calm(body: Body, hand: tuple[Link, Link] | None, seconds: float) -> bool:
+def calm(body: Body, hand: tuple[Link, Link] | None, seconds: float) -> int:
     """Whether a body hardly moves.
 
     Args:
         body: as it moved in the last step.
         hand: in which it lies, before the step and now, if it does: it may move with that.
         seconds: length of the step.
+
+    Returns:
+        How much a tick counts towards its rest: 0 where it moves.
     """
     velocity, spin = body.velocity, body.spin
     if hand is not None:
@@ -87,7 +94,8 @@ def calm(body: Body, hand: tuple[Link, Link] | None, seconds: float) -> bool:
         velocity = _scaled(minus(here, apply_back(then.turn, earlier)), 1 / seconds)
         if now.turn != then.turn:
             spin = minus(spin, _spin(then.turn, now.turn, seconds))
-    return greatest_speed([*velocity, *spin], body.shape.radius) < STILL
+    speed = greatest_speed([*velocity, *spin], body.shape.radius)
+    return 0 if speed >= STILL else 1 if speed >= AT_REST else SURE
 
 
 def _scaled(v: Vector, factor: float) -> Vector:

@@ -20,7 +20,7 @@ from trs80arm.arm.contact.coasting import Coast
 from trs80arm.arm.contact.driven import GRAVITY, DrivenArm
 from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.contact.meeting import TOUCH, Meeting, islands
+from trs80arm.arm.contact.meeting import TOUCH, Meeting, islands, presses
 from trs80arm.arm.contact.memory import Memory
 from trs80arm.arm.contact.prospect import Prospect
 from trs80arm.arm.contact.rest import CALM_TICKS, calm, groups, leaning
@@ -28,7 +28,7 @@ from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.rotations import spun, turned
 from trs80arm.arm.contact.solver import Contact, Mobile, Problem
 from trs80arm.arm.contact.table import TABLE, Plate
-from trs80arm.arm.shapes import plus
+from trs80arm.arm.shapes import Vector, plus
 
 DRAG = 0.5
 """Part of its spin that a body loses in a second: what rolls comes to rest."""
@@ -129,8 +129,7 @@ class Scene:
     @arm.setter
     def arm(self, linkage: Linkage | None) -> None:
         self.driven.linkage = linkage
-        if linkage is None:
-            self.driven.links, self.driven.solids = [], []
+        self.driven.place()
 
     def put_arm(self, joints: Sequence[float]) -> None:
         """Have the arm stand somewhere, its cables without tension."""
@@ -149,7 +148,11 @@ class Scene:
             body = self.bodies.get(waiting.pop())
             if body is None:
                 continue
-            body.still = 0
+            if body.name in self.carrying.gripped:
+                # It was at rest with the hand, and may go on being so while that moves.
+                self.carrying.gripped = []
+            else:
+                body.still = 0
             if body.asleep:
                 body.asleep = False
                 body.carried = None
@@ -173,6 +176,26 @@ class Scene:
         self.driven.jump(joints, loaded=bool(self._roster.carried))
         self._carry()
 
+    def ease(self, joints: Sequence[float], commands: Sequence[float]) -> None:
+        """Have the arm and what it carries be where a tick led in which nothing touched it.
+
+        Args:
+            joints: its six coordinates.
+            commands: where the motors want them.
+        """
+        self._coast = None
+        self.driven.ease(joints, commands)
+        self._carry()
+
+    @property
+    def gripped(self) -> bool:
+        """Whether something rests between the fingers, and on something else too."""
+        return bool(self.carrying.gripped)
+
+    def squeeze(self, commands: Sequence[float]) -> None:
+        """Have the hand squeeze what it grips otherwise, `carrying.goes_on` with that."""
+        self.driven.squeeze(commands)
+
     def look_closely(self) -> None:
         """Have the next tick be a single one, and solved."""
         self._stride, self._coast = 1, None
@@ -182,6 +205,7 @@ class Scene:
         self._coast = None
         for name in names:
             self._sleep(self.bodies[name], {}, in_hand=True)
+        self.carrying.hold(self.driven, self.contacts, names)
         self.contacts = []
 
     # The arm
@@ -223,6 +247,10 @@ class Scene:
         """What rests in the hand."""
         return self._roster.ordered(self._roster.carried.values())
 
+    def sleepers(self, low: Vector, high: Vector) -> list[Body]:
+        """What sleeps, and does not rest in the hand, in or about an upright box."""
+        return self._roster.near(low, high)
+
     @property
     def due(self) -> int:
         """T-state of the next tick."""
@@ -245,8 +273,9 @@ class Scene:
         arm = self.driven
         moved = arm.moved
         arm.moved = False
-        arm.still = 0 if moved else arm.still + self._stride
         before, after = arm.reached, arm.commands
+        arm.still = 0 if moved else arm.still + self._stride
+        arm.standing = 0 if before[:5] != after[:5] else arm.standing + self._stride
         coast = None if self._something_spins() else self._coast
         share = None if coast is None else coast.share(after)
         if coast is not None and share is not None:
@@ -299,7 +328,7 @@ class Scene:
         contacts = self._meeting(arm_mobile, rates, mobiles).find(awake, arm=look)
         # Some may have been woken by what comes upon them.
         awake = [self.bodies[name] for name in mobiles]
-        problems = [Problem(group, h) for group in islands(contacts)]
+        problems = [Problem(group, h) for group in islands(contacts) if presses(group, h)]
         for problem in problems:
             self.solved += 1
             self.steps += problem.solve()
@@ -401,7 +430,7 @@ class Scene:
             for body in loads:
                 self.wake(body.name)
             loads = []
-        reach = [arm.speed(k, rates) * self._seconds + TOUCH for k in range(len(arm.links))]
+        reach = [speed * self._seconds + TOUCH for speed in arm.speeds(rates)]
         around = box_around(arm.solids, max(reach))
         for body in self._roster.near(*around):
             if outside(body, around):
@@ -500,21 +529,27 @@ class Scene:
             if held and loose and arm.linkage is not None:
                 hand = before[arm.linkage.hand], arm.hand
             for each in group.members:
-                quiet = calm(each, hand, self._seconds)
-                each.still = each.still + self._stride if quiet else 0
+                counts = calm(each, hand, self._seconds)
+                each.still = each.still + counts * self._stride if counts else 0
             if any(each.still < CALM_TICKS for each in group.members) or not group.outside:
                 continue
-            if held and not loose and arm.still < CALM_TICKS:
+            gripped = group.outside.issuperset(arm.fingers) and arm.standing > 0
+            if held and not loose and arm.still < CALM_TICKS and not gripped:
                 continue
+            names = [each.name for each in group.members]
             for each in group.members:
                 self._sleep(each, lean, in_hand=held and loose)
+            if held and (loose or gripped):
+                self.carrying.hold(arm, contacts, names)
+            if gripped and not loose:
+                self.carrying.grip(names, arm.commands)
 
     def _sleep(self, body: Body, lean: Mapping[str, set[str]], *, in_hand: bool) -> None:
         body.asleep = True
         body.velocity = body.spin = NOWHERE
         body.touching = tuple(sorted(lean.get(body.name, ())))
         if in_hand and self.arm is not None:
-            self.carrying.take(body, self.driven.hand, self.driven.commands[-1])
+            self.carrying.take(body, self.driven.hand)
 
 
 def _between(before: Sequence[float], after: Sequence[float], share: float) -> list[float]:
