@@ -115,6 +115,19 @@ async def teach(sitting: Sitting) -> None:
     await sitting.pass_time(0.1)
 
 
+async def tapes(sitting: Sitting) -> None:
+    """The recorder at work: a search that came by another program."""
+    rig = sitting.app.session.rig
+    rig.insert_cassette("TASKS")
+    for name in "AB":
+        await sitting.type(f'CSAVE "{name}"\r')
+    rig.rewind_cassette()
+    await sitting.app.run_action("do('show_tapes')")
+    sitting.app.pacer.hurries = False
+    rig.type('CLOAD "B"\r')
+    await sitting.pass_time(2.5)
+
+
 def action(name: str) -> Scene:
     """A dialog."""
 
@@ -197,6 +210,7 @@ async def main() -> None:
     await shoot("slipped", (120, 40), slipped, theme="amber")
     await shoot("by-hand", (100, 30), by_hand)
     await shoot("teach", (100, 36), teach, bench=PROGRAMS / "table4.toml", theme="paper")
+    await shoot("tapes", (80, 24), tapes, program=PROGRAMS / "table2.bas")
     await shoot("open", (100, 30), action("open"), theme="white")
     await shoot("help", (100, 30), action("help"))
 

@@ -179,3 +179,23 @@ def test_what_a_device_cannot_write_is_told_at_once(
     session = Session(RigSettings(**{setting: tmp_path / "file" / "none"}))
     told = talk("10 REM", line, "PRINT 7*6", session=session)
     assert told.index(said) < told.index("\n 42 \n")
+
+
+def test_cassettes_and_paper_are_worked_in_lines(tmp_path: Path) -> None:
+    target = tmp_path / "paper.txt"
+    said = talk(
+        *(".tapes", ".insert T1", "10 REM", 'CSAVE "A"', ".rewind", ".tapes", 'CLOAD? "A"'),
+        *(".eject", ".eject", ".insert", "1", 'LPRINT "ONE":LPRINT "TWO"', ".paper", ".paper 1"),
+        *(f".paper save {target}", ".tear", "throw", ".paper", ".paper x"),
+    )
+    assert "There are no cassettes" in said
+    assert "* CSAVE on T1" in said
+    assert "T1: program A" in said
+    assert "* CLOAD?: program A" in said
+    assert "In the recorder: T1, at 0:00 of 0:" in said
+    assert "There is no cassette in the recorder." in said
+    assert "\nONE\nTWO\n" in said
+    assert "The last 1 of 2 lines:\nTWO\n" in said
+    assert target.read_text() == "ONE\nTWO\n"
+    assert "The paper is torn off." in said
+    assert "How many lines, or save?" in said

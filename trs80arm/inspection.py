@@ -6,13 +6,14 @@ Looking changes nothing and takes none of the machine's time. The terminal's pan
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import islice
 from typing import Any
 
 from trs80arm.basic.kinds import DOUBLE, INTEGER, STRING, Kind
 from trs80arm.basic.numbers.decimal import number_text
+from trs80arm.deck import Deck, cassettes_of
 from trs80arm.program_text import spell
 from trs80arm.rig import Rig
 
@@ -42,6 +43,7 @@ class Inspection:
         variables: the simple ones in the order of their creation, then the arrays.
         paper: what is on the printer's paper, line by line.
         cassettes: the names of the cassettes.
+        deck: the recorder.
     """
 
     lines: tuple[Line, ...] = ()
@@ -49,6 +51,7 @@ class Inspection:
     variables: tuple[Variable, ...] = ()
     paper: tuple[str, ...] = ()
     cassettes: tuple[str, ...] = ()
+    deck: Deck = field(default_factory=Deck)
 
     @classmethod
     def of(cls, rig: Rig) -> Inspection:
@@ -59,7 +62,8 @@ class Inspection:
             basic.next_line,
             tuple(_variables(rig)),
             tuple(rig.printer.text.splitlines()),
-            tuple(rig.tape.cassettes),
+            cassettes_of(rig),
+            Deck.of(rig),
         )
 
 

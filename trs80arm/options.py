@@ -62,6 +62,16 @@ class CursorStyle(StrEnum):
     STEADY = "steady"
 
 
+class Sound(StrEnum):
+    """How programs are heard that make sound on the line to the recorder, by OUT 255."""
+
+    OFF = "off"
+    BELL = "bell"
+    """The terminal's bell, once where a sound begins."""
+    SAMPLES = "samples"
+    """As it was, through the computer's loudspeaker; extra `sound`."""
+
+
 class Speed(Enum):
     """Virtual seconds per second of the wall."""
 
@@ -90,6 +100,8 @@ class TerminalSettings:
         arm: how the arm is drawn: solid in ascii, half blocks, sextants, braille dots or pixels, or
             in bare lines (outline).
         cursor: whether the tube's cursor blinks, or is steady as the ROM's own.
+        turbo: whether the machine goes flat out while a tape goes by or a paste is typed.
+        sound: of programs that OUT to port 255: off, the terminal's bell, or samples.
         fps: the most frames a second, 1 to 60.
         tap_ms: how long the timer holds a key after a press, milliseconds.
         repeat_ms: how long the timer holds a key after a repeat, milliseconds.
@@ -101,6 +113,8 @@ class TerminalSettings:
     theme: str = "green"
     arm: ArmStyle = ArmStyle.ASCII
     cursor: CursorStyle = CursorStyle.BLINK
+    turbo: bool = True
+    sound: Sound = Sound.OFF
     fps: int = 30
     tap_ms: int = 100
     repeat_ms: int = 120

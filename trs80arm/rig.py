@@ -30,6 +30,7 @@ from trs80arm.machine.console import Console
 from trs80arm.machine.driver import Counts, Driver, Mode
 from trs80arm.machine.keys import Key
 from trs80arm.machine.memory import Memory
+from trs80arm.machine.ports import LineListener
 from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
@@ -441,6 +442,38 @@ class Rig:
         self._works.arm.move_to(pose)
         self._record("move_to", pose)
 
+    # -- recorder and printer -----------------------------------------------------------------
+
+    def insert_cassette(self, name: str, content: bytes | None = None) -> None:
+        """Put a cassette into the recorder, rewound; a new one if there is none of that name.
+
+        Args:
+            name: of the cassette.
+            content: what is on it; None takes it from the shelf. A recording of the session has
+                it, so that it is played again with the same cassette.
+
+        Raises:
+            BadCassetteName: the name cannot be one.
+        """
+        tape = self.tape
+        tape.insert(name, content)
+        self._record("insert_cassette", tape.cassette, tape.content)
+
+    def rewind_cassette(self) -> None:
+        """Rewind the cassette in the recorder."""
+        self._record("rewind_cassette")
+        self.tape.rewind()
+
+    def eject_cassette(self) -> None:
+        """Take the cassette out; the recorder then helps itself to what a statement needs."""
+        self._record("eject_cassette")
+        self.tape.eject()
+
+    def tear_off_paper(self) -> None:
+        """Take the printed paper away; the printer's file has it, if there is one."""
+        self._record("tear_off_paper")
+        self.printer.tear_off()
+
     # -- what there is to see -----------------------------------------------------------------
 
     @property
@@ -587,6 +620,17 @@ class Rig:
             A function that takes it off.
         """
         return _attach(self._observers.latches, observer)
+
+    def watch_line(self, listener: LineListener) -> Callable[[], None]:
+        """Listen at the line to the recorder, on which programs make sound by OUT 255.
+
+        Args:
+            listener: is given the T-state and the level, 0 to 3, at each change.
+
+        Returns:
+            A function that ends the listening.
+        """
+        return _attach(self._observers.line, listener)
 
     def watch_resets(self, observer: Callable[[], None]) -> Callable[[], None]:
         """Call `observer` after each `@RESET`, and when the machine is switched off.

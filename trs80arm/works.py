@@ -24,7 +24,7 @@ from trs80arm.machine.driver import Counts, Driver, DriverSettings
 from trs80arm.machine.keyboard import KeyboardDriver, Matrix
 from trs80arm.machine.keys import KEYBOARD_START, KEYBOARD_STOP, Key
 from trs80arm.machine.memory import RAM_SIZES_KIB, Memory
-from trs80arm.machine.ports import Ports, SystemPort
+from trs80arm.machine.ports import LineListener, Ports, SystemPort
 from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer, PrinterDriver
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.typist import Typist, check_answer
@@ -99,6 +99,8 @@ class Observers:
     """Told every write to the card's latches."""
     resets: list[Callable[[], None]] = field(default_factory=list)
     """Told every `@RESET`."""
+    line: list[LineListener] = field(default_factory=list)
+    """Told every change of the level on the recorder's line."""
     inputs: list[Callable[[Input], None]] = field(default_factory=list)
     """Told everything that the operator does; the rig itself tells them."""
 
@@ -108,6 +110,7 @@ class Observers:
         works.basic.listeners = self.statements
         works.card.observers = self.latches
         works.driver.reset_observers = self.resets
+        works.system_port.listeners = self.line
 
 
 @dataclass
@@ -125,6 +128,7 @@ class Works:
     printer: Printer
     tape: Tape
     ports: Ports
+    system_port: SystemPort
     card: Card
     driver: Driver
     arm: MiniMover
@@ -174,7 +178,8 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
     driver = Driver(clock, card, matrix, settings.driver, arm.model.hand_per_elbow)
     ports = Ports()
     ports.attach(card)
-    ports.attach(SystemPort(video))
+    system_port = SystemPort(clock, video)
+    ports.attach(system_port)
     memory.attach(PRINTER_START, PRINTER_STOP, printer)
     memory.attach(KEYBOARD_START, KEYBOARD_STOP, matrix)
     memory.attach(VIDEO_START, VIDEO_STOP, video)
@@ -199,6 +204,7 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
         printer=printer,
         tape=tape,
         ports=ports,
+        system_port=system_port,
         card=card,
         driver=driver,
         arm=arm,

@@ -52,7 +52,7 @@ def test_a_device_answers_at_its_ports() -> None:
 def test_port_255_switches_the_tube_and_tells_its_state() -> None:
     video = Video()
     ports = Ports()
-    ports.attach(SystemPort(video))
+    ports.attach(SystemPort(Clock(), video))
     assert ports.read(255) == 127
     ports.write(255, 8)
     assert video.wide

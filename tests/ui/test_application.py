@@ -63,8 +63,24 @@ async def test_typed_keys_reach_the_prompt_in_order(sit_down: Opener) -> None:
 
 
 @piloted
-async def test_escape_in_a_paste_stops_it_at_once(sit_down: Opener) -> None:
+async def test_a_paste_goes_flat_out_and_then_the_speed_is_what_it_was(sit_down: Opener) -> None:
     async with sit_down() as sitting:
+        sitting.app.post_message(events.Paste("PRINT 1\rPRINT 6*7"))
+        await sitting.pilot.pause()
+        sitting.wall.now += 0.2
+        sitting.app.tick()
+        await sitting.settle()
+        assert sitting.app.pacer.turbo
+        assert "turbo" in screen_text(sitting.app)
+        await sitting.pass_time(0.3)
+        assert "PRINT 6*7" in sitting.tube
+        assert not sitting.app.pacer.turbo
+        assert sitting.app.pacer.speed == 1
+
+
+@piloted
+async def test_escape_in_a_paste_stops_it_at_once(sit_down: Opener) -> None:
+    async with sit_down(turbo=False) as sitting:
         sitting.app.post_message(
             events.Paste("PRINT 1\rPRINT 2222222222222222222222222\rPRINT 3\r")
         )

@@ -12,10 +12,12 @@ from trs80arm.desk.asking import ListQuestion
 from trs80arm.desk.leaving import NOTHING_UNSAVED, PROGRAM_UNSAVED
 from trs80arm.desk.pacing import Pacer
 from trs80arm.desk.remembered import Remembered
+from trs80arm.desk.sound import LineSound
 from trs80arm.desk.stage import Stage
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, Speed, TerminalOptions
 from trs80arm.rig import Key, Waiting
 from trs80arm.ui.commands.arm import ArmCommands
+from trs80arm.ui.commands.comfort import ComfortCommands
 from trs80arm.ui.commands.keys import KeyCommands
 from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.program import ProgramCommands
@@ -124,9 +126,15 @@ class Desk(Sitting):
         self.view = ViewCommands(self.shown, remembered, person, person.say)
         self.keys = KeyCommands(self.keyboard, KeyMode.AUTO, person.say, self.shown)
         self.tube = TubeCommands(self.shown, self.files, person.say)
+        self.rung: list[float] = []
+        self.sound = LineSound(
+            self.session, lambda: self.rung.append(self.session.time), person.say
+        )
+        self.comfort = ComfortCommands(self.pacer, self.sound, remembered, person, person.say)
         self.program = ProgramCommands(
             self.session,
             self.pacer,
+            self.sound,
             self.keyboard,
             self.shown,
             TerminalOptions(),
@@ -473,3 +481,24 @@ def test_no_two_commands_have_a_name_or_a_key_in_common() -> None:
     keys = [key for command in COMMANDS for key in command.keys.split(",") if key]
     assert len(set(names)) == len(names)
     assert len(set(keys)) == len(keys)
+
+
+def test_turbo_is_switched_off_and_on_and_remembered(desk: Desk) -> None:
+    desk.comfort.switch_turbo()
+    assert not desk.pacer.hurries
+    assert "turbo = false" in (desk.folder / "settings.toml").read_text()
+    desk.comfort.switch_turbo()
+    assert desk.pacer.hurries
+    assert desk.person.told == [
+        "Tapes and pastes go at the speed set.",
+        "Tapes and pastes go flat out, then at the speed set.",
+    ]
+
+
+def test_sound_is_chosen_and_heard(desk: Desk) -> None:
+    desk.answer("bell")
+    desk.comfort.choose_sound()
+    desk.type("OUT 255,1:OUT 255,2")
+    desk.sound.go_on()
+    assert len(desk.rung) == 1
+    assert 'sound = "bell"' in (desk.folder / "settings.toml").read_text()

@@ -58,6 +58,7 @@ class FileQuestion:
         to_write: whether the file will be written: one that exists is asked about.
         own: the file that may be replaced without a question.
         folder: whether it is a folder that is wanted; there need be none of that name yet.
+        plain: whether it is a bare name that is wanted, and no file is looked at.
     """
 
     title: str
@@ -66,6 +67,7 @@ class FileQuestion:
     to_write: bool
     own: Path | None = None
     folder: bool = False
+    plain: bool = False
 
 
 @dataclass(frozen=True)

@@ -320,8 +320,8 @@ class SessionFiles:
         self._say(f"{entered} lines are entered at once; Ctrl+V can have them typed.")
 
     def type_in(self, text: str) -> None:
-        """Type a text at the machine's pace; BREAK ends it."""
-        self._session.rig.type(text.replace("\r\n", "\r").replace("\n", "\r"))
+        """Type a text; BREAK ends it."""
+        self._session.paste(text.replace("\r\n", "\r").replace("\n", "\r"))
         self._say(f"Typing {self._session.rig.to_type} characters; Escape stops it.")
 
     # -- recordings and other files ---------------------------------------------------------------

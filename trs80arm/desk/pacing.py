@@ -25,6 +25,8 @@ LEAST_OWED = 0.0001
 """Virtual seconds that are too few to be paid now."""
 MOST_OWED = 0.5
 """Seconds of the wall that may be owed; after a suspend the rest is forgotten."""
+FARTHEST = 2.0
+"""Virtual seconds that one call lets pass in a hurry."""
 ACHIEVED_OVER = 1.0
 """Seconds of the wall over which the achieved speed is told."""
 
@@ -54,15 +56,27 @@ class Pacer:
     Args:
         machine: what is paced.
         wall: the wall's clock in seconds; a test gives its own.
+        hurry: whether something goes on that nobody wants to wait for.
 
     Attributes:
         speed: virtual seconds per second of the wall; None is flat out.
+        turbo: whether the machine goes flat out for now, whatever its speed.
+        hurries: whether it does so when there is a hurry.
         paused: whether no time passes at all.
         achieved: what was reached of the speed lately, as virtual seconds per second of the wall.
     """
 
-    def __init__(self, machine: Machine, wall: Callable[[], float], speed: float | None) -> None:
+    def __init__(
+        self,
+        machine: Machine,
+        wall: Callable[[], float],
+        speed: float | None,
+        hurry: Callable[[], bool] = lambda: False,
+    ) -> None:
         self._wall = wall
+        self._hurry = hurry
+        self.turbo = False
+        self.hurries = True
         self.machine = machine
         self.speed = speed
         self.paused = False
@@ -102,7 +116,10 @@ class Pacer:
         if self.paused:
             self.achieved = 0.0
             return
-        if self.speed is None:
+        self.turbo = self.hurries and self.speed is not None and self._hurry()
+        if self.turbo:
+            self._hurry_on(now)
+        elif self.speed is None:
             self._flat_out(now, passed)
         else:
             self._target += passed * self.speed
@@ -123,6 +140,14 @@ class Pacer:
             if self._wall() >= end:
                 return
         self._pay(end)
+
+    def _hurry_on(self, now: float) -> None:
+        """As fast as can be until there is no more hurry; nothing is owed for it."""
+        machine = self.machine
+        end, far = now + FAST_BUDGET, machine.time + FARTHEST
+        while self._hurry() and self._wall() < end and machine.time < far:
+            self._one_slice(self._slice)
+        self._target = machine.time
 
     def _pay(self, end: float) -> None:
         machine = self.machine

@@ -61,6 +61,11 @@ ALL_FILES: Final = Reach()
 """For who sits at the computer itself."""
 
 
+def proposed(reach: Reach, question: FileQuestion) -> str:
+    """The name that a question for a file begins with."""
+    return str(question.proposal if question.plain else reach.proposal(question.proposal))
+
+
 def file_problem(reach: Reach, question: FileQuestion, text: str) -> str:
     """Why what was typed is no answer to a question for a file; empty if it is one.
 
@@ -69,6 +74,8 @@ def file_problem(reach: Reach, question: FileQuestion, text: str) -> str:
     if not text:
         return "Type a name."
     path = reach.typed(text)
+    if question.plain:
+        return "" if path.name == text else "Type a plain name, without a folder."
     if outside := reach.refusal(path, to_write=question.to_write):
         return outside
     if question.folder:
@@ -84,7 +91,8 @@ def file_problem(reach: Reach, question: FileQuestion, text: str) -> str:
 
 def replaces(question: FileQuestion, path: Path) -> bool:
     """Whether a file would be replaced that its owner did not name before."""
-    return question.to_write and not question.folder and path != question.own and path.exists()
+    looked_at = question.to_write and not (question.folder or question.plain)
+    return looked_at and path != question.own and path.exists()
 
 
 def _no_new_folder(path: Path) -> str:

@@ -25,6 +25,8 @@ from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.desk.greeting import greet
 from trs80arm.files import MAX_LINE_NUMBER
 from trs80arm.machine.clock import END_OF_TIME
+from trs80arm.machine.tape import LONGEST as LONGEST_TAPE
+from trs80arm.machine.tape import is_cassette_name
 from trs80arm.paths import open_to_read
 from trs80arm.plain_values import Range, SettingsError, Table, as_table, fit, from_table
 from trs80arm.rig import LONGEST_HOLD, TURNED_BY_HAND, Input, Key, Pose, Rig, RigSettings
@@ -297,6 +299,20 @@ def _line(value: Any) -> tuple[int, bytes]:
     return number, text
 
 
+def _cassette_name(value: Any) -> str:
+    name: str = fit(str, value)
+    if not is_cassette_name(name):
+        raise SettingsError("expected the plain name of a cassette")
+    return name
+
+
+def _cassette_content(value: Any) -> bytes:
+    content = bytes.fromhex(fit(str, _named(value, "hex")))
+    if len(content) > LONGEST_TAPE:
+        raise SettingsError("expected no more than a cassette holds")
+    return content
+
+
 def _pose(value: Any) -> Pose:
     x, y, z, pitch, roll, opening = fit(_SIX_NUMBERS, _named(value, "pose"))
     return Pose(x, y, z, pitch, roll, opening)
@@ -332,5 +348,9 @@ ACTIONS: dict[str, tuple[Callable[[Any], Any], ...]] = {
     "pull": (partial(fit, _Number),) * 3,
     "let_go": (),
     "step_statement": (),
+    "insert_cassette": (_cassette_name, _cassette_content),
+    "rewind_cassette": (),
+    "eject_cassette": (),
+    "tear_off_paper": (),
 }
 """What may stand in a recording: the methods of `Rig` that it records, and what each is given."""

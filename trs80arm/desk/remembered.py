@@ -21,7 +21,7 @@ class Remembered:
         self._file = file
         self._say = say
 
-    def choose(self, key: str, value: str) -> None:
+    def choose(self, key: str, value: str | bool) -> None:
         """Remember a choice, or say why not."""
         if self._file is None:
             return

@@ -75,6 +75,7 @@ class Session:
         self._play_end = 0
         self._play_fault: str | None = None
         self._told_faults: set[str] = set()
+        self._pasting = False
         self.keepsakes = Keepsakes(lambda: self.rig)
         rig = Rig(self._settings, file.bench if file else None)
         if greeting:
@@ -125,6 +126,20 @@ class Session:
     def busy(self) -> bool:
         """Whether the machine works by itself, instead of waiting for its operator."""
         return self.typing or self.waiting is Waiting.NOTHING
+
+    def paste(self, text: str) -> None:
+        """Type a text that is there already, so that nobody wants to wait for it."""
+        self.rig.type(text)
+        self._pasting = True
+
+    @property
+    def hurried(self) -> bool:
+        """Whether something goes on that takes long, and that nobody watches for its own sake.
+
+        That is a paste being typed, and a tape going by; not a tape at its silent end.
+        """
+        self._pasting = self._pasting and self.typing
+        return self._pasting or (self.rig.tape.passes and not self.playing)
 
     def run_for(self, seconds: float) -> None:
         """Let virtual time pass, and do what a recording that plays says meanwhile."""

@@ -180,10 +180,33 @@ def walk(data: bytes) -> Iterator[tuple[Recording | None, FileFormatError | None
 
     Of a damaged one there is the part before the damage, or None if nothing of it is good.
     """
+    for stretch in stretches(data):
+        yield stretch.recording, stretch.fault
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A stretch of tape with a recording on it.
+
+    Attributes:
+        start: the offset of its first byte behind the sync byte.
+        stop: the offset behind its last one.
+        recording: what it is; of a damaged one the part before the damage, or None.
+        fault: what is wrong with it.
+    """
+
+    start: int
+    stop: int
+    recording: Recording | None
+    fault: FileFormatError | None
+
+
+def stretches(data: bytes) -> Iterator[Stretch]:
+    """Where on a cassette its recordings are, one by one."""
     offset = 0
     while (start := _behind_sync(data, offset)) is not None:
         recording, offset, fault = _parse_one(data, start)
-        yield recording, fault
+        yield Stretch(start, offset, recording, fault)
 
 
 def _behind_sync(data: bytes, offset: int) -> int | None:

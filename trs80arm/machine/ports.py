@@ -6,8 +6,10 @@ answers at its own ports when it is plugged in.
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Callable
+from typing import Any, Protocol
 
+from trs80arm.machine.clock import Clock
 from trs80arm.machine.memory import EMPTY
 from trs80arm.machine.video import Video
 
@@ -15,6 +17,9 @@ SYSTEM_PORT = 0xFF
 _MODE_SELECT_OUT = 0b0000_1000
 _MODE_SELECT_IN = 0b0100_0000
 _CASSETTE_IN = 0b1000_0000
+_LEVEL = 0b0000_0011
+LineListener = Callable[[int, int], None]
+"""Is told the T-state and the level, 0 to 3, when the level of the recorder's line changes."""
 
 
 class PortDevice(Protocol):
@@ -35,12 +40,23 @@ class SystemPort:
 
     In, bit 6 tells the switch's state (1: 64 characters) and bit 7 the cassette's latch, which is
     at rest between two tape statements; nothing drives the other bits, so they read 1: 127, or 63
-    in 32-column mode. Bits 0 to 2 out, the cassette's signal and motor, move no tape here: tapes
-    are written and read by the language's tape statements as whole bytes.
+    in 32-column mode. Bits 0 and 1 out are the level on the line to the recorder, which programs
+    make sound with; bit 2, its motor, moves no tape here: tapes are written and read by the
+    language's tape statements as whole bytes.
+
+    Attributes:
+        listeners: told the time and the level, 0 to 3, whenever the level changes; they are not
+            part of a snapshot.
     """
 
-    def __init__(self, video: Video) -> None:
+    def __init__(self, clock: Clock, video: Video) -> None:
+        self.listeners: list[LineListener] = []
+        self._clock = clock
         self._video = video
+        self._level = 0
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "listeners": []}
 
     def owns(self, port: int) -> bool:
         """Whether it is port FFH."""
@@ -51,8 +67,16 @@ class SystemPort:
         return EMPTY & ~_CASSETTE_IN & ~(_MODE_SELECT_IN if self._video.wide else 0)
 
     def write(self, port: int, value: int) -> None:
-        """Switch the tube as bit 3 says. The ROM's own flag at 403DH knows nothing of it."""
+        """Switch the tube as bit 3 says, and put a level on the recorder's line.
+
+        The ROM's own flag of the tube's mode at 403DH knows nothing of it.
+        """
         self._video.switch(bool(value & _MODE_SELECT_OUT))
+        level = value & _LEVEL
+        if level != self._level:
+            self._level = level
+            for listener in self.listeners:
+                listener(self._clock.now, level)
 
 
 class Ports:

@@ -97,6 +97,12 @@ class Printer:
         else:
             self.fault = None
 
+    def tear_off(self) -> None:
+        """Take away the paper that is printed; a file has it, its last line too."""
+        self.flush()
+        self._sent.clear()
+        self._line_start = 0
+
     def peek(self, address: int) -> int:
         """The printer's state at 37E8H to 37EBH, as programs look at it before printing."""
         return READY

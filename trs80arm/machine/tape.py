@@ -91,7 +91,7 @@ class FolderShelf:
             path.stem
             for path in found
             if path.suffix in (SUFFIX, SUFFIX.upper())
-            and _is_cassette_name(path.stem)
+            and is_cassette_name(path.stem)
             and self._is_inside(path)
         ]
         return list(dict.fromkeys(stems))
@@ -214,35 +214,71 @@ class Tape:
         return len(self._content)
 
     @property
+    def content(self) -> bytes:
+        """What is on the cassette that is in the recorder."""
+        return self._content
+
+    @property
+    def recorded(self) -> int | None:
+        """How many bytes of a recording under way are on the tape; None while none is."""
+        return None if self._recording is None else len(self._recording)
+
+    @property
+    def passes(self) -> bool:
+        """Whether tape with something on it goes past the head; not at its silent end."""
+        more = self._recording is not None or self.position < self.length or bool(self._unheard)
+        return self.running and more
+
+    def look_at(self, name: str) -> bytes:
+        """What is on a cassette of the shelf; OSError if it cannot be read."""
+        return self._unsaved[name] if name in self._unsaved else self._shelf.load(name)
+
+    @property
     def in_memory(self) -> dict[str, bytes]:
         """The cassettes that no file holds: all, without a folder, or what failed to be written."""
         return {**self._shelf.in_memory, **self._unsaved}
 
-    def insert(self, name: str) -> None:
+    def insert(self, name: str, content: bytes | None = None) -> None:
         """Put in a cassette, rewound; it is a new one if there is none of that name.
+
+        A machine that is reading goes on with it; a recording under way ends on the old one.
+
+        Args:
+            name: of the cassette.
+            content: what is on it; None takes it from the shelf.
 
         Raises:
             BadCassetteName: the name cannot be one.
         """
         name = name.removesuffix(SUFFIX).removesuffix(SUFFIX.upper())
-        if not _is_cassette_name(name):
+        if not is_cassette_name(name):
             raise BadCassetteName(
                 f"{name!r} is no name for a cassette: it must be a plain file name"
             )
-        self.stop()
+        self._change()
         self._by_hand = True
         self._put_in(name)
+        if content is not None and content != self._content:
+            self._unsaved[name] = self._content = content
 
     def eject(self) -> None:
-        """Take the cassette out; the recorder helps itself from then on."""
-        self.stop()
+        """Take the cassette out; the recorder helps itself from the next tape statement on."""
+        self._change()
         self._by_hand = False
         self._name = None
         self._content = b""
         self.rewind()
 
+    def _change(self) -> None:
+        """The hand is at the cassette: what was recorded is on the old one."""
+        if self._recording is not None:
+            self.stop()
+        self._unheard = []
+
     def rewind(self) -> None:
-        """Go to the start of the tape."""
+        """Go to the start of the tape; a recording under way ends before."""
+        if self._recording is not None:
+            self.stop()
         self.position = 0
         self._recorded_from = None
 
@@ -365,7 +401,8 @@ class Tape:
         self.fault = f"{where}{error.strerror or error}"
 
 
-def _is_cassette_name(name: str) -> bool:
+def is_cassette_name(name: str) -> bool:
+    """Whether a cassette can be called that, in any folder of any computer."""
     return bool(_NAME.fullmatch(name)) and not _RESERVED.fullmatch(name)
 
 

@@ -15,7 +15,7 @@ from trs80arm.desk.asking import (
     Question,
     Say,
 )
-from trs80arm.desk.reach import Reach, file_problem, replaces
+from trs80arm.desk.reach import Reach, file_problem, proposed, replaces
 
 BACK = "."
 """The line that goes back from a question."""
@@ -103,7 +103,7 @@ class LineAsking:
 
     def ask_file(self, question: FileQuestion, then: Callable[[Path], object]) -> None:
         """Ask for a file's name; an empty line takes what is proposed."""
-        proposal = str(self._reach.proposal(question.proposal))
+        proposal = proposed(self._reach, question)
         warned = ""
 
         def take(line: str) -> None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from trs80arm.desk.files import SessionFiles
+from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.session import Session
 from trs80arm.desk.teach import Lesson
@@ -29,6 +30,7 @@ class Sitting:
         session: the machine and what belongs to it.
         files: opens and saves.
         workbench: the bench and the arm on it.
+        peripherals: recorder and printer.
         lesson: the positions taught.
         ask: asks its user; the next line is the answer.
         tell: says something.
@@ -39,6 +41,7 @@ class Sitting:
     session: Session
     files: SessionFiles
     workbench: Workbench
+    peripherals: Peripherals
     lesson: Lesson
     ask: LineAsking
     tell: Tell

@@ -9,19 +9,22 @@ from collections.abc import Callable, Iterator
 from datetime import datetime
 from typing import TextIO
 
+from trs80arm.deck import Deck
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.happenings import Happenings
 from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
+from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.places import RecentFiles, state_folder
 from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.session import Session
+from trs80arm.desk.sound import LineSound
 from trs80arm.desk.teach import Lesson
 from trs80arm.desk.workbench import Workbench
 from trs80arm.operator import ScriptError, parse_holds
-from trs80arm.options import TerminalOptions
+from trs80arm.options import Sound, TerminalOptions
 from trs80arm.plain.arm import show_registers
 from trs80arm.plain.asking import LineAsking
 from trs80arm.plain.command import Sitting
@@ -47,6 +50,8 @@ class PlainMode:
         speed: virtual seconds per second of the wall; None is flat out.
         reach: which files can be named.
         sleep: waits for so many seconds of the wall.
+        turbo: whether the machine goes flat out while a tape goes by.
+        sound: how programs are heard that make sound.
     """
 
     def __init__(
@@ -58,18 +63,23 @@ class PlainMode:
         speed: float | None,
         reach: Reach = ALL_FILES,
         sleep: Callable[[float], None] = time.sleep,
+        turbo: bool = True,
+        sound: Sound = Sound.OFF,
     ) -> None:
         self.session = session
         self._out = out
         self._echo = echo
         self._speed = speed
         self._sleep = sleep
+        self._turbo = turbo
         self._teletype = Teletype(out)
         self._listen()
         session.watch_machine(self._listen)
         self._happenings = Happenings(session)
         self._left = False
+        self._tape = ""
         self._sitting = self._sit_down(reach)
+        self._sound = LineSound(session, self._ring, self._say, sound)
 
     def _listen(self) -> None:
         """Print what the machine prints from now on; it may be another one."""
@@ -95,6 +105,7 @@ class PlainMode:
             session=session,
             files=files,
             workbench=Workbench(session, files, ask, say),
+            peripherals=Peripherals(session, ask, say),
             lesson=lesson,
             ask=ask,
             tell=self._tell,
@@ -108,6 +119,11 @@ class PlainMode:
     def _printed(self, code: int, is_echo: bool) -> None:
         if self._echo or not is_echo or code < 32:
             self._teletype(code)
+
+    def _ring(self) -> None:
+        """The bell of the terminal; a file has none."""
+        if self._out.isatty():
+            self._out.write("\a")
 
     def _tell(self, text: object) -> None:
         """Say something that the machine did not, on a line of its own."""
@@ -177,8 +193,11 @@ class PlainMode:
             while session.typing or session.waiting is Waiting.NOTHING:
                 session.run_for(SLICE)
                 self._tell_happenings()
+                self._tell_of_tape()
+                self._sound.go_on()
                 self._out.flush()
-                if self._speed is not None and session.waiting is Waiting.NOTHING:
+                hurried = self._turbo and session.hurried
+                if self._speed is not None and session.waiting is Waiting.NOTHING and not hurried:
                     self._sleep(SLICE / self._speed)
         except KeyboardInterrupt:
             session.stop_playing()
@@ -189,6 +208,14 @@ class PlainMode:
         if session.waiting is Waiting.SET and not self._sitting.ask.waits:
             self._tell("@SET: which keys? (.help)")
         self._out.flush()
+
+    def _tell_of_tape(self) -> None:
+        """What the recorder does, whenever that is something else."""
+        rig = self.session.rig
+        doing = Deck.of(rig).doing if rig.tape.running else ""
+        if doing and doing != self._tape:
+            self._tell(f"* {doing}")
+        self._tape = doing
 
     def _tell_happenings(self) -> None:
         """What became of parts and motors since the last look."""
@@ -239,6 +266,8 @@ def run_plain(options: TerminalOptions) -> int:
         echo=not sys.stdin.isatty(),
         speed=options.speed.factor,
         reach=Reach(options.own_folder),
+        turbo=options.turbo,
+        sound=options.sound,
     )
     if options.run:
         session.rig.type("RUN\r")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trs80arm.plain import arm, machine, teaching
+from trs80arm.plain import arm, machine, peripherals, teaching
 from trs80arm.plain.command import Group, LineCommand, Sitting
 
 COLUMN = 26
@@ -29,6 +29,7 @@ GROUPS: tuple[Group, ...] = (
     machine.GROUP,
     arm.GROUP,
     teaching.GROUP,
+    peripherals.GROUP,
     Group(
         "This program",
         (

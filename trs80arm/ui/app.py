@@ -29,11 +29,13 @@ from textual.screen import Screen
 from trs80arm.desk.files import PLAYING, SessionFiles
 from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.pacing import TICK, Pacer
+from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.places import RecentFiles
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.remembered import Remembered
 from trs80arm.desk.session import Session
+from trs80arm.desk.sound import LineSound
 from trs80arm.desk.stage import Stage
 from trs80arm.desk.teach import Lesson
 from trs80arm.drawing.glyphs import choose
@@ -43,6 +45,7 @@ from trs80arm.trace.history import History
 from trs80arm.ui.asking import Dialogs
 from trs80arm.ui.commands.arm import ArmCommands
 from trs80arm.ui.commands.bar import CommandBar
+from trs80arm.ui.commands.comfort import ComfortCommands
 from trs80arm.ui.commands.keys import KeyCommands
 from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.program import ProgramCommands
@@ -53,6 +56,7 @@ from trs80arm.ui.heartbeat import Heartbeat
 from trs80arm.ui.help_topics import topics
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.keyboard import Keyboard
+from trs80arm.ui.panels.inspector import Asked
 from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 from trs80arm.ui.panels.status import Pace
@@ -128,7 +132,9 @@ class Trs80Arm(Themed[int]):
         self._next_frame = 0.0
         self._remembered_theme = options.theme
         self._trying_themes = False
-        self.pacer = Pacer(session, wall, options.speed.factor)
+        self.pacer = Pacer(session, wall, options.speed.factor, lambda: session.hurried)
+        self.pacer.hurries = options.turbo
+        self.sound = LineSound(session, self.bell, self.say, options.sound)
         self.heartbeat = Heartbeat(self.tick, lambda: self.busy, wall)
         held = HeldKeys(options.tap_ms / 1000, options.repeat_ms / 1000)
         self.keyboard = Keyboard(session, held, options.keys, wall)
@@ -166,9 +172,12 @@ class Trs80Arm(Themed[int]):
             view=ViewCommands(desk, self.remembered, dialogs, say),
             tube=TubeCommands(self, files, say),
             keys=KeyCommands(keyboard, self.options.keys, say, dialogs),
+            peripherals=Peripherals(session, dialogs, say),
+            comfort=ComfortCommands(self.pacer, self.sound, self.remembered, dialogs, say),
             program=ProgramCommands(
                 session,
                 self.pacer,
+                self.sound,
                 keyboard,
                 desk,
                 self.options,
@@ -326,6 +335,7 @@ class Trs80Arm(Themed[int]):
         self.stage.go_on()
         self.keyboard.feed()
         self.pacer.advance()
+        self.sound.go_on()
         now = self.wall()
         if now >= self._next_frame:
             fps = min(self.options.fps, BEHIND_FPS) if self.dialog_is_open else self.options.fps
@@ -347,7 +357,7 @@ class Trs80Arm(Themed[int]):
         self.desk.show(
             self.session.rig,
             now,
-            Pace(pacer.speed, pacer.achieved, pacer.paused),
+            Pace(pacer.speed, pacer.achieved, pacer.paused, pacer.turbo),
             keys=self.keyboard.in_use.value,
             notice=self._notice if now < self._notice_until else "",
         )
@@ -428,6 +438,10 @@ class Trs80Arm(Themed[int]):
             self.commands.machine.go_on()
         else:
             self.say("Paused: keys wait until F6.")
+
+    def on_asked(self, message: Asked) -> None:
+        """A panel was clicked that stands for a command."""
+        self.action_do(message.command)
 
     def on_key_held(self, message: KeyHeld) -> None:
         """The mouse holds a key."""

@@ -76,6 +76,11 @@ class SystemTape(Activity):
         self._name = name.ljust(_NAME_LENGTH)
         self._playing = False
 
+    @property
+    def wanted(self) -> str:
+        """The name that is looked for."""
+        return self._name.decode("latin-1").rstrip()
+
     def advance(self, state: State) -> None:
         """Search for the name and load; a tape that has run out plays on until BREAK."""
         tape = state.host.tape

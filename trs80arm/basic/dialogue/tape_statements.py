@@ -49,6 +49,11 @@ class Writing(Activity):
             self._data += data
         self._place = 0
 
+    @property
+    def total(self) -> int:
+        """How many bytes it records in all, the leader included."""
+        return len(self._data)
+
     def advance(self, state: State) -> None:
         """Record up to the clock's limit."""
         clock, tape = state.clock, state.host.tape
@@ -180,6 +185,16 @@ class Cload(Reading):
         self._head = bytearray()
         self._address = 0
         self._zeros = 0
+
+    @property
+    def wanted(self) -> int | None:
+        """The code of the name that is looked for; None for any."""
+        return self._name[0] if isinstance(self._name, bytes) and self._name else None
+
+    @property
+    def statement(self) -> str:
+        """As it is typed."""
+        return "CLOAD?" if self._verify else "CLOAD"
 
     def found(self, state: State) -> None:
         """The name is only looked at now; a program in memory goes before another comes."""

@@ -13,9 +13,10 @@ from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.pacing import Pacer
 from trs80arm.desk.session import Session
 from trs80arm.desk.settings_book import SettingsBook
+from trs80arm.desk.sound import LineSound
 from trs80arm.desk.stage import Stage
 from trs80arm.drawing.glyphs import choose
-from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, Speed, TerminalOptions
+from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, Sound, Speed, TerminalOptions
 from trs80arm.plain_values import as_table
 from trs80arm.rig import Waiting
 from trs80arm.ui.asking import Screens
@@ -54,6 +55,7 @@ class ProgramCommands:
     Args:
         session: the machine.
         pacer: how fast its time goes.
+        sound: what is heard of it.
         keyboard: the operator's hands.
         view: what is seen.
         options: how the program was started.
@@ -70,6 +72,7 @@ class ProgramCommands:
         self,
         session: Session,
         pacer: Pacer,
+        sound: LineSound,
         keyboard: Keyboard,
         view: View,
         options: TerminalOptions,
@@ -83,6 +86,7 @@ class ProgramCommands:
     ) -> None:
         self._session = session
         self._pacer = pacer
+        self._sound = sound
         self._keyboard = keyboard
         self._view = view
         self._options = options
@@ -161,6 +165,9 @@ class ProgramCommands:
             keyboard.let_go()
             keyboard.mode = KeyMode(value)
 
+        def use_turbo(value: bool) -> None:
+            self._pacer.hurries = value
+
         return SettingsBook(
             self._options.settings_file,
             self._tables,
@@ -171,6 +178,8 @@ class ProgramCommands:
                 "terminal.theme": self._try_theme,
                 "terminal.arm": self._try_arm_style,
                 "terminal.cursor": use_cursor,
+                "terminal.turbo": use_turbo,
+                "terminal.sound": lambda value: self._sound.use(Sound(value)),
             },
         )
 
@@ -184,6 +193,8 @@ class ProgramCommands:
                 "theme": self._shell.theme,
                 "arm": self._view.arm_style.value,
                 "cursor": self._view.cursor_style.value,
+                "turbo": self._pacer.hurries,
+                "sound": self._sound.sound.value,
                 "fps": self._options.fps,
                 "tap_ms": self._options.tap_ms,
                 "repeat_ms": self._options.repeat_ms,

@@ -20,7 +20,9 @@ from trs80arm.ui.panels.registry import PANELS, PanelRow
 
 if TYPE_CHECKING:
     from trs80arm.desk.files import SessionFiles
+    from trs80arm.desk.peripherals import Peripherals
     from trs80arm.ui.commands.arm import ArmCommands
+    from trs80arm.ui.commands.comfort import ComfortCommands
     from trs80arm.ui.commands.keys import KeyCommands
     from trs80arm.ui.commands.machine import MachineCommands
     from trs80arm.ui.commands.program import ProgramCommands
@@ -39,6 +41,8 @@ class Commands:
     tube: TubeCommands
     keys: KeyCommands
     program: ProgramCommands
+    peripherals: Peripherals
+    comfort: ComfortCommands
 
 
 @dataclass(frozen=True)
@@ -485,6 +489,87 @@ COMMANDS: tuple[Command, ...] = (
         "Screen: cursor blinks or not",
         "The ROM's own is steady.",
         also="blink steady",
+    ),
+    Command(
+        "page_up",
+        lambda to: to.view.scroll_page(-1),
+        "View: page up",
+        "Look back in paper, listing or variables.",
+        "pageup",
+        also="scroll",
+    ),
+    Command(
+        "page_down",
+        lambda to: to.view.scroll_page(1),
+        "View: page down",
+        "Look on in paper, listing or variables.",
+        "pagedown",
+        also="scroll",
+    ),
+    Command(
+        "tapes",
+        lambda to: to.peripherals.tapes(),
+        "Tape: cassettes",
+        "Put a cassette in, rewind it, eject it.",
+        "ctrl+f",
+        also="shelf insert recorder csave cload folder",
+    ),
+    Command(
+        "new_tape",
+        lambda to: to.peripherals.new_cassette(),
+        "Tape: insert a new one",
+        "Put a blank cassette into the recorder.",
+        also="cassette blank",
+    ),
+    Command(
+        "rewind",
+        lambda to: to.peripherals.rewind(),
+        "Tape: rewind",
+        "Rewind the cassette in the recorder.",
+        also="cassette",
+    ),
+    Command(
+        "eject",
+        lambda to: to.peripherals.eject(),
+        "Tape: eject",
+        "Take the cassette out of the recorder.",
+        also="cassette",
+    ),
+    Command(
+        "paper",
+        lambda to: to.peripherals.paper(),
+        "Paper: save or tear off",
+        "Save what is printed, or tear it off.",
+        "ctrl+u",
+        also="printer lprint",
+    ),
+    Command(
+        "save_paper",
+        lambda to: to.peripherals.save_paper(),
+        "Paper: save",
+        "Save what is printed as a text file.",
+        also="printer lprint export",
+    ),
+    Command(
+        "tear_off",
+        lambda to: to.peripherals.tear_off(),
+        "Paper: tear off",
+        "Take away what is printed.",
+        also="printer lprint clear remove",
+    ),
+    Command(
+        "turbo",
+        lambda to: to.comfort.switch_turbo(),
+        "Machine: turbo for tapes and pastes",
+        "Flat out while a tape goes by or a paste is typed, or not.",
+        also="fast cassette speed",
+    ),
+    Command(
+        "sound",
+        lambda to: to.comfort.choose_sound(),
+        "Machine: sound",
+        "How programs are heard that make sound by OUT 255.",
+        also="beep bell audio loudspeaker cassette noise",
     ),
     Command(
         "save_keepsakes",

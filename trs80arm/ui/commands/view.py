@@ -66,6 +66,9 @@ class View(Protocol):
     def show_bottom(self, group: str) -> None:
         """Show a group of panels under the tube; asked for again, the first one."""
 
+    def scroll_page(self, pages: int) -> None:
+        """Look further down, or up, in the panels that are switched in, or in the paper."""
+
     def zoom(self, name: str) -> None:
         """One panel or group on all of the screen, and back."""
 
@@ -117,6 +120,10 @@ class ViewCommands:
     def show_bottom(self, group: str) -> None:
         """A group of panels under the tube; asked for again, the first one."""
         self._view.show_bottom(group)
+
+    def scroll_page(self, pages: int) -> None:
+        """A page further down in what is switched in, or up: paper, listing, variables."""
+        self._view.scroll_page(pages)
 
     def zoom(self, name: str) -> None:
         """One panel on all of the screen, and back."""

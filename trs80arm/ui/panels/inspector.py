@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 from textual.events import MouseScrollDown, MouseScrollUp
+from textual.message import Message
 
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row
@@ -13,6 +14,18 @@ from trs80arm.ui.panels.panel import Panel
 
 _AHEAD = 3
 """One line in so many of a listing's panel stands above the line that is executed."""
+
+
+class Asked(Message):
+    """A panel was clicked that stands for a command.
+
+    Args:
+        command: its name.
+    """
+
+    def __init__(self, command: str) -> None:
+        super().__init__()
+        self.command = command
 
 
 class Inspector(Panel):
@@ -47,15 +60,18 @@ class Inspector(Panel):
         self._scrolled = min(max(self._scrolled, -first), most - first)
         return rows[first + self._scrolled :][:height]
 
+    def scroll(self, rows: int) -> None:
+        """Look so many rows further down, or up."""
+        self._scrolled += rows
+        self.redraw()
+
     def on_mouse_scroll_up(self, event: MouseScrollUp) -> None:
         """Look further up."""
-        self._scrolled -= 1
-        self.redraw()
+        self.scroll(-1)
 
     def on_mouse_scroll_down(self, event: MouseScrollDown) -> None:
         """Look further down."""
-        self._scrolled += 1
-        self.redraw()
+        self.scroll(1)
 
 
 class ListingPanel(Inspector):
@@ -109,22 +125,23 @@ their elements. The mouse wheel looks further down.
 
 
 class PaperPanel(Inspector):
-    """The end of the printer's paper, and which cassettes there are."""
+    """The end of the printer's paper."""
 
-    NOTHING = "nothing printed; no cassette"
+    NOTHING = "nothing printed yet"
     HELP = """
-## Paper and tapes
+## Paper
 
-What LPRINT and LLIST have printed, the newest at the bottom, and the names of the cassettes. The
-mouse wheel looks back.
+What LPRINT and LLIST have printed, the newest at the bottom. PageUp and PageDown, or the mouse
+wheel, look back and on. Ctrl+U, or a click, saves the paper or tears it off.
 """
 
     def rows(self, inspection: Inspection) -> list[Row]:
-        """The paper's lines, and below them the cassettes."""
-        rows: list[Row] = [((line, Ink.PLAIN),) for line in inspection.paper]
-        if inspection.cassettes:
-            rows.append((("cassettes ", Ink.LABEL), (", ".join(inspection.cassettes), Ink.PLAIN)))
-        return rows
+        """The paper's lines."""
+        return [((line, Ink.PLAIN),) for line in inspection.paper]
+
+    def on_click(self) -> None:
+        """What can be done with the paper."""
+        self.post_message(Asked("paper"))
 
     def first(self, rows: list[Row], height: int) -> int:
         """So that the newest is seen."""

@@ -21,6 +21,7 @@ from trs80arm.ui.panels.registers import RegistersPanel
 from trs80arm.ui.panels.scope_panel import ScopePanel
 from trs80arm.ui.panels.side_view import SideView
 from trs80arm.ui.panels.space_view import SpaceView
+from trs80arm.ui.panels.tapes import TapesPanel
 from trs80arm.ui.panels.top_view import TopView
 from trs80arm.ui.panels.tube import Tube
 
@@ -156,12 +157,21 @@ PANELS: tuple[PanelRow, ...] = (
     ),
     PanelRow(
         "paper",
-        "Paper and tapes",
+        "Paper",
         PaperPanel,
         Cadence.NUMBERS,
         layout.PAPER,
-        shows="What was printed, and the cassettes.",
+        shows="What was printed.",
         fills="The paper fills the screen.",
+    ),
+    PanelRow(
+        "tapes",
+        "Tapes",
+        TapesPanel,
+        Cadence.NUMBERS,
+        "tapes",
+        shows="The cassette recorder, and the cassettes.",
+        fills="The recorder and its cassettes fill the screen.",
     ),
 )
 

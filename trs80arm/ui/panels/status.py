@@ -34,16 +34,20 @@ class Pace:
         speed: virtual seconds a second of the wall; None for flat out.
         achieved: the same as it really is.
         paused: whether time stands still.
+        turbo: whether it goes flat out for now, and returns to its speed by itself.
     """
 
     speed: float | None = 1.0
     achieved: float = 1.0
     paused: bool = False
+    turbo: bool = False
 
     def text(self) -> str:
         """In few words."""
         if self.paused:
             return "PAUSED"
+        if self.turbo:
+            return f"turbo x{self.achieved:.0f}"
         if self.speed is None:
             return f"flat out x{self.achieved:.0f}"
         percent = round(100 * self.achieved / self.speed)
@@ -68,9 +72,15 @@ has to say.
         self._pace = Pace()
         self._keys = ""
         self._notice = ""
+        self._tape = ""
 
     def show(
-        self, readings: Readings, pace: Pace | None = None, keys: str = "", notice: str = ""
+        self,
+        readings: Readings,
+        pace: Pace | None = None,
+        keys: str = "",
+        notice: str = "",
+        tape: str = "",
     ) -> None:
         """Show these readings with the program's own state.
 
@@ -79,9 +89,10 @@ has to say.
             pace: how fast it runs.
             keys: how keys are read.
             notice: a message to be read beside the machine's state for now.
+            tape: what goes on at the recorder.
         """
         self._pace = pace or self._pace
-        self._keys, self._notice = keys, notice
+        self._keys, self._notice, self._tape = keys, notice, tape
         super().show(readings)
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
@@ -93,7 +104,10 @@ has to say.
             "motors ON" if readings.motors_on else "motors off",
             Ink.STRONG if readings.motors_on else Ink.PLAIN,
         )
-        doing: Span = (doing_text(readings), Ink.PLAIN if self._notice else Ink.STRONG)
+        doing: Span = (
+            self._tape or doing_text(readings),
+            Ink.PLAIN if self._notice else Ink.STRONG,
+        )
         shortly: Span = (_SHORTLY.get(readings.waiting, doing[0]), doing[1])
         notice: Span = (self._notice, Ink.STRONG)
         slipped: Span = ("! steps lost" if readings.believed else "", Ink.ALARM)

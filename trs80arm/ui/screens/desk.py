@@ -18,6 +18,7 @@ from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Static
 
+from trs80arm.deck import Deck
 from trs80arm.drawing.readings import Readings
 from trs80arm.inspection import Inspection
 from trs80arm.machine.video import COLUMNS
@@ -232,6 +233,17 @@ class DeskScreen(Layer):
         self.zoomed = None
         self.lay_out()
 
+    def scroll_page(self, pages: int) -> None:
+        """Look further down, or up, in the panels that are switched in, or in the paper."""
+        group = self.zoomed or self.bottom
+        shown = [
+            panel
+            for name in self._groups.get(group, (group,))
+            if isinstance(panel := self.panels.get(name), Inspector) and panel.display
+        ]
+        for panel in shown or [each for each in self._inspectors if each.id == layout.PAPER]:
+            panel.scroll(pages * max(1, panel.size.height - 1))
+
     def zoom(self, name: str) -> None:
         """One panel or group on all of the screen, and back."""
         self.zoomed = None if self.zoomed is not None else name
@@ -357,7 +369,8 @@ class DeskScreen(Layer):
             took = time.thread_time() - began
             self._pixels_took = took if self.arm_style is ArmStyle.PIXELS else 0.0
         if numbers:
-            self.status.show(readings, pace, keys=keys, notice=notice)
+            tape = Deck.of(rig).progress if rig.tape.running else ""
+            self.status.show(readings, pace, keys=keys, notice=notice, tape=tape)
 
     def _inspect(self, rig: Rig) -> None:
         """Look into the machine for the panels that show its memory, if any is seen."""

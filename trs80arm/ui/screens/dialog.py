@@ -14,7 +14,7 @@ from textual.widgets import Button, Input, OptionList, Static
 from textual.widgets.option_list import Option
 
 from trs80arm.desk.asking import FileQuestion, ListQuestion, Question
-from trs80arm.desk.reach import Reach, file_problem, replaces
+from trs80arm.desk.reach import Reach, file_problem, proposed, replaces
 from trs80arm.ui.terminal.layers import SeenThrough
 
 Answer = TypeVar("Answer")
@@ -154,8 +154,8 @@ class AskPath(Dialog[Path]):
             box.border_title = self.question.title
             box.border_subtitle = "Enter does it, Escape goes back"
             yield Static(self.question.hint, classes="hint", markup=False)
-            proposal = self._reach.proposal(self.question.proposal)
-            yield Input(str(proposal), select_on_focus=False)
+            proposal = proposed(self._reach, self.question)
+            yield Input(proposal, select_on_focus=False)
             yield Static("", classes="wrong", markup=False)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
