@@ -128,6 +128,15 @@ async def tapes(sitting: Sitting) -> None:
     await sitting.pass_time(2.5)
 
 
+async def tour(sitting: Sitting) -> None:
+    """The tour, at the part that is to be lifted."""
+    tour = sitting.app.tour
+    for _ in range(4):
+        tour.skip()
+    await sitting.type("")
+    await sitting.type("@STEP 60,0,-60,-60\r")
+
+
 def action(name: str) -> Scene:
     """A dialog."""
 
@@ -210,6 +219,7 @@ async def main() -> None:
     await shoot("slipped", (120, 40), slipped, theme="amber")
     await shoot("by-hand", (100, 30), by_hand)
     await shoot("teach", (100, 36), teach, bench=PROGRAMS / "table4.toml", theme="paper")
+    await shoot("tour", (100, 30), tour, tour=True)
     await shoot("tapes", (80, 24), tapes, program=PROGRAMS / "table2.bas")
     await shoot("open", (100, 30), action("open"), theme="white")
     await shoot("help", (100, 30), action("help"))

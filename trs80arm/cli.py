@@ -82,6 +82,8 @@ class ProgramFirst(click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put the default command in front of arguments that do not begin with a command."""
+        if args[:2] == ["--plain", "tour"]:
+            args = ["tour", "--plain", *args[2:]]
         if args[:1] not in (["--help"], ["-h"], ["--version"]) and (
             not args or args[0] not in self.commands
         ):
@@ -220,6 +222,18 @@ def _take_settings(given: dict[str, Any], *defaults: str) -> Settings:
 def terminal(**given: Any) -> None:
     """Open the terminal, with PROGRAM loaded if one is given."""
     _open_terminal(given)
+
+
+@cli.command()
+@click.option("--plain", is_flag=True, help="Line by line, for screen readers and pipes.")
+@_settings_options(_SCREEN_FLAGS)
+@_machine_options
+def tour(**given: Any) -> None:
+    """The first five minutes, step by step: drive the arm, pick a part, teach, see a slip.
+
+    Each step waits until you have done it; the tour goes on where you left it.
+    """
+    _open_terminal(given, tour=True)
 
 
 @cli.command()

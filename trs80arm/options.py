@@ -139,6 +139,8 @@ class TerminalOptions(TerminalSettings):
     """A bench file (TOML); None takes the one named like the program, if there is one."""
     plain: bool = False
     """The line mode for screen readers and pipes instead of the full screen."""
+    tour: bool = False
+    """Whether to begin the tour of the first five minutes, or go on with it."""
     demo: bool = False
     """Whether to play the demonstration until a key is pressed."""
     record: Path | None = None

@@ -83,9 +83,18 @@ def sit_down(tmp_path: Path) -> Opener:
 
     @asynccontextmanager
     async def opener(
-        width: int = 80, height: int = 24, panels: Sequence[PanelRow] = PANELS, **options: Any
+        width: int = 80,
+        height: int = 24,
+        panels: Sequence[PanelRow] = PANELS,
+        *,
+        first_time: bool = False,
+        **options: Any,
     ) -> Any:
         wall = Wall()
+        state = tmp_path / "state"
+        if not first_time and not state.is_file():
+            state.mkdir(exist_ok=True)
+            (state / "tour.json").write_text("{}")
         # Screens are compared as text: in bare lines they hang on nothing but themselves.
         chosen = TerminalOptions(**{"arm": ArmStyle.OUTLINE, **options})
         app = Trs80Arm(

@@ -154,3 +154,12 @@ async def test_a_visitor_saves_and_opens_in_his_own_folder(
         await sitting.press("f2")
         await sitting.settle()
         assert "mine.txt" in screen_text(sitting.app)
+
+
+@piloted
+async def test_a_name_typed_whole_is_marked_before_longer_ones(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await sitting.press("f2", *"table4", "enter")
+        await sitting.settle()
+        assert sitting.app.session.path is not None
+        assert sitting.app.session.path.name == "table4.bas"

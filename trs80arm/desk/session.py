@@ -52,6 +52,7 @@ class Session:
         keepsakes: its cassettes and paper, as far as they are in memory only.
         path: the file that the program came from or went to.
         bench_path: the bench file, None for the standard bench.
+        greeted: whether the tube said at first what to type next.
 
     Raises:
         OSError: the recording cannot be written.
@@ -78,6 +79,7 @@ class Session:
         self._pasting = False
         self.keepsakes = Keepsakes(lambda: self.rig)
         rig = Rig(self._settings, file.bench if file else None)
+        self.greeted = greeting
         if greeting:
             greet(rig.console)
         self._use(rig, Journal(rig, file.text if file else None, record, greeting=greeting))

@@ -111,6 +111,6 @@ GROUP = Group(
             f"A bench file or one that comes along; {STANDARD_BENCH} is the standard one. "
             "Without a name: a list.",
         ),
-        LineCommand("back", "after a slip: what is lost, and the way back", _back),
+        LineCommand("recover", "after a slip: what is lost, and the way back", _back),
     ),
 )

@@ -11,6 +11,7 @@ from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.session import Session
 from trs80arm.desk.teach import Lesson
+from trs80arm.desk.tour import Tour
 from trs80arm.desk.workbench import Workbench
 from trs80arm.plain.asking import LineAsking
 
@@ -32,6 +33,7 @@ class Sitting:
         workbench: the bench and the arm on it.
         peripherals: recorder and printer.
         lesson: the positions taught.
+        tour: the first five minutes, step by step.
         ask: asks its user; the next line is the answer.
         tell: says something.
         reach: which files can be named.
@@ -43,6 +45,7 @@ class Sitting:
     workbench: Workbench
     peripherals: Peripherals
     lesson: Lesson
+    tour: Tour
     ask: LineAsking
     tell: Tell
     reach: Reach

@@ -22,6 +22,7 @@ from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.session import Session
 from trs80arm.desk.sound import LineSound
 from trs80arm.desk.teach import Lesson
+from trs80arm.desk.tour import Step, Tour
 from trs80arm.desk.workbench import Workbench
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.options import Sound, TerminalOptions
@@ -78,6 +79,7 @@ class PlainMode:
         self._happenings = Happenings(session)
         self._left = False
         self._tape = ""
+        self._step: Step | None = None
         self._sitting = self._sit_down(reach)
         self._sound = LineSound(session, self._ring, self._say, sound)
 
@@ -107,6 +109,7 @@ class PlainMode:
             workbench=Workbench(session, files, ask, say),
             peripherals=Peripherals(session, ask, say),
             lesson=lesson,
+            tour=Tour(session, lesson, files, state / "tour.json", ask, say),
             ask=ask,
             tell=self._tell,
             reach=reach,
@@ -132,6 +135,10 @@ class PlainMode:
 
     def _say(self, text: str, *, error: bool = False) -> None:
         self._tell(text)
+
+    def begin_tour(self) -> None:
+        """Begin the tour, or go on with it."""
+        self._sitting.tour.begin()
 
     def talk(self, lines: Iterator[str]) -> int:
         """Take lines until `.quit` or the last one.
@@ -194,6 +201,7 @@ class PlainMode:
                 session.run_for(SLICE)
                 self._tell_happenings()
                 self._tell_of_tape()
+                self._tell_of_tour()
                 self._sound.go_on()
                 self._out.flush()
                 hurried = self._turbo and session.hurried
@@ -203,11 +211,20 @@ class PlainMode:
             session.stop_playing()
             self._press_break()
         self._tell_happenings()
+        self._tell_of_tour()
         for fault in session.new_faults():
             self._tell(fault)
         if session.waiting is Waiting.SET and not self._sitting.ask.waits:
             self._tell("@SET: which keys? (.help)")
         self._out.flush()
+
+    def _tell_of_tour(self) -> None:
+        """Go on in the tour, and say what comes next; each step is said once."""
+        tour = self._sitting.tour
+        tour.go_on()
+        if tour.step is not None and tour.step is not self._step:
+            self._tell(f"Tour {tour.place}, {tour.step.title}. {tour.step.plain}")
+        self._step = tour.step
 
     def _tell_of_tape(self) -> None:
         """What the recorder does, whenever that is something else."""
@@ -222,7 +239,7 @@ class PlainMode:
         for event in self._happenings.new():
             self._tell(f"* {event.text}")
             if event.steps and self.session.new_slip() is not None:
-                self._tell(".back says what is lost and takes the arm back.")
+                self._tell(".recover says what is lost and takes the arm back.")
 
     def _press_break(self) -> None:
         rig = self.session.rig
@@ -269,6 +286,8 @@ def run_plain(options: TerminalOptions) -> int:
         turbo=options.turbo,
         sound=options.sound,
     )
+    if options.tour:
+        plain.begin_tour()
     if options.run:
         session.rig.type("RUN\r")
     try:

@@ -34,6 +34,11 @@ GROUPS: tuple[Group, ...] = (
         "This program",
         (
             LineCommand("help", "all commands, or one", show_help, "[COMMAND]"),
+            LineCommand(
+                "tour",
+                "the first five minutes, step by step; again: skip, back, leave",
+                lambda sitting, _: sitting.tour.menu(),
+            ),
             LineCommand("quit", "leave", lambda sitting, _: sitting.leave()),
         ),
     ),

@@ -38,6 +38,7 @@ from trs80arm.desk.session import Session
 from trs80arm.desk.sound import LineSound
 from trs80arm.desk.stage import Stage
 from trs80arm.desk.teach import Lesson
+from trs80arm.desk.tour import Tour
 from trs80arm.drawing.glyphs import choose
 from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.shown import shown
@@ -68,6 +69,12 @@ from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
 from trs80arm.ui.terminal.no_codes import NoControlCodes
 from trs80arm.ui.themes import THEMES, Themed
 
+TOUR = "tour.json"
+"""The file of the state folder in which the tour remembers its step."""
+OFFER = (
+    "`Ctrl+N` begins a tour of five minutes: drive the arm, pick a part, teach.",
+    "Or just type. It is in the palette (Ctrl+P) later, and `trs80arm tour` begins it.",
+)
 COPY_EVERY = 5.0
 """Seconds of the wall between two looks at whether a recovery copy is due."""
 BEHIND_FPS = 5
@@ -146,20 +153,22 @@ class Trs80Arm(Themed[int]):
         self.recovery = Recovery(session, self.lesson, state, name, self.say)
         self.remembered = Remembered(options.settings_file, self.say)
         self.stage = Stage(session, self.say)
-        self.commands = self._groups(RecentFiles(state / "recent.json"))
+        self.commands = self._groups(state)
         session.watch_machine(self.keyboard.start_afresh)
         for theme in THEMES:
             self.register_theme(theme)
         known = options.theme in self.available_themes
         self.theme = options.theme if known else THEMES[0].name
 
-    def _groups(self, recent: RecentFiles) -> Commands:
+    def _groups(self, state: Path) -> Commands:
         """The groups of commands, each with what it needs."""
         session, lesson, keyboard, desk = self.session, self.lesson, self.keyboard, self.desk
         reach = Reach(self.options.own_folder)
         panels_help = [panel.HELP for panel in (*desk.panels.values(), desk.status)]
         dialogs, say = Dialogs(self, reach), self.say
+        recent = RecentFiles(state / "recent.json")
         files = SessionFiles(session, self.recovery, recent, dialogs, say, reach)
+        self.tour = Tour(session, lesson, files, state / TOUR, dialogs, say)
         arm = ArmCommands(session, lesson, files, dialogs, say, dialogs, lambda: desk.arm_style)
         leaving = Leaving(
             session, lesson, self.recovery, files, dialogs, arm.teach, lambda: self.exit(0)
@@ -173,6 +182,7 @@ class Trs80Arm(Themed[int]):
             tube=TubeCommands(self, files, say),
             keys=KeyCommands(keyboard, self.options.keys, say, dialogs),
             peripherals=Peripherals(session, dialogs, say),
+            tour=self.tour,
             comfort=ComfortCommands(self.pacer, self.sound, self.remembered, dialogs, say),
             program=ProgramCommands(
                 session,
@@ -269,6 +279,10 @@ class Trs80Arm(Themed[int]):
                     asyncio.get_running_loop().add_signal_handler(number, self._told_to_end, number)
         if self.recovery.left_over():
             self.say("A program of a session that ended badly is kept: see F2.")
+        if self.options.tour:
+            self.tour.begin()
+        elif self.session.greeted:
+            self.tour.offer()
         if self.options.demo:
             self.commands.machine.demo()
         elif self.session.playing:
@@ -333,6 +347,7 @@ class Trs80Arm(Themed[int]):
     def tick(self) -> None:
         """Give the machine its time, and draw when it is time to."""
         self.stage.go_on()
+        self.tour.go_on()
         self.keyboard.feed()
         self.pacer.advance()
         self.sound.go_on()
@@ -354,6 +369,7 @@ class Trs80Arm(Themed[int]):
         """Draw what differs from what is shown."""
         now = self.wall() if now is None else now
         pacer = self.pacer
+        self._guide()
         self.desk.show(
             self.session.rig,
             now,
@@ -361,6 +377,19 @@ class Trs80Arm(Themed[int]):
             keys=self.keyboard.in_use.value,
             notice=self._notice if now < self._notice_until else "",
         )
+
+    def _guide(self) -> None:
+        """What the tour says now, or its offer."""
+        tour = self.tour
+        if tour.step is not None:
+            first, second = tour.step.words
+            more = "Ctrl+N: skip, back, leave"
+            room = max(len(second) + 2, self.size.width - len(more) - 1)
+            self.desk.guide(tour.place, (first, f"{second:<{room}}{more}"))
+        elif tour.offered:
+            self.desk.guide("New here?", OFFER)
+        else:
+            self.desk.guide("", ())
 
     def on_resize(self, event: events.Resize) -> None:
         """Find every panel its place in the new size."""
@@ -406,6 +435,7 @@ class Trs80Arm(Themed[int]):
         if isinstance(self.screen, KeyTest):
             self.screen.went_down(message.base, message.name, message.text)
         if self.at_the_keyboard and not self.stage.operator_came():
+            self.tour.decline()
             self._mind_the_pause(message.name)
             self.keyboard.went_down(message.base, message.name, message.text)
             self.pacer.advance()
@@ -425,6 +455,7 @@ class Trs80Arm(Themed[int]):
         """A key of a terminal that does not."""
         if not self.keyboard.reports_releases and self.stage.operator_came():
             return
+        self.tour.decline()
         self._mind_the_pause(message.name)
         self.keyboard.typed(message.name, message.text)
         # The machine sees the key now, not at the next tick.

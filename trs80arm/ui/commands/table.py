@@ -21,6 +21,7 @@ from trs80arm.ui.panels.registry import PANELS, PanelRow
 if TYPE_CHECKING:
     from trs80arm.desk.files import SessionFiles
     from trs80arm.desk.peripherals import Peripherals
+    from trs80arm.desk.tour import Tour
     from trs80arm.ui.commands.arm import ArmCommands
     from trs80arm.ui.commands.comfort import ComfortCommands
     from trs80arm.ui.commands.keys import KeyCommands
@@ -43,6 +44,7 @@ class Commands:
     program: ProgramCommands
     peripherals: Peripherals
     comfort: ComfortCommands
+    tour: Tour
 
 
 @dataclass(frozen=True)
@@ -605,6 +607,14 @@ COMMANDS: tuple[Command, ...] = (
         "Session: demonstration",
         "The article's pick and place, with captions.",
         also="tour show example",
+    ),
+    Command(
+        "tour",
+        lambda to: to.tour.menu(),
+        "Session: tour",
+        "The first five minutes, step by step; again: skip, back, leave.",
+        "ctrl+n",
+        also="tutorial learn guide begin first help introduction",
     ),
     Command(
         "settings",

@@ -29,6 +29,7 @@ from trs80arm.ui import layout
 from trs80arm.ui.keys.host_keys import trs80_keys
 from trs80arm.ui.layout import Lead
 from trs80arm.ui.panels.arm_view import ArmView
+from trs80arm.ui.panels.guide import ROWS, GuideBar
 from trs80arm.ui.panels.inspector import Inspector
 from trs80arm.ui.panels.registry import Cadence, PanelRow, groups
 from trs80arm.ui.panels.scope_panel import ScopePanel
@@ -103,6 +104,8 @@ class DeskScreen(Layer):
         self.side = self._arm_views[0]
         self.status = StatusLine(id="status")
         self._bar = bar
+        self._guide = GuideBar(id="guide")
+        self._guide.display = False
         self._too_small = Static(id="too-small")
         self.bottom = layout.ARM
         self.zoomed: str | None = None
@@ -128,6 +131,7 @@ class DeskScreen(Layer):
             panel.border_title = row.title
             panel.add_class("placed")
             yield panel
+        yield self._guide
         yield self.status
         yield self._bar
 
@@ -157,7 +161,7 @@ class DeskScreen(Layer):
 
     def lay_out(self) -> None:
         """Put the panels where the layout has them."""
-        width, height = self.app.size
+        width, height = self._room
         places = layout.plan(self._groups, width, height, self.bottom, self.zoomed, self.leading)
         frames = layout.frames(width, height) if self.zoomed is None else layout.Frames.TITLED
         leading = self.tube if self.leading is Lead.TUBE else self.side
@@ -174,6 +178,22 @@ class DeskScreen(Layer):
         self._too_small.display = not places
         self._too_small.update(TOO_SMALL.format(*layout.SMALLEST, width, height))
         self.numbers_due = 0.0
+
+    @property
+    def _room(self) -> tuple[int, int]:
+        """The size of the terminal without the lines of the tour."""
+        width, height = self.app.size
+        return width, height - (ROWS if self._guide.display else 0)
+
+    def guide(self, title: str, lines: tuple[str, ...]) -> None:
+        """Say what the tour has to say, in two lines above the status line; nothing without any."""
+        # In a window that is too small for all the status line stays, and the tour goes.
+        shown = bool(lines) and self.app.size.height >= layout.SMALLEST[1] + ROWS
+        if (title, lines) != (self._guide.title, self._guide.lines):
+            self._guide.say(title, lines)
+        if shown != self._guide.display:
+            self._guide.display = shown
+            self.lay_out()
 
     @property
     def leading(self) -> Lead:
@@ -208,7 +228,7 @@ class DeskScreen(Layer):
             self.lay_out()
 
     def _bottoms(self) -> list[str]:
-        return layout.bottoms(self._groups, *self.app.size)
+        return layout.bottoms(self._groups, *self._room)
 
     def next_bottom(self) -> None:
         """Show the next group of panels under the tube."""

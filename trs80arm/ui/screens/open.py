@@ -97,7 +97,10 @@ class OpenScreen(Dialog[Path]):
                     Option(Text(shown(f"  {label}"), no_wrap=True, overflow="ellipsis"))
                 )
                 self._paths.append(path)
-        first = next((n for n, path in enumerate(self._paths) if path != Path()), None)
+        files = [n for n, path in enumerate(self._paths) if path != Path()]
+        # `table4` is table4.bas, whatever else begins like that.
+        whole = (n for n in files if self._paths[n].stem.casefold() == part.casefold())
+        first = next(whole, files[0] if files else None)
         options.highlighted = first
         if first is None:
             self._preview(None)
