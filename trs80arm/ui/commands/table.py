@@ -726,5 +726,6 @@ class _Entry:
 
 
 def spoken(key: str) -> str:
-    """A key as people write it: `ctrl+up` is Ctrl+Up."""
-    return "+".join(part.capitalize() for part in key.split("+"))
+    """A key as people write it: `ctrl+pageup` is Ctrl+PageUp."""
+    parts = "+".join(part.capitalize() for part in key.split("+"))
+    return parts.replace("Pageup", "PageUp").replace("Pagedown", "PageDown")

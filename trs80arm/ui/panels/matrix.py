@@ -168,7 +168,8 @@ class MatrixView(Widget):
         width, ground = self.size.width, self.rich_style
         place = self._row_at(y)
         if place is None:
-            text = self._legend() if y == len(ROWS_OF_KEYS) * (2 if self._tall else 1) else ""
+            last = y == len(ROWS_OF_KEYS) * (2 if self._tall else 1)
+            text = self._legend(width) if last else ""
             style = self.get_component_rich_style("matrix--label")
             return Strip([Segment(text[:width].ljust(width), style)], width)
         row, is_label = place
@@ -196,10 +197,12 @@ class MatrixView(Widget):
             return self.get_component_rich_style("matrix--down")
         return self.get_component_rich_style("matrix--jog" if cap.label else "matrix--key")
 
-    def _legend(self) -> str:
+    def _legend(self, width: int) -> str:
+        """What the keys do in manual mode, as wordy as there is room for."""
         plus = "".join(self._jog.positive)
         minus = "".join(self._jog.negative)
-        return f"@SET: {plus} forward, {minus} back, {self._jog.leave} ends. {JOINTS}"
+        keys = f"@SET: {plus} forward, {minus} back, {self._jog.leave} ends."
+        return f"{keys} {JOINTS}" if len(keys) + len(JOINTS) < width else keys
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Hold or latch the key under the mouse."""
