@@ -65,6 +65,7 @@ def test_the_arrow_signs_are_those_of_the_character_generator() -> None:
         ({"LANG": "C"}, GlyphSet.ASCII),
         ({"LANG": "en_US.UTF-8", "TERM": "linux"}, GlyphSet.ASCII),
         ({"LANG": "en_US.UTF-8", "TERM_PROGRAM": "Apple_Terminal"}, GlyphSet.QUADRANT),
+        ({"LANG": "en_US.UTF-8", "TEXTUAL_DRIVER": "web"}, GlyphSet.BRAILLE),
         ({}, GlyphSet.SEXTANT),
     ],
 )

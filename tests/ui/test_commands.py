@@ -336,6 +336,14 @@ def test_choices_of_the_view_are_remembered(desk: Desk) -> None:
     assert desk.shown.arm_style is ArmStyle.OUTLINE
 
 
+@pytest.mark.parametrize("glyphs", [GlyphSet.BRAILLE, GlyphSet.QUADRANT])
+def test_who_has_no_sextants_in_the_tube_has_none_in_the_arm(desk: Desk, glyphs: GlyphSet) -> None:
+    desk.shown.glyph_set = glyphs
+    desk.shown.arm_style = ArmStyle.HALF
+    desk.view.next_arm_style()
+    assert desk.shown.arm_style is ArmStyle.BRAILLE
+
+
 def test_pixels_are_offered_where_the_terminal_shows_them(desk: Desk) -> None:
     desk.shown.arm_style = ArmStyle.BRAILLE
     desk.view.next_arm_style()

@@ -124,4 +124,7 @@ def choose(wanted: GlyphSet, environment: Mapping[str, str] = os.environ) -> Gly
         return GlyphSet.ASCII
     if environment.get("TERM_PROGRAM") == "Apple_Terminal":
         return GlyphSet.QUADRANT
+    # In a browser: its fonts seldom have sextants.
+    if environment.get("TEXTUAL_DRIVER"):
+        return GlyphSet.BRAILLE
     return GlyphSet.SEXTANT

@@ -27,6 +27,7 @@ STYLE_NOTES = {
 LACKING = {
     GlyphSet.ASCII: (ArmStyle.HALF, ArmStyle.SEXTANT, ArmStyle.BRAILLE),
     GlyphSet.QUADRANT: (ArmStyle.SEXTANT,),
+    GlyphSet.BRAILLE: (ArmStyle.SEXTANT,),
 }
 """The styles whose characters a terminal with such glyphs is taken not to have."""
 LEADS = {
