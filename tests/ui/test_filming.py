@@ -62,6 +62,16 @@ def test_an_svg_has_every_run_once_and_the_times_of_those_that_change() -> None:
     }
 
 
+def test_what_is_in_every_picture_of_an_svg_is_never_hidden() -> None:
+    film = Film(6, 2, "the last picture differs from the one before")
+    for time, text in ((0.0, "ONE   "), (1.0, "TWO   "), (2.0, "THREE ")):
+        film.add(time, (((text, PLAIN),), (("STAYS ", LOUD),)))
+    made = svg(film).decode()
+    assert 'dur="0s"' not in made
+    [line] = [line for line in made.splitlines() if "STAYS" in line]
+    assert "<set" not in line
+
+
 def test_the_svg_of_a_short_film() -> None:
     check_golden("film-svg", svg(short_film()).decode())
 

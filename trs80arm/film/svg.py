@@ -77,9 +77,9 @@ def _pieces(frame: Frame, ground: str) -> set[Piece]:
 def _spells(film: Film, ground: str) -> dict[Piece, list[tuple[float, float]]]:
     """When each run is shown; the spells of one that stays are one."""
     spells: dict[Piece, list[tuple[float, float]]] = {}
-    last = film.seconds + _PAUSE
-    for start, end, frame in film.spells():
-        until = last if end == film.seconds else end
+    shown = list(film.spells())
+    for number, (start, end, frame) in enumerate(shown, 1):
+        until = film.seconds + _PAUSE if number == len(shown) else end
         for piece in _pieces(frame, ground):
             mine = spells.setdefault(piece, [])
             if mine and mine[-1][1] == start:
