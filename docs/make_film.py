@@ -11,7 +11,7 @@ import os
 import tempfile
 from pathlib import Path
 
-from trs80arm.options import TerminalOptions
+from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.ui.filming import Shooting, make_film
 
 HERE = Path(__file__).parent
@@ -25,7 +25,9 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         os.environ["TRS80ARM_STATE"] = folder
         shooting = Shooting(100, 30, fps=6, speed=4, seconds=34, sets=("6:1.0 0",))
-        make_film(TerminalOptions(program=PROGRAM), shooting, HERE / "film.svg")
+        make_film(
+            TerminalOptions(program=PROGRAM, arm=ArmStyle.SEXTANT), shooting, HERE / "film.svg"
+        )
     print(HERE / "film.svg")
 
 

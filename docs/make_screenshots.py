@@ -1,4 +1,4 @@
-"""Makes the manual's screenshots from the running program, as SVG files in docs/screenshots.
+"""Makes the manual's screenshots from the running program, in docs/screenshots.
 
     python docs/make_screenshots.py
 
@@ -13,6 +13,8 @@ import tempfile
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
+
+from PIL.Image import Image
 
 from trs80arm.arm.geometry import Pose
 
@@ -174,11 +176,23 @@ def drawn(app: Any) -> str:
     return svg(still).decode("utf-8")
 
 
+def in_pixels(app: Any) -> Image:
+    """What a terminal with pixels is sent of the arm in space."""
+    from trs80arm.drawing.readings import Readings
+    from trs80arm.ui.terminal.pixels import image_of
+
+    view = app.desk.panels["space"]
+    width, height = view.size
+    cell = (10, 20)
+    pixels = view.picture.pixels(Readings.of(app.session.rig), width, height - 1, (20, 40))
+    return image_of(pixels, view.colours, (width * cell[0], (height - 1) * cell[1]))
+
+
 async def shoot(
     name: str,
     size: tuple[int, int],
     scene: Scene,
-    take: Callable[[Any], str] = framed,
+    take: Callable[[Any], str | Image] = framed,
     **options: Any,
 ) -> None:
     """Make one picture."""
@@ -195,8 +209,11 @@ async def shoot(
             await pilot.pause()
             await scene(Sitting(app, pilot, wall))
             picture = take(app)
-    (FOLDER / f"{name}.svg").write_text(picture, encoding="utf-8")
-    print(FOLDER / f"{name}.svg")
+    if isinstance(picture, str):
+        (FOLDER / f"{name}.svg").write_text(picture, encoding="utf-8")
+    else:
+        picture.quantize(128).save(FOLDER / f"{name}.png", optimize=True)
+    print(name)
 
 
 async def main() -> None:
@@ -214,6 +231,7 @@ async def main() -> None:
     space = filling("space", table4)
     await shoot("space", (100, 32), space, drawn, program=program)
     await shoot("space-blocks", (100, 32), space, drawn, program=program, arm=ArmStyle.SEXTANT)
+    await shoot("pixels", (90, 32), space, in_pixels, program=program)
     await shoot("scope", (110, 34), filling("scope", table4), drawn, program=program)
     await shoot("manual", (120, 40), manual)
     await shoot("slipped", (120, 40), slipped, theme="amber")

@@ -66,7 +66,7 @@ class PixelScreen:
     def picture(self, pixels: Pixels, colours: Colours) -> PixelPicture:
         """A picture in the colours of a theme, ready to be written."""
         height, width = pixels.words.glyphs.shape
-        image = _image(pixels, colours, (width * self.cell[0], height * self.cell[1]))
+        image = image_of(pixels, colours, (width * self.cell[0], height * self.cell[1]))
         return PixelPicture(self._renderable(image, width, height), width, height)
 
 
@@ -174,8 +174,14 @@ def has_placeholders(name: str) -> bool:
     return first is not None and tuple(map(int, version)) >= first
 
 
-def _image(pixels: Pixels, colours: Colours, size: tuple[int, int]) -> Image:
-    """The picture at its size, and what is written over it."""
+def image_of(pixels: Pixels, colours: Colours, size: tuple[int, int]) -> Image:
+    """The picture with what is written over it.
+
+    Args:
+        pixels: it.
+        colours: a theme's.
+        size: width and height in pixels.
+    """
     from PIL import Image, ImageDraw
 
     image = Image.fromarray(pixels.coloured(colours))
