@@ -9,7 +9,7 @@ from textual.command import CommandPalette
 
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
-from trs80arm.ui.commands.table import Palette
+from trs80arm.ui.commands.palette import Palette
 
 
 @piloted
