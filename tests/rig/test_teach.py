@@ -89,6 +89,8 @@ def test_at_its_bench_table_3_stands_around_the_part_and_enter_is_a_good_speed()
     rig = Rig(bench=benchfile.load(PROGRAMS / "table3.toml"))
     rig.load(PROGRAMS / "table3.bas")
     rig.type("RUN\r")
+    assert rig.run_until_waiting(60) is Waiting.INPUT
+    assert " SPEED: 50 BRISK, 100 SLOWER, 200 SLOW; ENTER IS 50" in rig.screen()
     answer(rig, "")
     # Nothing is done with care here: hold a key for a while, then 0.
     for script in ("", "W:200", "1:400", "2:190"):
