@@ -51,11 +51,12 @@ def test_a_slackening_grip_holds_until_its_friction_is_less_than_the_weight(
     for k in range(201):
         hand.move(8.0, 0.0, 0.3 + 0.01 * k, 0.0, 0.0, tight)
     hand.wait(40)
-    assert cube.place[2] == pytest.approx(2.5, abs=0.01)
+    before = cube.place[2]
+    assert before == pytest.approx(2.5, abs=0.05)
     for k in range(21):
         hand.move(8.0, 0.0, 2.3, 0.0, 0.0, tight + (slack - tight) * k / 20)
     hand.wait(400)
-    assert cube.place[2] == pytest.approx(2.5 if carries else 0.5, abs=0.03)
+    assert cube.place[2] == pytest.approx(before if carries else 0.5, abs=0.03)
 
 
 def test_what_goes_on_as_before_is_found_in_little_more_than_a_step(

@@ -18,7 +18,7 @@ the same to the last bit on every machine.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import repeat
 
@@ -64,11 +64,15 @@ TILT = 0.015
 _SLOWEST = 1e-9
 _EASIEST = 1e-9
 _CREEPING = CREEP * CREEP
+_SLOW = (20 * CREEP) ** 2
+"""Square of the speed below which what slid may well hold now."""
+_NEVER = repeat(0.0)
 _APART, _PRESSING, _HOLDING, _SLIDING = 0, 1, 2, 4
 """What a contact does; friction holds or slides beside either of the first two."""
 _NOTHING, _AS_BEFORE, _CAUGHT = 0, 1, 2
 """What may be guessed of contacts, for a step of Newton's method to begin with: that those press
-on that pressed before; that those hold now that slid, and would now slide the other way."""
+that pressed before or are expected to, and that those hold that hardly slid; that those hold now
+that slid, and would now slide the other way."""
 _LEVEL = (0.0, 0.0, 0.0, 0.0)
 _UNKNOWN = repeat((_APART, _LEVEL))
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
@@ -193,6 +197,7 @@ class _Patch:
         "columns_one",
         "columns_two",
         "contact",
+        "expected",
         "lever",
         "normal",
         "one",
@@ -228,6 +233,7 @@ class _Patch:
                 ]
             )
         )
+        self.expected: Pressures = None
         self._nothing = [_APART] * len(contact.points)
         self.regimes = self._nothing
         self.slopes = [_LEVEL] * len(contact.points)
@@ -378,8 +384,12 @@ class _Patch:
             bounds: of friction at each point.
             guess: what is taken for granted, of `_NOTHING` and so on.
         """
+        beginning = guess == _AS_BEFORE
+        presses: Iterable[float] = _NEVER
+        if beginning:
+            presses = bounds or self.expected or _NEVER
         if bounds is None:
-            if self.leaves_alone(relative):
+            if presses is _NEVER and self.leaves_alone(relative):
                 self.regimes = self._nothing
                 return _STILL
             bounds = [0.0] * len(self._nothing)
@@ -390,11 +400,13 @@ class _Patch:
         before = zip(self.regimes, self.slopes, strict=True) if guess == _CAUGHT else _UNKNOWN
         self.regimes = regimes = []
         self.slopes = slopes = []
-        for (rx, ry, rz, ax, ay, az, least, stiff, sx, sy, sz, surface), bound, (was, way) in zip(
-            self.points, bounds, before, strict=False
+        slow = _SLOW if beginning else _CREEPING
+        for point, bound, known, (was, way) in zip(
+            self.points, bounds, presses, before, strict=False
         ):
+            rx, ry, rz, ax, ay, az, least, stiff, sx, sy, sz, surface = point
             opening = along + ax * wx + ay * wy + az * wz - surface
-            if opening < least or (bound and guess == _AS_BEFORE):
+            if opening < least or known:
                 regime, pressure = _PRESSING, stiff * (least - opening)
             elif bound:
                 regime, pressure = _APART, 0.0
@@ -409,7 +421,7 @@ class _Patch:
                 tz = vz + wx * ry - wy * rx - sz - opening * nz
                 square = tx * tx + ty * ty + tz * tz
                 _, ux, uy, uz = way
-                if square > _CREEPING and not (was & _SLIDING and tx * ux + ty * uy + tz * uz < 0):
+                if square > slow and not (was & _SLIDING and tx * ux + ty * uy + tz * uz < 0):
                     regime += _SLIDING
                     speed = math.sqrt(square)
                     tx, ty, tz = tx / speed, ty / speed, tz / speed
@@ -535,8 +547,11 @@ class Problem:
         speeds: list[Six] = [_six(mobile.speed) for mobile in self.mobiles]
         steps = 0
         pressures = [c.pressures if any(c.pressures) else None for c in self.contacts]
+        for patch, known in zip(patches, pressures, strict=True):
+            if known is None:
+                patch.expected = patch.pressures(patch.relative(speeds))
         # Otherwise nothing is in the way of anything.
-        if any(pressures) or any(patch.pressures(patch.relative(speeds)) for patch in patches):
+        if any(pressures) or any(patch.expected for patch in patches):
             speeds = [_six(mobile.before or mobile.speed) for mobile in self.mobiles]
             for _ in range(PASSES):
                 bounds = [
