@@ -46,7 +46,7 @@ SHALLOW = 0.1
 """Part of the slope at a step's beginning at which, along the step, the least value is reached."""
 MOST_TRIALS = 12
 """Looks along a step at most."""
-PASSES = 4
+PASSES = 6
 """Times that friction's bounds are brought in line with the pressure, at most."""
 AGREED = 0.05
 """Part of the greatest pressure by which bounds and pressures may differ."""
@@ -554,24 +554,10 @@ class Problem:
         if any(pressures) or any(patch.expected for patch in patches):
             speeds = [_six(mobile.before or mobile.speed) for mobile in self.mobiles]
             for _ in range(PASSES):
-                bounds = [
-                    None if pressing is None else [contact.friction * each for each in pressing]
-                    for contact, pressing in zip(self.contacts, pressures, strict=True)
-                ]
-                speeds, taken = self._least(speeds, bounds)
+                speeds, taken = self._least(speeds, pressures)
                 steps += taken
-                relative = [patch.relative(speeds) for patch in patches]
-                before = pressures
-                pressures = [
-                    patch.pressures(moving) for patch, moving in zip(patches, relative, strict=True)
-                ]
-                off = AGREED * max((max(each) for each in pressures if each), default=0.0)
-                if all(
-                    patch.agrees(moving, old, now, off)
-                    for patch, moving, old, now in zip(
-                        patches, relative, before, pressures, strict=True
-                    )
-                ):
+                before, pressures = pressures, self._pressures(speeds)
+                if self._in_line(speeds, before, pressures):
                     break
         for contact, pressing in zip(self.contacts, pressures, strict=True):
             contact.pressures = pressing or [0.0] * len(contact.points)
@@ -622,8 +608,23 @@ class Problem:
             tilting = max(tilting, span * span * (a * a + b * b + c * c))
         return min(lasting, TILT / max(math.sqrt(tilting), _SLOWEST))
 
-    def _least(self, speeds: list[Six], bounds: list[Pressures]) -> tuple[list[Six], int]:
-        """Newton's method: velocities at which impulses and momentum balance."""
+    def _least(self, speeds: list[Six], bounding: list[Pressures]) -> tuple[list[Six], int]:
+        """Newton's method: velocities at which impulses and momentum balance.
+
+        It ends before that once pressures are as they will be, but not those that bound friction.
+
+        Args:
+            speeds: to begin with.
+            bounding: pressures by which friction is bounded.
+
+        Returns:
+            Velocities, and the steps taken.
+        """
+        bounds: list[Pressures] = [
+            None if pressing is None else [contact.friction * each for each in pressing]
+            for contact, pressing in zip(self.contacts, bounding, strict=True)
+        ]
+        last: list[Pressures] | None = None
         slope = self._slope(speeds, bounds, _AS_BEFORE)
         for step in range(MOST_STEPS):
             bold = step < BOLD_STEPS
@@ -639,6 +640,12 @@ class Problem:
                     return _plus(there, rest), step + 1
             elif _most(change) < SURE:
                 return there, step + 1
+            if bold:
+                found = self._pressures(there)
+                settled = last is not None and _alike(last, found)
+                if settled and not self._in_line(there, bounding, found):
+                    return there, step + 1
+                last = found
             if step < BOLD_STEPS - 1:
                 speeds, slope = there, slope_there
             elif bold:
@@ -646,6 +653,20 @@ class Problem:
             else:
                 speeds, slope = self._far(speeds, change, slope, there, slope_there, bounds)
         return speeds, MOST_STEPS
+
+    def _pressures(self, speeds: list[Six]) -> list[Pressures]:
+        """Impulses along the normal at the points of each contact."""
+        return [patch.pressures(patch.relative(speeds)) for patch in self._patches]
+
+    def _in_line(
+        self, speeds: list[Six], bounding: list[Pressures], found: list[Pressures]
+    ) -> bool:
+        """Whether the pressures by which friction was bounded are those found with it."""
+        off = _tolerance(found)
+        return all(
+            patch.agrees(patch.relative(speeds), old, now, off)
+            for patch, old, now in zip(self._patches, bounding, found, strict=True)
+        )
 
     def _slope(
         self, speeds: list[Six], bounds: list[Pressures], guess: int = _NOTHING
@@ -904,6 +925,23 @@ def _add_shifted(block: list[float], lever: Vector, stiffness: list[float]) -> l
         (-k2, -m2, -n2, gy - o, ky - p, qy - u),
         (-q2, -r2, -s2, gz - t, kz - u, qz - v),
     ]
+
+
+def _tolerance(pressures: list[Pressures]) -> float:
+    """By how much pressures may differ and agree."""
+    return AGREED * max((max(each) for each in pressures if each), default=0.0)
+
+
+def _alike(before: list[Pressures], now: list[Pressures]) -> bool:
+    """Whether pressures are those of before."""
+    off = _tolerance(now)
+    for old, new in zip(before, now, strict=True):
+        if old is None or new is None:
+            if max(old or new or (0.0,)) > off:
+                return False
+        elif any(abs(a - b) > off for a, b in zip(old, new, strict=True)):
+            return False
+    return True
 
 
 def _six(values: Sequence[float]) -> Six:
