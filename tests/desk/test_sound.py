@@ -111,3 +111,16 @@ def test_a_computer_without_a_loudspeaker_is_told(
     sound = LineSound(sitting.session, lambda: None, sitting.person.say, Sound.SAMPLES)
     wait_for(sound, sitting)
     assert sitting.person.errors == ["No sound: no device. The bell rings instead."]
+
+
+def test_who_sits_at_a_browser_does_not_make_this_computer_sound(
+    sitting: Sitting, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[object] = []
+    library = types.SimpleNamespace(RawOutputStream=lambda **options: opened.append(options))
+    monkeypatch.setitem(sys.modules, "sounddevice", library)
+    sound = LineSound(sitting.session, lambda: None, sitting.person.say, Sound.SAMPLES, far=True)
+    sound.go_on()
+    assert "at the other computer" in sitting.person.errors[0]
+    assert sound.sound is Sound.BELL
+    assert not opened

@@ -173,14 +173,22 @@ class LineSound:
         ring: the terminal's bell.
         say: tells its user when there is no sound.
         sound: how it is heard.
+        far: whether its user sits elsewhere, at a browser, and not by this computer's loudspeaker.
     """
 
     def __init__(
-        self, session: Session, ring: Callable[[], object], say: Say, sound: Sound = Sound.OFF
+        self,
+        session: Session,
+        ring: Callable[[], object],
+        say: Say,
+        sound: Sound = Sound.OFF,
+        *,
+        far: bool = False,
     ) -> None:
         self._session = session
         self._ring = ring
         self._say = say
+        self._far = far
         self._rig: Rig | None = None
         self._stop: Callable[[], None] = lambda: None
         self._changes: list[Change] = []
@@ -197,6 +205,9 @@ class LineSound:
         self.sound = sound
         if sound is Sound.BELL:
             self._loudspeaker = BellRinger(self._ring)
+        elif sound is Sound.SAMPLES and self._far:
+            self._loudspeaker = BellRinger(self._ring)
+            self._failed("the loudspeaker is at the other computer")
         elif sound is Sound.SAMPLES:
             self._loudspeaker = SampledSound(self._failed)
         self._changes.clear()

@@ -24,6 +24,8 @@ from trs80arm.reasons import one_line
 from trs80arm.rig import Counts, Waiting
 from trs80arm.saving import write_whole
 
+FILE = "tour.json"
+"""The file of the state folder in which the step is remembered."""
 PROGRAM, PICK_BENCH = "table4", "table3"
 """The program that is run, and the bench on which the hand stands around a part."""
 FAR = 40

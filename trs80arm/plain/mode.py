@@ -22,6 +22,7 @@ from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.session import Session
 from trs80arm.desk.sound import LineSound
 from trs80arm.desk.teach import Lesson
+from trs80arm.desk.tour import FILE as TOUR_FILE
 from trs80arm.desk.tour import Step, Tour
 from trs80arm.desk.workbench import Workbench
 from trs80arm.operator import ScriptError, parse_holds
@@ -109,7 +110,7 @@ class PlainMode:
             workbench=Workbench(session, files, ask, say),
             peripherals=Peripherals(session, ask, say),
             lesson=lesson,
-            tour=Tour(session, lesson, files, state / "tour.json", ask, say),
+            tour=Tour(session, lesson, files, state / TOUR_FILE, ask, say),
             ask=ask,
             tell=self._tell,
             reach=reach,

@@ -38,6 +38,7 @@ from trs80arm.desk.session import Session
 from trs80arm.desk.sound import LineSound
 from trs80arm.desk.stage import Stage
 from trs80arm.desk.teach import Lesson
+from trs80arm.desk.tour import FILE as TOUR_FILE
 from trs80arm.desk.tour import Tour
 from trs80arm.drawing.glyphs import choose
 from trs80arm.options import ArmStyle, TerminalOptions
@@ -70,11 +71,9 @@ from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
 from trs80arm.ui.terminal.no_codes import NoControlCodes
 from trs80arm.ui.themes import THEMES, Themed
 
-TOUR = "tour.json"
-"""The file of the state folder in which the tour remembers its step."""
 OFFER = (
-    "`Ctrl+N` begins a tour of five minutes: drive the arm, pick a part, teach.",
-    "Or just type. It is in the palette (Ctrl+P) later, and `trs80arm tour` begins it.",
+    "`Ctrl+N` begins a tour of five minutes: drive, pick, run, teach.",
+    "Or just type: later Ctrl+N, or `trs80arm tour`, begins it as well.",
 )
 COPY_EVERY = 5.0
 """Seconds of the wall between two looks at whether a recovery copy is due."""
@@ -142,7 +141,8 @@ class Trs80Arm(Themed[int]):
         self._trying_themes = False
         self.pacer = Pacer(session, wall, options.speed.factor, lambda: session.hurried)
         self.pacer.hurries = options.turbo
-        self.sound = LineSound(session, self.bell, self.say, options.sound)
+        far = bool(os.environ.get("TEXTUAL_DRIVER"))
+        self.sound = LineSound(session, self.bell, self.say, options.sound, far=far)
         self.heartbeat = Heartbeat(self.tick, lambda: self.busy, wall)
         held = HeldKeys(options.tap_ms / 1000, options.repeat_ms / 1000)
         self.keyboard = Keyboard(session, held, options.keys, wall)
@@ -169,7 +169,7 @@ class Trs80Arm(Themed[int]):
         dialogs, say = Dialogs(self, reach), self.say
         recent = RecentFiles(state / "recent.json")
         files = SessionFiles(session, self.recovery, recent, dialogs, say, reach)
-        self.tour = Tour(session, lesson, files, state / TOUR, dialogs, say)
+        self.tour = Tour(session, lesson, files, state / TOUR_FILE, dialogs, say)
         arm = ArmCommands(session, lesson, files, dialogs, say, dialogs, lambda: desk.arm_style)
         leaving = Leaving(
             session, lesson, self.recovery, files, dialogs, arm.teach, lambda: self.exit(0)
@@ -385,8 +385,8 @@ class Trs80Arm(Themed[int]):
         if tour.step is not None:
             first, second = tour.step.words
             more = "Ctrl+N: skip, back, leave"
-            room = max(len(second) + 2, self.size.width - len(more) - 1)
-            self.desk.guide(tour.place, (first, f"{second:<{room}}{more}"))
+            gap = self.size.width - len(second.replace("`", "")) - len(more) - 1
+            self.desk.guide(tour.place, (first, f"{second}{' ' * max(2, gap)}{more}"))
         elif tour.offered:
             self.desk.guide("New here?", OFFER)
         else:
