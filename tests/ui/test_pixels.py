@@ -40,6 +40,7 @@ from trs80arm.ui.terminal.pixels import (
     PixelScreen,
     find_pixels,
     has_placeholders,
+    may_have_pixels,
 )
 
 COLOURS = Colours((7, 19, 10), {ink: (200, 100 + 5 * n, 40) for n, ink in enumerate(Ink)})
@@ -160,6 +161,24 @@ def test_words_are_written_over_the_picture() -> None:
 )
 def test_kittys_graphics_are_not_enough(name: str, has: bool) -> None:
     assert has_placeholders(name) is has
+
+
+@pytest.mark.parametrize(
+    ("environment", "asked"),
+    [
+        ({"TERM": "xterm-kitty"}, True),
+        ({"TERM": "foot"}, True),
+        ({"TERM": "xterm-256color", "TERM_PROGRAM": "iTerm.app"}, True),
+        ({"TERM": "xterm-256color", "KONSOLE_VERSION": "240800"}, True),
+        ({"TERM": "xterm-256color"}, False),
+        ({"TERM": "tmux-256color", "TERM_PROGRAM": "tmux", "KITTY_WINDOW_ID": "1"}, False),
+        ({}, False),
+    ],
+)
+def test_only_terminals_that_may_have_pixels_are_asked_by_the_way(
+    environment: dict[str, str], asked: bool
+) -> None:
+    assert may_have_pixels(environment) is asked
 
 
 def test_without_the_library_one_line_says_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> None:

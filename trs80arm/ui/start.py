@@ -13,10 +13,16 @@ import time
 from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.places import state_folder
-from trs80arm.options import TerminalOptions
+from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.reasons import one_line
 from trs80arm.ui.app import Trs80Arm
-from trs80arm.ui.terminal.pixels import NoPixelsError, PixelScreen, find_pixels
+from trs80arm.ui.terminal.pixels import (
+    NOT_ASKED,
+    NoPixelsError,
+    PixelScreen,
+    find_pixels,
+    may_have_pixels,
+)
 from trs80arm.ui.themes import THEMES
 
 SERVER = "TRS80ARM_SERVER"
@@ -51,7 +57,7 @@ def run_terminal(options: TerminalOptions) -> int:
         )
         return USAGE_ERROR
     _end_with_server()
-    app.desk.use_pixels(_pixels(app))
+    app.desk.use_pixels(_pixels(app, options))
     # What is there now stays to the end: to search it for garbage takes as long as ten frames.
     gc.freeze()
     gc.enable()
@@ -70,8 +76,10 @@ def run_terminal(options: TerminalOptions) -> int:
     return result
 
 
-def _pixels(app: Trs80Arm) -> PixelScreen | str:
+def _pixels(app: Trs80Arm, options: TerminalOptions) -> PixelScreen | str:
     """The pixels of this terminal, or why there are none; asked before Textual reads it."""
+    if options.arm is not ArmStyle.PIXELS and not may_have_pixels(os.environ):
+        return NOT_ASKED
     try:
         return find_pixels(app.console.color_system)
     except NoPixelsError as error:

@@ -13,7 +13,7 @@ from __future__ import annotations
 import io
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, Final
 
@@ -29,10 +29,17 @@ if TYPE_CHECKING:
 
 NOT_INSTALLED = "Pixels need one thing more: pip install 'trs80arm[pixels]'"
 NOT_HERE = "This terminal tells of no pixels: neither Kitty's graphics nor sixels."
+NOT_ASKED = (
+    "Start with --arm-style pixels to ask this terminal for pixels: it is not known to have any."
+)
 ANSWERS = 0.1
 """Seconds within which a terminal answers."""
 _FIRST_WITH_PLACEHOLDERS = {"kitty": (0, 28), "ghostty": (1, 0)}
 """From which version on a terminal has pictures in the place of characters."""
+_NAMES = re.compile("kitty|ghostty|foot|contour|mlterm|sixel|rio|iterm|wezterm|vscode|mintty", re.I)
+"""In the names of terminals that show pixels, or can be told to."""
+_OF_THEIRS = ("KITTY_WINDOW_ID", "WEZTERM_PANE", "KONSOLE_VERSION", "WT_SESSION")
+"""Variables that such terminals set."""
 _TRUE_COLOUR: Final = "truecolor"
 _SIXELS = "\x1bP"
 _DEFINED = re.compile(r"#(\d+);2;\d+;\d+;\d+")
@@ -120,6 +127,18 @@ class PixelPicture:
         number = getattr(self._image, "terminal_image_id", None)
         # The library's own message has no number that Kitty knows.
         return Segment(f"\x1b_Ga=d,d=I,i={number},q=2\x1b\\" if number else "", None, _NO_TEXT)
+
+
+def may_have_pixels(environment: Mapping[str, str]) -> bool:
+    """Whether the environment speaks of a terminal that may show pixels.
+
+    One that does not is not asked by the way: most do not answer such questions at all, and to find
+    that out takes as long as half of the rest of the start.
+    """
+    names = " ".join(environment.get(name, "") for name in ("TERM", "TERM_PROGRAM"))
+    if "tmux" in names or "screen" in names:
+        return False
+    return bool(_NAMES.search(names)) or any(name in environment for name in _OF_THEIRS)
 
 
 def find_pixels(colours: str | None) -> PixelScreen:
