@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -29,6 +29,7 @@ from trs80arm.operator import Operator, parse_holds
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from tests.arm.contact.hand import SlidingHand
+from tests.rig.test_teach import teach
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 ROUNDS = 5
@@ -152,6 +153,50 @@ def on_the_rig(program: str, seconds: float) -> float:
     return time.process_time() - begin
 
 
+def taught(cycles: int) -> tuple[float, float]:
+    """Processor seconds, and virtual ones, of cycles of Table 3 on a whole rig, once taught."""
+    rig = Rig(bench=benchfile.load(PROGRAMS / "table3.toml"))
+    teach(rig, "table3.bas", "")
+    rig.type("G\r")
+    tray, start = rig.arm.bench.trays[0], rig.time
+    begin = time.process_time()
+    while tray.taken < cycles:
+        rig.run_for(5)
+    return time.process_time() - begin, rig.time - start
+
+
+FREE = """10 @STEP 50,0,-207,290
+20 @STEP 50,1400,-8,-13,-400,-400,300
+30 @STEP 50,-1400,8,13,400,400,-300
+40 GOTO 20
+"""
+
+
+class Counter:
+    """An analyser on the latches that counts their writes."""
+
+    each_step = False
+
+    def __init__(self) -> None:
+        self.writes = 0
+
+    def wrote(self, times: Sequence[int], latches: Sequence[int], nibbles: Sequence[int]) -> None:
+        """These writes have been done."""
+        self.writes += len(times)
+
+
+def stepped(seconds: float) -> tuple[float, int]:
+    """Processor seconds of free `@STEP`s from BASIC to the arm, and the writes to its latches."""
+    rig = Rig(bench=Bench("empty"))
+    rig.type(FREE.replace("\n", "\r") + "RUN\r")
+    rig.run_for(30)
+    counter = Counter()
+    rig.watch_latches(counter)
+    begin = time.process_time()
+    rig.run_for(seconds)
+    return time.process_time() - begin, counter.writes
+
+
 CUBE = Shape.of([box((1.0, 1.0, 1.0))], 2.0)
 START = (4.0, 0.0, 0.3, 0.0, 0.0, 0.1)
 
@@ -244,6 +289,14 @@ def main() -> None:
     report(f"Table 4, {taken} cycles of pick and place", times, taken * 4600, virtual)
     times = [on_the_rig("table4", 60) for _ in range(5)]
     report("Table 4 with BASIC, driver, card and bench", times, 60 * 650, 60)
+    runs = [taught(40) for _ in range(5)]
+    seconds = runs[0][1]
+    report("Table 3, 40 cycles as taught", [run[0] for run in runs], 40 * 4600, seconds)
+    steps = [stepped(600) for _ in range(5)]
+    writes = steps[0][1]
+    report("free @STEPs, BASIC to arm", [run[0] for run in steps], writes, 600)
+    best = min(run[0] for run in steps)
+    print(f"{'':44} {writes / best / 1e6:.1f} million latch writes a second at best")
     for count in (1, 3, 10):
         contact(f"{count} in a row, pushed on and on", lambda count=count: row(count), push, 2400)
     contact("10 in a crowd, pushed apart", lambda: crowd(10), push, 400)

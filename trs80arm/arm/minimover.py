@@ -209,18 +209,17 @@ class MiniMover:
         where = np.asarray(latches, dtype=np.int64)
         what = np.asarray(nibbles, dtype=np.int64)
         lists: tuple[list[int], list[int], list[int]] | None = None
-        ends = np.append(when[1:] != when[:-1], True)
         done, patience = 0, FEW
         while done < count:
             if count - done >= SHORT:
                 self._pass(int(when[done]))
             if count - done >= SHORT and self._free:
-                rest = slice(done, min(count, done + LONGEST))
-                piece = when[rest], where[rest], what[rest]
-                ahead = self._hand_ahead(piece[1])
-                ran = stride(self, piece[0][:ahead], piece[1][:ahead], piece[2][:ahead], stop)
+                ahead = slice(done, done + self._hand_ahead(where[done:]))
+                ran = stride(self, when[ahead], where[ahead], what[ahead], stop)
                 if ran is None:
-                    ran, ended = run_free(self, *piece, stop, ends[rest])
+                    some = slice(done, done + LONGEST)
+                    ends = np.append(when[1:] != when[:-1], True)[some]
+                    ran, ended = run_free(self, when[some], where[some], what[some], stop, ends)
                     if ended:
                         return done + ran
                 done += ran

@@ -97,7 +97,9 @@ def stride(
         return None
     count = len(times)
     ticks = arm.world.ticks_until(int(times[-1]))
-    clear = arm.world.ticks_clear(_on_ticks(arm, trains, times, ticks))
+    clear = len(ticks)
+    if clear and not arm.world.far(*_gone(arm, low, high, paid, pitched)):
+        clear = arm.world.ticks_clear(_on_ticks(arm, trains, times, ticks))
     if clear < len(ticks):
         count = int(np.searchsorted(times, ticks[clear]))
         if not count:
@@ -287,6 +289,25 @@ def _in_time(
         if len(when) > 1 and int((when[1:] - when[:-1]).min()) < period:
             return False
     return True
+
+
+def _gone(
+    arm: MiniMover,
+    low: Sequence[int],
+    high: Sequence[int],
+    paid: tuple[int, int],
+    pitched: tuple[int, int],
+) -> tuple[list[float], float]:
+    """How far each coordinate goes at most, and both gears together."""
+    model, now = arm.model, arm.rotors
+    gone = []
+    for motor in list(Motor)[:5]:
+        latch = model.latch(motor)
+        most = max(high[latch] - now[latch], now[latch] - low[latch])
+        gone.append(most / model.drives[latch].steps)
+    gone.append(max(-paid[0], paid[1]) / model.hand_steps)
+    gear = model.drives[model.latch(Motor.LEFT_WRIST)].steps
+    return gone, max(-pitched[0], pitched[1]) / gear
 
 
 def _on_ticks(

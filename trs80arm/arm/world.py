@@ -67,6 +67,7 @@ class World:
         self._rotors = [0] * 6
         self._ticked = [0] * 6
         self._looked: tuple[list[float], Room] | None = None
+        self._ringed: tuple[list[float], float] | None = None
         self._easing: list[list[float]] = []
         self._jumped = False
         self._busy = True
@@ -83,7 +84,13 @@ class World:
     def __getstate__(self) -> dict[str, Any]:
         # How far things are is found anew; when it was looked at hangs on how a run is cut.
         self.show()
-        return {**self.__dict__, "_looked": None, "_easing": [], "_lying": ([], [])}
+        return {
+            **self.__dict__,
+            "_looked": None,
+            "_ringed": None,
+            "_easing": [],
+            "_lying": ([], []),
+        }
 
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
@@ -103,7 +110,8 @@ class World:
         self._grasp.clear()
         self._changed()
         self._ticked[:] = self._rotors
-        self._jumped, self._busy, self._looked = False, True, None
+        self._jumped, self._busy = False, True
+        self._looked = self._ringed = None
         self._plate = float(bench.turntable.rotor) if bench.turntable is not None else 0.0
 
     def refill(self) -> str | None:
@@ -193,7 +201,7 @@ class World:
         if not self._holds_on(commands):
             return False
         joints = self._led_to(commands)
-        if not self._room_to(joints) and not self._look(joints).enough:
+        if not self._surely_clear(joints) and not self._look(joints).enough:
             return False
         if strained:
             self.bench.scene.ease(joints, commands)
@@ -208,21 +216,38 @@ class World:
             return driven.eased(driven.joints, driven.reached, commands, loaded=self._loaded)
         return [*commands[:5], driven.joints[5] if self._loaded else commands[5]]
 
-    def _room_to(self, joints: Sequence[float]) -> bool:
-        """Whether there must be room somewhere, there being room where it was looked at.
+    def _surely_clear(
+        self, joints: Sequence[float], gone: Sequence[float] = (0.0,) * 6, pitched: float = 0.0
+    ) -> bool:
+        """Whether there must be room about somewhere, by the room there was where it was measured.
 
-        What the arm went since is a bound on how much nearer anything can be; the base takes
-        nothing nearer to the table.
+        How far the arm goes is a bound on how much nearer anything can be; the base takes nothing
+        nearer to the table, and nothing nearer to the rings around it.
+
+        Args:
+            joints: where.
+            gone: how far each coordinate goes on from there at most.
+            pitched: how far both gears do together.
         """
-        if self._looked is None:
+        ways = self.around.ways(gone)
+        base, left, right = Motor.BASE, Motor.LEFT_WRIST, Motor.RIGHT_WRIST
+        on = sum(ways)
+        if self._looked is not None and self._looked[1].enough:
+            there, room = self._looked
+            way, down = self.around.travel(there, joints)
+            down += on - ways[base]
+            if way + on <= room.beside - SPARE and (
+                down <= room.low - SPARE or (down == 0.0 and room.low >= -HAIR / 2)
+            ):
+                return True
+        if self._ringed is None:
             return False
-        there, room = self._looked
-        if not room.enough:
-            return False
-        way, down = self.around.travel(there, joints)
-        return way <= room.beside - SPARE and (
-            down <= room.low - SPARE or (down == 0.0 and room.low >= -HAIR / 2)
-        )
+        there, room_over = self._ringed
+        turned = [a - b for a, b in zip(joints, there, strict=True)]
+        pitched += abs(turned[left] + turned[right])
+        turned[base] = turned[left] = turned[right] = 0.0
+        way = sum(self.around.ways(turned)) + on - ways[base] - ways[left] - ways[right]
+        return way + self.around.levers()[left] * pitched <= room_over - SPARE
 
     def _look(self, joints: list[float]) -> Room:
         """What room there is somewhere; remembered for bounds."""
@@ -262,7 +287,7 @@ class World:
         scene.tick()
         self._loaded = bool(scene.carried)
         self._ticked[:] = self._rotors
-        self._looked = None
+        self._looked = self._ringed = None
         if not scene.went_on:
             self._grasp.look(loaded=self._loaded)
         self._telling.look(asleep)
@@ -430,9 +455,7 @@ class World:
         count = len(rotors)
         if self.vacant:
             count = self.around.places_unfed(joints, self.vacant)
-        if count and not self._far(joints[:, :count]):
-            count = self.around.places_clear(joints[:, :count])
-        return count
+        return self.around.places_clear(joints[:, :count]) if count else 0
 
     def _ticks_gripping(self, commands: Sequence[list[float]]) -> int:
         """How many ticks in a row what rests in the grip goes on resting there.
@@ -468,25 +491,28 @@ class World:
                     joints[5, tick:] = now[5]
                 break
 
-    def _far(self, joints: npt.NDArray[np.float64]) -> bool:
-        """Whether everything is so far that the arm can go as far as it does, whichever way."""
-        self.show()
-        now = self.bench.scene.joints
-        there, room = self._looked or (now, self._look(list(now)))
-        far: list[float] = np.abs(joints - np.array(now)[:, None]).max(axis=1).tolist()
-        ways = self.around.ways(far)
-        gone, down = (each + SPARE for each in self.around.travel(there, now))
-        base, left, right = Motor.BASE, Motor.LEFT_WRIST, Motor.RIGHT_WRIST
-        way = sum(ways)
-        if gone + way <= room.beside and down + way - ways[base] <= room.low:
-            return True
-        if not ways[base]:
+    def far(self, gone: Sequence[float], pitched: float) -> bool:
+        """Whether everything is so far that nothing has to be looked at, however the arm goes.
+
+        Args:
+            gone: how far each coordinate goes at most from where its rotor is.
+            pitched: how far both gears do together.
+        """
+        if self._strained or self.gripped:
             return False
-        # Seen as rings around the base everything is as far, however base and hand are turned.
-        pitched = float(np.abs(joints[left] + joints[right] - (now[left] + now[right])).max())
-        way += self.around.ways([0.0] * 3 + [pitched, 0.0, 0.0])[left]
-        way -= ways[base] + ways[left] + ways[right]
-        return way + SPARE <= self.around.over_rings(self.grip.opening)
+        way = sum(self.around.ways(gone))
+        if self.vacant and self.around.until_fed(self.vacant, self._rotors) <= way + SPARE:
+            return False
+        here = self._led_to(self._commands(self._rotors))
+        if self._surely_clear(here, gone, pitched):
+            return True
+        if self._looked is None or self.around.travel(self._looked[0], here)[0] > way / 4:
+            self._look(here)
+        if gone[Motor.BASE]:
+            self.show()
+            rings = self.around.over_rings(self.grip.opening)
+            self._ringed = list(self.bench.scene.joints), rings
+        return self._surely_clear(here, gone, pitched)
 
     # The operator's hands
 
@@ -518,7 +544,7 @@ class World:
         self._rotors[:] = self._ticked[:] = rotors
         self.grip.cable = self.drive.cable(rotors)
         scene.jump(there)
-        self._jumped, self._looked = False, None
+        self._jumped, self._looked, self._ringed = False, None, None
         self._turn_hand(rotors, wanted)
         self._busy = True
         self._changed()
@@ -657,5 +683,5 @@ class World:
                 and not self._touches(placed)
             ):
                 self.bench.feed(feeder)
-                self._looked = None
+                self._looked = self._ringed = None
         self._changed()
