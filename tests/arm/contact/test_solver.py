@@ -9,9 +9,10 @@ import pytest
 from tests.arm.contact.hand import PER_INCH, SlidingHand
 from trs80arm.arm.contact import prospect
 from trs80arm.arm.contact.bodies import Body, Shape
-from trs80arm.arm.contact.clock import TICK_STATES
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK_STATES
 from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import box
+from trs80arm.arm.contact.table import Plate
 
 WEIGHT = 4.0
 NEEDED = WEIGHT / (2 * math.sqrt(0.75 * 0.5))
@@ -75,3 +76,14 @@ def test_what_goes_on_as_before_is_found_in_little_more_than_a_step(
         hand.move(4.2 + 0.01 * k, 0.0, 0.3, 0.0, 0.0, 0.1)
     assert scene.solved >= 50
     assert scene.steps < 1.5 * scene.solved
+
+
+def test_what_stands_on_a_plate_goes_round_with_it_and_not_outwards() -> None:
+    scene = Scene()
+    scene.plate = Plate(0.0, 0.0, 2.0)
+    cube = scene.add(Body("cube", Shape.of([box((0.5, 0.5, 0.5))], 2.0), 0.5, (1.5, 0.0, 0.25)))
+    scene.plate.spin = 0.8
+    scene.advance(round(math.tau / 0.8 * T_STATES_PER_SECOND))
+    x, y, _ = cube.place
+    assert math.hypot(x, y) == pytest.approx(1.5, abs=0.003)
+    assert (x, y) == pytest.approx((1.5, 0.0), abs=0.05)

@@ -17,7 +17,7 @@ from trs80arm.arm.contact.manifold import Manifold, on_table
 from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.solver import Contact, Key, Mobile, Side, total
-from trs80arm.arm.contact.table import TABLE, Plate
+from trs80arm.arm.contact.table import TABLE, Plate, carried
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
 MARGIN = 0.02
@@ -199,11 +199,9 @@ class Meeting:
         surfaces = None
         if thing is not None and thing.spin:
             x, y = thing.axis
-            surfaces = [
-                (thing.spin * (y - v), thing.spin * (u - x), 0.0) for (u, v, _), _ in points
-            ]
+            surfaces = [carried(u - x, v - y, thing.spin, self.seconds) for (u, v, _), _ in points]
         elif self.plate is not None and self.plate.spin and key[0] == TABLE:
-            surfaces = [self.plate.surface(point) for point, _ in points]
+            surfaces = [self.plate.surface(point, self.seconds) for point, _ in points]
         contact = Contact(key, points, found.normal, first, second, friction, surfaces)
         if known:
             origin = second.mobile.place if second.mobile is not None else NOWHERE

@@ -678,6 +678,8 @@ class Problem:
         ]
         for patch, bound in zip(self._patches, bounds, strict=True):
             push = patch.push(patch.relative(speeds), bound, guess)
+            if push is _STILL:
+                continue
             fx, fy, fz, mx, my, mz = push
             two = out[patch.two]
             if patch.columns_two is None:
@@ -856,21 +858,25 @@ def _add_linked(
     (a, b, c, d, e, f, g, h, i, j, k, m, n, o, p, q, r, s, t, u, v) = stiffness
     out: list[Six] = [_STILL] * 6
     for at, (x, y, z, ex, ey, ez) in columns:
-        push = (
-            a * x + b * y + d * z + g * ex + k * ey + q * ez,
-            b * x + c * y + e * z + h * ex + m * ey + r * ez,
-            d * x + e * y + f * z + i * ex + n * ey + s * ez,
-            g * x + h * y + i * z + j * ex + o * ey + t * ez,
-            k * x + m * y + n * z + o * ex + p * ey + u * ez,
-            q * x + r * y + s * z + t * ex + u * ey + v * ez,
-        )
-        out[at] = (-push[0], -push[1], -push[2], -push[3], -push[4], -push[5])
+        fx, fy, fz = a * x + b * y + d * z, b * x + c * y + e * z, d * x + e * y + f * z
+        mx, my, mz = g * x + h * y + i * z, k * x + m * y + n * z, q * x + r * y + s * z
+        if ex or ey or ez:
+            fx += g * ex + k * ey + q * ez
+            fy += h * ex + m * ey + r * ez
+            fz += i * ex + n * ey + s * ez
+            mx += j * ex + o * ey + t * ez
+            my += o * ex + p * ey + u * ez
+            mz += t * ex + u * ey + v * ez
+        out[at] = (-fx, -fy, -fz, -mx, -my, -mz)
         start = at * (at + 1) // 2
-        fx, fy, fz, mx, my, mz = push
         for other, (x, y, z, ex, ey, ez) in columns:
             if other > at:
                 break
-            block[start + other] += fx * x + fy * y + fz * z + mx * ex + my * ey + mz * ez
+            # Cables move most links without turning them.
+            product = fx * x + fy * y + fz * z
+            if ex or ey or ez:
+                product += mx * ex + my * ey + mz * ez
+            block[start + other] += product
     return out
 
 

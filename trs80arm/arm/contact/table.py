@@ -27,9 +27,25 @@ class Plate:
     radius: float
     spin: float = 0.0
 
-    def surface(self, point: Vector) -> Vector:
-        """Velocity of the table's surface at a point, inches a second."""
+    def surface(self, point: Vector, seconds: float) -> Vector:
+        """Velocity at which the table's surface carries a point in a step, inches a second."""
         x, y = point[0] - self.x, point[1] - self.y
         if x * x + y * y > self.radius * self.radius:
             return NOWHERE
-        return (-self.spin * y, self.spin * x, 0.0)
+        return carried(x, y, self.spin, seconds)
+
+
+def carried(x: float, y: float, spin: float, seconds: float) -> Vector:
+    """Velocity at which a surface that turns carries a point in a step: along the arc's chord.
+
+    With the velocity at the beginning everything would drift outwards.
+
+    Args:
+        x: from its axis, inches.
+        y: likewise.
+        spin: radians a second, counter-clockwise from above.
+        seconds: length of the step.
+    """
+    half = spin * seconds / 2
+    rate = spin / (1 + half * half)
+    return -rate * (y + half * x), rate * (x - half * y), 0.0
