@@ -83,3 +83,7 @@ def test_input_from_tape_is_told() -> None:
     rig.type("RUN\r")
     assert rig.run_until(lambda rig: rig.tape.running and Deck.of(rig).done is not None)
     assert Deck.of(rig).doing == "INPUT#: data"
+
+
+def test_a_cassette_of_millions_of_recordings_is_looked_at_no_further_than_is_told() -> None:
+    assert contents_text(b"\xa5\x0d" * 1_000_000).endswith("data, and more")

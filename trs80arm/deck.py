@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import islice
 
 from trs80arm.basic.dialogue.system import SystemTape
 from trs80arm.basic.dialogue.tape_statements import Cload, InputTape, PrintTape, Writing
@@ -19,6 +20,8 @@ from trs80arm.rig import Rig
 
 BYTE_SECONDS = 0.016
 """About how long a byte takes at 500 baud; the counter counts in it."""
+MOST = 100
+"""Recordings of a cassette that are told apart; a strange file may have millions."""
 ANY_PROGRAM = "any program"
 """What CLOAD without a name looks for."""
 
@@ -48,6 +51,7 @@ class Deck:
         running: whether its motor is on.
         position: where the tape stands, in bytes.
         length: how much is on it, in bytes.
+        holds: what is on it, in a few words.
         doing: what goes on, in one line; empty while the motor is off.
         done: how much of what is recorded or loaded has gone by, 0 to 1; None if that is unknown.
     """
@@ -57,6 +61,7 @@ class Deck:
     running: bool = False
     position: int = 0
     length: int = 0
+    holds: str = ""
     doing: str = ""
     done: float | None = None
 
@@ -68,7 +73,16 @@ class Deck:
         if tape.recorded is not None:
             position = length = length + tape.recorded
         doing, done = _work(rig) if tape.running else ("", None)
-        return cls(tape.cassette, tape.by_hand, tape.running, position, length, doing, done)
+        return cls(
+            cassette=tape.cassette,
+            by_hand=tape.by_hand,
+            running=tape.running,
+            position=position,
+            length=length,
+            holds=contents_text(tape.content) if tape.cassette is not None else "",
+            doing=doing,
+            done=done,
+        )
 
     @property
     def counter(self) -> str:
@@ -96,16 +110,18 @@ def tape_time(length: int) -> str:
 
 @lru_cache(maxsize=64)
 def contents(tape: bytes) -> tuple[Recorded, ...]:
-    """What is on a cassette, in order."""
+    """What is on a cassette, in order, as far as `MOST`."""
     return tuple(
         Recorded(_label(stretch), stretch.start, stretch.stop)
-        for stretch in cassette.stretches(tape)
+        for stretch in islice(cassette.stretches(tape), MOST)
     )
 
 
 def contents_text(tape: bytes) -> str:
     """What is on a cassette, in a few words."""
-    return ", ".join(recorded.label for recorded in contents(tape)) or "blank"
+    labels = [recorded.label for recorded in contents(tape)]
+    more = ["and more"] if len(labels) == MOST else []
+    return ", ".join([*labels, *more]) or "blank"
 
 
 def _label(stretch: Stretch) -> str:

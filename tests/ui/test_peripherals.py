@@ -32,11 +32,12 @@ async def test_a_cassette_is_put_in_recorded_and_taken_out_by_keyboard(
         text = screen_text(sitting.app)
         assert "CSAVE on TAPE1" in text
         assert "====" in text
-        assert "in it TAPE1  0:0" in text
+        assert "cassette TAPE1  0:0" in text
         await sitting.pass_time(6)
+        assert "> TAPE1  program A" in screen_text(sitting.app)
         await sitting.press("ctrl+f", "end", "enter")
         await sitting.settle()
-        assert "in it" not in screen_text(sitting.app)
+        assert "cassette TAPE1" not in screen_text(sitting.app)
 
 
 @piloted

@@ -34,7 +34,7 @@ speed afterwards; `turbo` in the settings turns that off.
             kept = "" if deck.by_hand else ", not put in by hand"
             rows.append(
                 (
-                    ("in it ", Ink.LABEL),
+                    ("cassette ", Ink.LABEL),
                     (deck.cassette, Ink.STRONG),
                     (f"{kept}  ", Ink.LABEL),
                     (deck.counter, Ink.PLAIN),
@@ -46,8 +46,10 @@ speed afterwards; `turbo` in the settings turns that off.
                 full = round(deck.done * _BAR)
                 rows.append((("=" * full, Ink.LAMP_ON), ("-" * (_BAR - full), Ink.LAMP_OFF)))
         for name in inspection.cassettes:
-            mark = ">" if name == deck.cassette else " "
-            rows.append(((f"{mark} ", Ink.ALARM), (name, Ink.PLAIN)))
+            row: Row = (("  ", Ink.PLAIN), (name, Ink.PLAIN))
+            if name == deck.cassette:
+                row = (("> ", Ink.ALARM), (name, Ink.PLAIN), (f"  {deck.holds}", Ink.LABEL))
+            rows.append(row)
         return rows
 
     def on_click(self) -> None:
