@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from trs80arm.arm import Bench, EventKind, JointAngles, MiniMover, Pose, Reason
+from trs80arm import Rig
+from trs80arm.arm import Bench, EventKind, JointAngles, MiniMover, Pose, Reason, benchfile
 from trs80arm.arm.motors import T_STATES_PER_SECOND
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 
@@ -53,3 +54,65 @@ def test_a_sweep_through_a_stack_is_a_handful_of_lines() -> None:
     generator.align()
     generator.turn(0, 500, delay_period(100))
     assert 1 <= len(generator.arm.events) <= 12
+
+
+def story(bench: str, *statements: str) -> list[str]:
+    """What is told while BASIC does some statements, and until all is at rest."""
+    rig = Rig(bench=benchfile.parse(bench))
+    for statement in statements:
+        rig.type(statement + "\r")
+        rig.run_until_waiting(120)
+    rig.run_for(2.0)
+    return [event.text for event in rig.arm.events]
+
+
+BLOCK = """
+[arm]
+at = [8, 0, 0.3]
+opening = 1
+[[part]]
+name = "block"
+at = [8, 0]
+size = [1, 0.5, 0.5]
+weight = 2
+"""
+TAKE = "@CLOSE 100", "@STEP 100,0,0,0,0,0,-30", "@STEP 150,0,-100,27"
+
+
+def test_taken_and_set_down_is_told_in_two_lines() -> None:
+    told = story(BLOCK, *TAKE, "@STEP 150,0,100,-27", "@STEP 60,0,0,0,0,0,100")
+    assert told == ["block in the hand", "block set down"]
+
+
+def test_taken_and_let_fall_is_told_in_two_lines() -> None:
+    taken, fell = story(BLOCK, *TAKE, "@STEP 60,0,0,0,0,0,100")
+    assert taken == "block in the hand"
+    assert fell.startswith("block fell 0.6")
+
+
+def test_what_the_closed_hand_loses_has_slipped_out_and_was_not_set_down() -> None:
+    corner = BLOCK.replace("0, 0.3]", "0, 0.495]").replace("at = [8, 0]\n", "at = [8.795, 0]\n")
+    taken, lost = story(corner, *TAKE)
+    assert taken == "block in the hand"
+    assert lost.startswith("block slipped out of the hand and fell 0.2")
+
+
+def test_a_hand_that_is_squeezed_too_tight_is_not_blocked_by_what_the_arm_touches() -> None:
+    # The forearm presses on the table, and @STEP pulls the hand's cable along with it.
+    told = story("", "@STEP 60,0,0,700")
+    assert [line.split(" at ")[0].split(" slipped")[0] for line in told] == [
+        "elbow blocked by the table,",
+        "elbow",
+        "hand",
+    ]
+    assert told[1].endswith(": blocked")
+    assert told[2].endswith(": too much load")
+
+
+def test_dominoes_are_a_line_each() -> None:
+    bench = "[arm]\nat = [8, -2, 1.2]\n" + "".join(
+        f"[[part]]\nname = 'domino {k}'\nat = [8, {0.9 * k - 0.5}]\n"
+        "size = [0.8, 0.25, 1.6]\nweight = 1\n"
+        for k in range(4)
+    )
+    assert story(bench, "@STEP 100,150") == [f"domino {k} fell over" for k in range(4)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -96,3 +96,8 @@ def test_a_bench_beyond_the_teachmovers_reach_is_refused_in_one_line() -> None:
     MiniMover(bench=bench)
     with pytest.raises(BenchError, match=r"^near: arm\.at: expected a place that the Teach"):
         MiniMover(TEACH, bench)
+
+
+def test_drives_in_another_order_than_armbasic_counts_them_are_refused() -> None:
+    with pytest.raises(ValueError, match="@CLOSE drives the sixth"):
+        replace(MINIMOVER5, drives=MINIMOVER5.drives[::-1])

@@ -12,7 +12,6 @@ from collections.abc import Sequence
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.contact.rotations import apply_back
-from trs80arm.arm.events import EventKind
 from trs80arm.arm.forces import Burden
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.linkage import ArmLinkage, said
@@ -54,6 +53,7 @@ class Grasp:
         self._linkage = linkage
         self._telling = telling
         self._met: tuple[float, int] | None = None
+        self._tightest = 0
 
     def clear(self) -> None:
         """Begin anew: what touches the arm is seen on the first tick, if anything strains it."""
@@ -216,10 +216,11 @@ class Grasp:
                 continue
             part.held = not part.held
             if part.held:
-                self._bench.news.append((EventKind.TAKEN, f"{name} in the hand"))
+                self._tightest = grip.cable
                 self._telling.taken(name)
             else:
-                self._telling.let_go(name, part)
+                self._telling.let_go(name, part, opened=grip.cable > self._tightest)
+        self._tightest = min(self._tightest, grip.cable)
         grip.part = between[0] if between else None
         grip.weight = weight if between else 0.0
 

@@ -341,7 +341,7 @@ class MiniMover:
         curve = self.strength.curves[self._motor_kinds[latch]]
         period = curve.period(against, self.settings.speed_margin)
         if not motor.keep_pace(time, turn, period, self.settings.pull_out_lag):
-            if outside > 0.0 and self._world.blocked:
+            if outside > 0.0 and self._in_the_way(latch):
                 self._held_up(latch, Reason.CONTACT)
             else:
                 motor.trouble = Reason.LOAD if outside > 0.0 else Reason.RATE
@@ -511,7 +511,11 @@ class MiniMover:
             return None
         rotors[latch] -= step
         world.moved(rotors, latch)
-        return Reason.CONTACT if world.blocked and turns is not Motor.HAND else Reason.LOAD
+        return Reason.CONTACT if self._in_the_way(latch) else Reason.LOAD
+
+    def _in_the_way(self, latch: int) -> bool:
+        """Whether something is in a motor's way: never the hand's, which only squeezes."""
+        return self._world.blocked and self._motor_kinds[latch] is not Motor.HAND
 
     def _held_up(self, latch: int, reason: Reason) -> None:
         """Something holds a rotor back; what it is is news the first time."""

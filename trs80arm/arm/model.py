@@ -178,7 +178,8 @@ class ArmModel:
         shoulder_height: H, of the shoulder axis above the table, inches.
         link: L, shoulder to elbow and elbow to wrist, inches.
         hand_length: LL, wrist to fingertip, inches.
-        drives: of the six motors, in the order of their latches.
+        drives: of the six motors, in the order of their latches: base, shoulder, elbow, the two
+            wrist gears in whichever order, hand.
         elbow_pays_out: half-steps of hand cable that a positive half-step of the elbow's motor
             pays out; negative where it pulls in.
         compensated: whether the arm's language takes the hand along with the elbow by itself.
@@ -213,6 +214,14 @@ class ArmModel:
     _scales: tuple[tuple[int, int, float], ...] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
+        turned = [drive.turns for drive in self.drives]
+        wrists = {Motor.LEFT_WRIST, Motor.RIGHT_WRIST}
+        arm = [Motor.BASE, Motor.SHOULDER, Motor.ELBOW]
+        if turned[:3] != arm or {*turned[3:5]} != wrists or turned[5:] != [Motor.HAND]:
+            raise ValueError(
+                f"{self.name}: the drives are base, shoulder, elbow, both wrists, hand: "
+                "@STEP counts them so, and @CLOSE drives the sixth"
+            )
         order = tuple(
             next(latch for latch, drive in enumerate(self.drives) if drive.turns is motor)
             for motor in Motor

@@ -27,20 +27,35 @@ class Telling:
         self._bench = bench
         self._moved: dict[str, Vector] = {}
         self._let_go: set[str] = set()
+        self._lost: set[str] = set()
 
     def clear(self) -> None:
         """Begin anew."""
         self._moved.clear()
         self._let_go.clear()
+        self._lost.clear()
 
     def taken(self, name: str) -> None:
-        """A part is in the hand: where it was moved from does not matter any more."""
-        self._moved.pop(name, None)
+        """A part is in the hand: where it was moved from does not matter any more.
 
-    def let_go(self, name: str, part: Part) -> None:
-        """The hand has let a part go."""
+        What the opening hand catches again for a moment is not told.
+        """
+        if name not in self._let_go | self._lost:
+            self._bench.news.append((EventKind.TAKEN, f"{name} in the hand"))
+        self._moved.pop(name, None)
+        self._let_go.discard(name)
+        self._lost.discard(name)
+
+    def let_go(self, name: str, part: Part, *, opened: bool) -> None:
+        """A part is in the hand no more.
+
+        Args:
+            name: of the part.
+            part: itself.
+            opened: whether the hand has opened; or else it was lost.
+        """
         self._moved[name] = part.place
-        self._let_go.add(name)
+        (self._let_go if opened else self._lost).add(name)
         part.began = (part.place, part.upwards)
 
     def look(self, asleep: set[str]) -> None:
@@ -63,14 +78,19 @@ class Telling:
         """News of one part that has come to rest."""
         news, began, start = self._bench.news, part.began, self._moved.pop(name, None)
         released = name in self._let_go
+        lost = name in self._lost
         self._let_go.discard(name)
+        self._lost.discard(name)
         part.began = (part.place, part.upwards)
         if began is None:
             return
         place, up = began
         fell = place[2] - part.place[2]
         far = 0.0 if start is None else math.dist(start, part.place)
-        if dot(up, part.upwards) < TOPPLED:
+        if lost:
+            falling = f" and fell {fell:.2f} in" if fell > PUSHED_FAR else ""
+            news.append((EventKind.DROPPED, f"{name} slipped out of the hand{falling}"))
+        elif dot(up, part.upwards) < TOPPLED:
             news.append((EventKind.TOPPLED, f"{name} fell over"))
         elif fell > FELL:
             news.append((EventKind.DROPPED, f"{name} fell {fell:.2f} in"))

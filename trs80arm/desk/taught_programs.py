@@ -300,10 +300,12 @@ def _number(value: float) -> str:
 
 def _constants(model: ArmModel) -> dict[str, str]:
     """What of Table 4's program tells one arm from another."""
-    base, elbow, wrist = (
+    base, shoulder, elbow, wrist = (
         model.drives[model.latch(motor)].steps
-        for motor in (Motor.BASE, Motor.ELBOW, Motor.LEFT_WRIST)
+        for motor in (Motor.BASE, Motor.SHOULDER, Motor.ELBOW, Motor.LEFT_WRIST)
     )
+    # The article's arm has one number for both.
+    apart = f":S2={shoulder:.5g}" if shoulder != base else ""
     counts = (
         f"UU({latch + 1},U)={'-' if drive.sign < 0 else ''}C{drive.turns + 1}"
         for latch, drive in enumerate(model.drives[:5])
@@ -311,7 +313,8 @@ def _constants(model: ArmModel) -> dict[str, str]:
     sign = "-" if model.elbow_pays_out > 0 else ""
     return {
         "lengths": f"H={model.shoulder_height}:L={model.link}:LL={model.hand_length}",
-        "steps": f"S1={base:.5g}:S3={elbow:.5g}:S4={wrist:.5g}:S6={model.hand_steps:g}",
+        "steps": f"S1={base:.5g}{apart}:S3={elbow:.5g}:S4={wrist:.5g}:S6={model.hand_steps:g}",
+        "shoulder": "S2" if apart else "S1",
         "counts": ":".join(counts),
         # Where @STEP does not take the hand along with the elbow the program does.
         "hand": "" if model.compensated else f",{sign}UU(3,I)",
@@ -363,13 +366,13 @@ _TABLE_4 = """\
 140 @SET
 200 GOSUB 5000
 210 REM W IS WHERE WE ARE AT
-220 W1=INT(S1*T1):W2=INT(S1*T2):W3=INT(S3*T3)
+220 W1=INT(S1*T1):W2=INT({shoulder}*T2):W3=INT(S3*T3)
 230 W4=INT(S4*T4):W5=INT(S4*T5)
 300 REM READ IN NEXT POINT
 308 READ X,Y,Z,P,R,K,GR,S
 309 IF X < -100 GOTO 1000
 320 GOSUB 5000
-330 C1=INT(S1*T1)-W1:C2=INT(S1*T2)-W2:C3=INT(S3*T3)-W3
+330 C1=INT(S1*T1)-W1:C2=INT({shoulder}*T2)-W2:C3=INT(S3*T3)-W3
 340 C4=INT(S4*T4)-W4:C5=INT(S4*T5)-W5
 410 W1=W1+C1:W2=W2+C2:W3=W3+C3:W4=W4+C4:W5=W5+C5
 420 U=U+1
