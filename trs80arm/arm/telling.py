@@ -38,13 +38,11 @@ class Telling:
     def taken(self, name: str) -> None:
         """A part is in the hand: where it was moved from does not matter any more.
 
-        What the opening hand catches again for a moment is not told.
+        What the opening hand catches again for a moment, while it falls, is not told.
         """
         if name not in self._let_go | self._lost:
             self._bench.news.append((EventKind.TAKEN, f"{name} in the hand"))
-        self._moved.pop(name, None)
-        self._let_go.discard(name)
-        self._lost.discard(name)
+            self._moved.pop(name, None)
 
     def let_go(self, name: str, part: Part, *, opened: bool) -> None:
         """A part is in the hand no more.
@@ -54,6 +52,8 @@ class Telling:
             part: itself.
             opened: whether the hand has opened; or else it was lost.
         """
+        if name in self._let_go | self._lost:
+            return
         self._moved[name] = part.place
         (self._let_go if opened else self._lost).add(name)
         part.began = (part.place, part.upwards)
@@ -70,7 +70,10 @@ class Telling:
                     self._moved.setdefault(name, part.place)
                     if part.began is None:
                         part.began = (part.place, part.upwards)
-            elif name not in asleep and not part.held and part.carried is None:
+            elif part.held or part.carried is not None:
+                self._let_go.discard(name)
+                self._lost.discard(name)
+            elif name not in asleep or name in self._let_go | self._lost:
                 self._settled(name, part)
         self._bench.deliver()
 

@@ -105,10 +105,12 @@ class World:
         for feeder in bench.waiting_feeders():
             if not self._touches(feeder.placed):
                 bench.feed(feeder)
-        bench.news.clear()
-        self._telling.clear()
         self._grasp.clear()
         self._changed()
+        # Some may have come to lie on the hand.
+        self._grasp.weigh(loaded=self._loaded)
+        bench.news.clear()
+        self._telling.clear()
         self._ticked[:] = self._rotors
         self._jumped, self._busy = False, True
         self._looked = self._ringed = None

@@ -271,10 +271,26 @@ def _rates(
 ) -> Six:
     """Rates at which joints go from where they are to where they are wanted in the end."""
     a, b, c, d, e, f = (
-        ((there - here) + EASE * (there - then) / seconds) / (seconds + EASE)
+        ((there - here) + EASE * _followed(here, then, there) / seconds) / (seconds + EASE)
         for there, here, then in zip(after, joints, before, strict=True)
     )
     return a, b, c, d, e, 0.0 if loaded else f
+
+
+def _followed(here: float, then: float, there: float) -> float:
+    """How much of its motor's way a joint goes along with at once.
+
+    Args:
+        here: where the joint is.
+        then: where the motor had it.
+        there: where it has it now.
+
+    Returns:
+        All of the way, but for what of it only takes back a strain: that presses until it is gone.
+    """
+    if there > then:
+        return there - min(max(then, here), there)
+    return there - max(min(then, here), there)
 
 
 def _reach(link: Link, solid: Placed) -> list[float]:
