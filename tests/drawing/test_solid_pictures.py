@@ -5,14 +5,20 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from tests.drawing import samples
 from tests.goldens import check_golden
 from trs80arm.arm.shapes import upright
+from trs80arm.drawing.arm_solids import LEFT_FINGER, RIGHT_FINGER
 from trs80arm.drawing.picture import FROM_ABOVE, FROM_THE_SIDE, IN_SPACE, Picture, Subject
 from trs80arm.drawing.readings import Kind, Readings, Thing
 from trs80arm.drawing.rows import Ink, Paint, Row, text_of
+from trs80arm.drawing.scene import Extras
+from trs80arm.drawing.studio import Orbit, take
+from trs80arm.drawing.style_blocks import HALVES, SEXTANTS
+from trs80arm.drawing.viewport import Viewport
 from trs80arm.options import ArmStyle
 
 VIEWS = {"side": FROM_THE_SIDE, "top": FROM_ABOVE, "space": IN_SPACE}
@@ -169,3 +175,16 @@ def test_a_closer_look_in_space_follows_the_hand() -> None:
     for base in range(-20, 81, 20):
         rows = view.draw(samples.readings(samples.posture(base, 31, -73, -90, 0, 1)), 60, 22)
         assert Ink.HAND in inks(rows)
+
+
+@pytest.mark.parametrize("grain", [HALVES.samples, SEXTANTS.samples])
+@pytest.mark.parametrize("finger", [LEFT_FINGER, RIGHT_FINGER])
+def test_no_finger_has_gaps_between_the_samples(grain: tuple[int, int], finger: int) -> None:
+    for place in range(12):
+        stands = samples.posture(0, 31 + place / 4, -73.4 - place / 4, -90, 0, 1.6)
+        shot = FROM_THE_SIDE.shot(samples.readings(stands), Orbit(), Extras())
+        window = Viewport().window(shot, 40, 12).aligned()
+        taken = take(shot, 40, 12, grain, window).body.reshape(grain[1], grain[0], 12, 40)
+        rows = np.flatnonzero((taken == finger).any((1, 3)).T)
+        assert np.diff(rows).tolist() == [1] * (len(rows) - 1)
+        assert len(rows) > 2

@@ -37,7 +37,8 @@ _AXLE = 0.4
 _CABLE = 0.06
 _TIP = 0.8
 """Length of the block at a finger's end, inches."""
-_BAR = 0.22
+BAR = 0.22
+"""Thickness of the bars of the fingers."""
 _BAR_LENGTH = 1.8
 FINGER = Material.FINGER
 
@@ -211,7 +212,7 @@ def _finger_pieces(model: ArmModel, *, left: bool) -> tuple[Solids, Solids]:
     low, high = _room(model, Link.LEFT_FINGER if left else Link.RIGHT_FINGER)
     wide, thick = high[2], high[1] - low[1]
     pad = thick * 0.35
-    bar = box((0.0, -_BAR / 2, -wide * 0.8), (_BAR_LENGTH, _BAR / 2, wide * 0.8), FINGER, body)
+    bar = box((0.0, -BAR / 2, -wide * 0.8), (_BAR_LENGTH, BAR / 2, wide * 0.8), FINGER, body)
     inner, outer = ((low[1], low[1] + pad), (low[1] + pad, high[1]))
     if not left:
         inner, outer = (high[1] - pad, high[1]), (low[1], high[1] - pad)

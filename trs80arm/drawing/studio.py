@@ -10,7 +10,14 @@ from math import cos, radians, sin
 import numpy as np
 import numpy.typing as npt
 
-from trs80arm.drawing.arm_solids import UPPER_ARM, arm_solids, pedestal
+from trs80arm.drawing.arm_solids import (
+    BAR,
+    LEFT_FINGER,
+    RIGHT_FINGER,
+    UPPER_ARM,
+    arm_solids,
+    pedestal,
+)
 from trs80arm.drawing.bench_solids import FIRST_THING, TABLE, solids_of, table
 from trs80arm.drawing.camera import Camera
 from trs80arm.drawing.canvas_ascii import Point
@@ -30,7 +37,7 @@ from trs80arm.drawing.scene import (
 from trs80arm.drawing.side_scene import RESTING, side_envelope, side_frame
 from trs80arm.drawing.solids import NOTHING, Floats, Place, Solids
 from trs80arm.drawing.top_scene import top_envelope, top_frame
-from trs80arm.drawing.viewport import Window
+from trs80arm.drawing.viewport import ASPECT, Window
 
 AMBIENT = 0.4
 """What of its brightness a face has that no light falls on."""
@@ -40,6 +47,9 @@ FADES = 14.0
 """Inches behind the arm's plane at which things in the side view have half their brightness."""
 FINE = 6.0
 """Samples an inch below which details are left out: they would be specks."""
+THICKEST = 0.6
+"""Inches that a finger is never drawn thick: it would hide what is in the hand."""
+_FINGERS = (LEFT_FINGER, RIGHT_FINGER)
 _DETAILS = (Material.CABLE, Material.MOTOR)
 _WITHIN = (Material.CABLE, Material.JOINT, Material.MOTOR)
 """What is so small, or so near to larger things, that it throws no shadow of its own."""
@@ -308,6 +318,10 @@ def take(shot: Shot, width: int, height: int, samples: tuple[int, int], window: 
         raster.draw(shot.ghost, camera.sees(shot.ghost))
         np.copyto(raster.nearness, -BEHIND, where=raster.face != NOWHERE)
     chosen = ~np.isin(shot.solids.materials, _DETAILS) if coarse else None
+    wide = 1 / (window.scale * min(ASPECT * raster.across, raster.down))
+    if BAR < wide < THICKEST:
+        # A finger is at least a sample thick, or it would come and go.
+        shot = replace(shot, solids=shot.solids.thickened(_FINGERS, (wide - BAR) / 2))
     raster.draw(shot.solids, camera.sees(shot.solids), chosen)
     solids = Solids.joined((shot.table, shot.ghost, shot.solids))
     faces = np.diff([*solids.first_face.tolist(), len(solids.offsets)])
