@@ -139,6 +139,25 @@ async def tour(sitting: Sitting) -> None:
     await sitting.type("@STEP 60,0,-60,-60\r")
 
 
+async def debugged(sitting: Sitting) -> None:
+    """A program at a breakpoint, in the debugger."""
+    app = sitting.app
+    app.debugger.set(5000, "U>2")
+    await sitting.type("RUN\r")
+    app.session.rig.hold(["0"], 0.1)
+    for _ in range(40):
+        await sitting.pass_time(0.5)
+        if app.debugger.stop is not None:
+            break
+
+
+async def remembered(sitting: Sitting) -> None:
+    """Two statements before the breakpoint, with memory."""
+    await debugged(sitting)
+    await sitting.pilot.press("b", "b", "m")
+    await sitting.pass_time(0.1)
+
+
 def action(name: str) -> Scene:
     """A dialog."""
 
@@ -233,6 +252,8 @@ async def main() -> None:
     await shoot("space-blocks", (100, 32), space, drawn, program=program, arm=ArmStyle.SEXTANT)
     await shoot("pixels", (90, 32), space, in_pixels, program=program)
     await shoot("scope", (110, 34), filling("scope", table4), drawn, program=program)
+    await shoot("debugger", (120, 40), debugged, program=program)
+    await shoot("debugger-memory", (80, 24), remembered, program=program)
     await shoot("manual", (120, 40), manual)
     await shoot("slipped", (120, 40), slipped, theme="amber")
     await shoot("by-hand", (100, 30), by_hand)

@@ -5,14 +5,20 @@ Looking changes nothing and takes none of the machine's time. The terminal's pan
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import islice
 from typing import Any
 
-from trs80arm.basic.kinds import DOUBLE, INTEGER, STRING, Kind
+from trs80arm.basic import addresses
+from trs80arm.basic.control import DIRECT, ForFrame
+from trs80arm.basic.execution import DIRECT_LINE
+from trs80arm.basic.kinds import BY_SIZE, DOUBLE, INTEGER, SINGLE, STRING, Kind
+from trs80arm.basic.numbers import double
 from trs80arm.basic.numbers.decimal import number_text
+from trs80arm.basic.variables import Key
 from trs80arm.deck import Deck, cassettes_of
 from trs80arm.program_text import spell
 from trs80arm.rig import Rig
@@ -20,6 +26,8 @@ from trs80arm.rig import Rig
 MOST_ELEMENTS = 16
 """Elements of an array that are shown."""
 _MARKS = {INTEGER: "%", STRING: "$", DOUBLE: "#"}
+_SUFFIXES = {"%": INTEGER, "!": SINGLE, "#": DOUBLE, "$": STRING}
+_NAME = re.compile(r"([A-Z][A-Z0-9]?)[A-Z0-9]*([%!#$]?)(?:\((.*)\))?")
 
 Line = tuple[int, bytes]
 """A program line as the machine has it: its number, and its crunched text."""
@@ -65,6 +73,182 @@ class Inspection:
             cassettes_of(rig),
             Deck.of(rig),
         )
+
+
+@dataclass(frozen=True)
+class Spot:
+    """A statement of a program, or of a direct line.
+
+    Attributes:
+        line: the number of its line; None for a direct line.
+        number: which statement of the line it is, from 1.
+        start: the column of `line_text` at which it begins.
+        stop: the column behind it.
+        text: the statement itself.
+    """
+
+    line: int | None
+    number: int
+    start: int
+    stop: int
+    text: str
+
+    def __str__(self) -> str:
+        if self.line is None:
+            return f"the direct line: {self.text}"
+        return f"{self.line}{f' (statement {self.number})' if self.number > 1 else ''}: {self.text}"
+
+
+def next_spot(rig: Rig) -> Spot | None:
+    """The statement that is executed next, or is under way now; None when none is."""
+    address = rig.basic.next_address
+    return None if address is None else spot_at(rig, address)
+
+
+def is_statement(rig: Rig, address: int) -> bool:
+    """Whether a statement stands behind a separator, and not the end of all of them."""
+    ram = rig.memory.ram
+    if ram[address]:
+        return True
+    program = address >= rig.basic.program.start - 1
+    return program and bool(ram[address + 1] or ram[address + 2])
+
+
+def spot_at(rig: Rig, address: int) -> Spot | None:
+    """The statement behind a separator; None if there is none, as at the program's end."""
+    program, ram = rig.basic.program, rig.memory.ram
+    if address < program.start - 1:
+        number, first = None, DIRECT_LINE + 1
+        head = ""
+    else:
+        link = address + 1 if ram[address] == 0 else program.line_at(address)
+        if link is None or not (ram[link] or ram[link + 1]):
+            return None
+        number, first = program.number_at(link), link + 4
+        head = f"{number} "
+    start = first if ram[address] == 0 else address + 1
+    stops = _statements(rig, first)
+    stop = next((stop for stop in stops if stop >= start), start)
+    before = len(head) + len(spell(bytes(ram[first:start])))
+    text = spell(bytes(ram[start:stop]))
+    lead = len(text) - len(text.lstrip())
+    place = sum(end < start for end in stops) + 1
+    return Spot(number, place, before + lead, before + len(text), text.strip())
+
+
+def _statements(rig: Rig, first: int) -> list[int]:
+    """Where the statements of a line end, whose text begins at an address."""
+    program = rig.basic.program
+    stops = [program.statement_end(first)]
+    while rig.memory.ram[stops[-1]]:
+        stops.append(program.statement_end(stops[-1] + 1))
+    return stops
+
+
+def open_frames(rig: Rig) -> list[str]:
+    """The loops and subroutines that are open, the innermost first."""
+    found = []
+    for frame in reversed(rig.basic.state.control.frames[1:]):
+        where = "direct" if frame.line == DIRECT else str(frame.line)
+        if isinstance(frame, ForFrame):
+            name = _name(frame.scalar.name, frame.scalar.kind)
+            limit, step = (number_text(value).strip() for value in (frame.limit, frame.step))
+            by = "" if step == "1" else f" STEP {step}"
+            found.append(f"{where}  FOR {name} TO {limit}{by}")
+        else:
+            found.append(f"{where}  GOSUB")
+    return found
+
+
+def depth(rig: Rig) -> int:
+    """How many subroutines are open."""
+    return sum(not isinstance(frame, ForFrame) for frame in rig.basic.state.control.frames[1:])
+
+
+def value_of(rig: Rig, name: str) -> Any:
+    """What a variable, or an element of an array, holds: a number, or text.
+
+    Args:
+        rig: the machine.
+        name: as in a program, `A`, `B$`, `C%(3,I)`; a subscript is a number or a variable's name.
+
+    Raises:
+        LookupError: there is none; one line that says why.
+    """
+    found = _NAME.fullmatch(name.strip().upper().replace(" ", ""))
+    if found is None:
+        raise LookupError(f"{name.strip()} is no name of a variable")
+    key = _key(rig, found[1], found[2])
+    variables = rig.basic.state.variables
+    if found[3] is None:
+        scalar = variables.scalars.get(key)
+        if scalar is None or scalar.offset is None:
+            raise LookupError(f"there is no {_name(*key)} yet")
+        return _plain(rig, key[1], scalar.value)
+    array = variables.arrays.get(key)
+    if array is None:
+        raise LookupError(f"there is no array {_name(*key)}() yet")
+    index, size = 0, 1
+    subscripts = [_subscript(rig, part) for part in found[3].split(",")]
+    if len(subscripts) != len(array.dims):
+        raise LookupError(f"{_name(*key)}() has {len(array.dims)} subscripts")
+    for subscript, dim in zip(subscripts, array.dims, strict=True):
+        if not 0 <= subscript < dim:
+            raise LookupError(f"{_name(*key)}() has no element {found[3]}")
+        index += subscript * size
+        size *= dim
+    return _plain(rig, key[1], array.data[index])
+
+
+def value_text(rig: Rig, name: str) -> str:
+    """What a variable holds, as BASIC writes it.
+
+    Raises:
+        LookupError: there is none; one line that says why.
+    """
+    value = value_of(rig, name)
+    if isinstance(value, str):
+        return f'"{value}"'
+    return number_text(value).strip()
+
+
+def as_number(value: Any) -> float:
+    """A number of any type, to be compared."""
+    if isinstance(value, double.Double):
+        return float(value.mantissa) * 2.0 ** (value.exponent - 128 - double.BITS)
+    return float(value)
+
+
+def _subscript(rig: Rig, text: str) -> int:
+    return int(text) if text.isdecimal() else int(as_number(value_of(rig, text)))
+
+
+def _key(rig: Rig, name: str, suffix: str) -> Key:
+    if suffix:
+        return name, _SUFFIXES[suffix]
+    code = rig.memory.ram[addresses.TYPE_TABLE + ord(name[0]) - ord("A")]
+    return name, BY_SIZE.get(code, SINGLE)
+
+
+def _plain(rig: Rig, kind: Kind, value: Any) -> Any:
+    if kind == STRING:
+        return rig.basic.state.strings.bytes_of(value).decode("latin-1")
+    return value
+
+
+def elements(rig: Rig, most: int) -> Iterator[Variable]:
+    """All variables one by one, arrays element by element, each as it is named in a program."""
+    variables = rig.basic.state.variables
+    for scalar in variables.order:
+        yield Variable(_name(scalar.name, scalar.kind), _value(rig, scalar.kind, scalar.value))
+    for array in variables.arrays.values():
+        name = _name(array.name, array.kind)
+        for index, value in enumerate(islice(array.data, most)):
+            subscripts = []
+            for dim in array.dims:
+                index, subscript = divmod(index, dim)
+                subscripts.append(str(subscript))
+            yield Variable(f"{name}({','.join(subscripts)})", _value(rig, array.kind, value))
 
 
 @lru_cache(maxsize=4096)

@@ -12,7 +12,7 @@ import copy
 import heapq
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import astuple
+from dataclasses import astuple, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -20,7 +20,9 @@ from trs80arm import files, snapshots
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, InTheWay, MiniMover, MotorsOn
 from trs80arm.arm.model import Pose
+from trs80arm.basic import cruncher
 from trs80arm.basic.activity import Waiting
+from trs80arm.basic.errors import BasicError
 from trs80arm.basic.interpreter import Interpreter
 from trs80arm.basic.outcome import Outcome
 from trs80arm.basic.state import Listener as StatementListener
@@ -39,6 +41,7 @@ from trs80arm.works import Input, KeyEvent, Observers, RigSettings, Works, assem
 
 __all__ = [
     "TURNED_BY_HAND",
+    "ChangeError",
     "Counts",
     "Input",
     "Key",
@@ -58,6 +61,10 @@ LONGEST_HOLD = 86_400.0
 """Seconds for which a key can be held, a day."""
 
 T = TypeVar("T")
+
+
+class ChangeError(ValueError):
+    """What somebody wanted to change cannot be; the machine's error or one line that says why."""
 
 
 class ReplayError(Exception):
@@ -106,22 +113,28 @@ class Rig:
         """Virtual seconds since power-on."""
         return self._works.clock.now / T_STATES_PER_SECOND
 
-    def run_for(self, seconds: float) -> None:
+    def run_for(self, seconds: float) -> bool:
         """Let `seconds` of virtual time pass.
 
         A statement of BASIC is never cut, so the clock may come to stand a statement later; the
         next call then has that much less to do, and many short calls come to where one long one
         does (but for `seconds`, which are rounded to T-states).
 
+        Returns:
+            Whether they have passed: not if the machine was stopped (`stop_before`).
+
         Raises:
             ValueError: that is no time, or after `END_OF_TIME`.
         """
         if not 0 <= seconds <= END_OF_TIME / T_STATES_PER_SECOND:
             raise ValueError(f"time cannot pass for {seconds} seconds")
-        self.run_to(self._works.asked + round(seconds * T_STATES_PER_SECOND))
+        return self.run_to(self._works.asked + round(seconds * T_STATES_PER_SECOND))
 
-    def run_to(self, target: int) -> None:
+    def run_to(self, target: int) -> bool:
         """Run until the clock shows at least `target` T-states.
+
+        Returns:
+            Whether it does: not if the machine was stopped before a statement (`stop_before`).
 
         Raises:
             ValueError: that is after `END_OF_TIME`.
@@ -130,8 +143,17 @@ class Rig:
             raise ValueError("the clock does not go that far")
         works = self._works
         works.asked = max(works.asked, target)
-        while works.clock.now < target:
-            self._turn(target, until_waiting=works.typist.looks_up)
+        stops = self._observers.stops
+        stops.heeded, stops.reached = True, False
+        try:
+            while works.clock.now < target:
+                self._turn(target, until_waiting=works.typist.looks_up)
+                if stops.reached:
+                    works.asked = works.clock.now
+                    return False
+        finally:
+            stops.heeded = False
+        return True
 
     def run_until(self, condition: Callable[[Rig], bool], seconds: float = 60.0) -> bool:
         """Run until `condition(rig)` holds, looking each time the machine begins to wait, too.
@@ -413,6 +435,31 @@ class Rig:
         self._works.arm.move_joint(joint, value)
         self._record("move_joint", joint, value)
 
+    def change(self, statement: str) -> None:
+        """Do an assignment or a POKE beside the program, in no time.
+
+        The machine itself does it, so that it is checked as a typed one is.
+
+        Args:
+            statement: as it would be typed, `A$="X"` or `POKE 15360,65`.
+
+        Raises:
+            ChangeError: the machine's error, as `?OV Error`, or why it is no such statement. Then
+                nothing is changed.
+        """
+        before = self.snapshot()
+        try:
+            crunched, _ = cruncher.crunch(statement.encode("latin-1"))
+            self._works.basic.aside(crunched)
+        except BasicError as error:
+            self.go_back(before)
+            raise ChangeError(f"?{error.code.letters} Error") from None
+        except UnicodeEncodeError:
+            raise ChangeError("the machine has no such characters") from None
+        except ValueError as error:
+            raise ChangeError(str(error)) from None
+        self._record("change", statement)
+
     def pull(self, x: float, y: float, z: float) -> None:
         """Pull at the hand until `let_go`, or push: ounces along x, y and z, at the fingertip.
 
@@ -613,6 +660,19 @@ class Rig:
         """
         return _attach(self._observers.statements, listener)
 
+    def stop_before(self, condition: Callable[[int], bool]) -> Callable[[], None]:
+        """Stop the machine before each statement for which `condition` holds.
+
+        The condition is given the address of the statement's separator. It is asked in `run_to`
+        and `run_for` alone, which then come back early, at the very T-state at which the statement
+        would have begun; the next run goes on with it, asking again. Stopped or not, a program
+        gives the same run at the same times.
+
+        Returns:
+            A function that ends it.
+        """
+        return _attach(self._observers.stops.conditions, condition)
+
     def watch_latches(self, observer: Observer) -> Callable[[], None]:
         """Clip a logic analyser on the card.
 
@@ -662,9 +722,54 @@ class Rig:
                 program could have brought about; the rig stays as it is.
         """
         _try(snapshots.decode(snapshot))
+        self.go_back(snapshot)
+
+    def go_back(self, snapshot: bytes) -> None:
+        """Go back to a state that this rig's own `snapshot` gave: `restore` without the trial."""
         works = snapshots.decode(snapshot)
         works.use_places(self.settings)
         self._use(works)
+
+    def past(self, snapshot: bytes, recorded: int) -> Rig:
+        """Another rig as this one was once, with nobody looking on.
+
+        It changes no file: what it records and prints is in memory. Cassettes of a tape folder are
+        as they were then.
+
+        Args:
+            snapshot: one of this rig's own.
+            recorded: how many recordings of `recordings` there were then.
+        """
+        rig = object.__new__(Rig)
+        rig._observers = Observers()
+        rig._use(snapshots.decode(snapshot))
+        rig._observers.resets.append(rig._zero)
+        if self.settings.tape_folder is not None:
+            rig.tape.use_past(self.settings.tape_folder, dict(reversed(self.recordings[recorded:])))
+        return rig
+
+    @property
+    def recordings(self) -> list[tuple[str, bytes]]:
+        """The cassettes of the tape folder that were recorded on, with what they held before."""
+        return self._observers.replaced
+
+    def become(self, other: Rig) -> None:
+        """Take over the machine of another rig, which is not to be used any more.
+
+        Whoever looks at this rig looks on. The machine's cassettes and paper stay where they were
+        in the other rig until `use_places`.
+        """
+        works = other._works
+        works.settings = replace(
+            works.settings,
+            tape_folder=self.settings.tape_folder,
+            printer_file=self.settings.printer_file,
+        )
+        self._use(works)
+
+    def use_places(self) -> None:
+        """Cassettes and paper are in the settings' folder and file from now on."""
+        self._works.use_places(self.settings)
 
 
 def _try(works: Works) -> None:

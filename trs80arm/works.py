@@ -16,6 +16,7 @@ from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic.host import Host
 from trs80arm.basic.interpreter import Interpreter
 from trs80arm.basic.state import Listener as StatementListener
+from trs80arm.basic.state import Stops
 from trs80arm.machine.card import Card, CardSettings, Observer
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.console import Console, Listener
@@ -103,11 +104,17 @@ class Observers:
     """Told every change of the level on the recorder's line."""
     inputs: list[Callable[[Input], None]] = field(default_factory=list)
     """Told everything that the operator does; the rig itself tells them."""
+    stops: Stops = field(default_factory=Stops)
+    """Asked before every statement whether the machine is to stop there."""
+    replaced: list[tuple[str, bytes]] = field(default_factory=list)
+    """What was on cassettes of the tape folder before they were recorded on, in order."""
 
     def connect(self, works: Works) -> None:
         """Let the devices of other works be looked at from now on."""
         works.console.listeners = self.codes
         works.basic.listeners = self.statements
+        works.basic.stops = self.stops
+        works.tape.replaced = self.replaced
         works.card.observers = self.latches
         works.driver.reset_observers = self.resets
         works.system_port.listeners = self.line

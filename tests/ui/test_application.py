@@ -402,7 +402,12 @@ async def test_one_statement_at_a_time(sit_down: Opener) -> None:
         await sitting.type_line("20 GOTO 10")
         await sitting.press("f5")
         await sitting.pass_time(1.5)
-        lines = {sitting.app.session.step_statement() for _ in range(4)}
+        lines = set()
+        for _ in range(4):
+            sitting.app.debugger.into()
+            stop = sitting.app.debugger.stop
+            assert stop is not None
+            lines.add(stop.spot and stop.spot.line)
         assert lines == {10, 20}
 
 

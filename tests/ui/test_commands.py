@@ -9,15 +9,18 @@ import pytest
 
 from tests.desk.sitting import NOTHING, Sitting
 from trs80arm.desk.asking import ListQuestion
+from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.leaving import NOTHING_UNSAVED, PROGRAM_UNSAVED
 from trs80arm.desk.pacing import Pacer
 from trs80arm.desk.remembered import Remembered
 from trs80arm.desk.sound import LineSound
 from trs80arm.desk.stage import Stage
+from trs80arm.desk.states import States
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet, KeyMode, Speed, TerminalOptions
 from trs80arm.rig import Key, Waiting
 from trs80arm.ui.commands.arm import ArmCommands
 from trs80arm.ui.commands.comfort import ComfortCommands
+from trs80arm.ui.commands.debug import DebugCommands
 from trs80arm.ui.commands.keys import KeyCommands
 from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.program import ProgramCommands
@@ -28,6 +31,7 @@ from trs80arm.ui.help_topics import Topic
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.layout import Lead
+from trs80arm.ui.screens.debugger import DebuggerScreen
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.hand_move import HandMoveScreen
 from trs80arm.ui.screens.key_test import KeyTest
@@ -112,12 +116,30 @@ class Desk(Sitting):
         self.wall = 100.0
         self.shown = Shown()
         self.pacer = Pacer(self.session, lambda: self.wall, 1.0)
+        self.debugger = Debugger(self.session)
         self.keyboard = Keyboard(self.session, HeldKeys(), KeyMode.AUTO, lambda: self.wall)
         self.session.watch_machine(self.keyboard.start_afresh)
         person = self.person
         self.stage = Stage(self.session, person.say)
         self.machine = MachineCommands(
-            self.session, self.pacer, self.keyboard, self.files, self.stage, person, person.say
+            self.session,
+            self.debugger,
+            self.pacer,
+            self.keyboard,
+            self.files,
+            self.stage,
+            person,
+            person.say,
+        )
+        self.states = States(folder / "states")
+        self.debug = DebugCommands(
+            self.session,
+            self.debugger,
+            self.states,
+            self.pacer,
+            self.shown,
+            person.say,
+            lambda: True,
         )
         self.arm = ArmCommands(
             self.session, self.lesson, self.files, person, person.say, self.shown, lambda: False
@@ -183,18 +205,35 @@ def test_break_also_ends_a_pause(desk: Desk) -> None:
 def test_pausing_twice_goes_on(desk: Desk) -> None:
     desk.machine.pause()
     desk.machine.pause()
-    assert desk.person.told == ["Paused: F6 goes on, F7 does one statement.", "Going on."]
+    assert desk.person.told == ["Paused: F6 goes on, F7 opens the debugger.", "Going on."]
 
 
-def test_a_statement_at_a_time_says_which_line_is_next(desk: Desk) -> None:
-    desk.machine.step_statement()
-    assert desk.person.told[-1] == "No program runs."
+def test_the_debugger_opens_and_then_a_statement_at_a_time_is_told(desk: Desk) -> None:
+    desk.debug.step()
+    assert isinstance(desk.shown.opened[-1], DebuggerScreen)
     desk.type("10 A=1", "20 GOTO 10")
     desk.machine.run()
     desk.session.run_for(1)
-    desk.machine.step_statement()
-    assert desk.person.told[-1] in ("Next: line 10", "Next: line 20")
+    desk.debug.step()
+    assert isinstance(desk.shown.opened[-1], DebuggerScreen)
+    desk.debug.step()
+    assert desk.person.told[-1] in ("Before 10: A=1", "Before 20: GOTO 10")
     assert desk.pacer.paused
+
+
+def test_a_quick_state_is_saved_and_comes_back(desk: Desk) -> None:
+    desk.type("A=5")
+    desk.debug.quick_save()
+    desk.type("A=6")
+    desk.debug.quick_load()
+    assert desk.person.told == ["Saved; Shift+F2 comes back to here.", "State quick is loaded."]
+    desk.type("PRINT A")
+    assert " 5" in desk.session.rig.screen()
+
+
+def test_a_quick_state_that_was_never_saved_is_told(desk: Desk) -> None:
+    desk.debug.quick_load()
+    assert desk.person.errors == ["there is no state 'quick'"]
 
 
 def test_a_motor_step_says_whether_there_was_one(desk: Desk) -> None:

@@ -1,8 +1,8 @@
 """Executing a program or a direct line: the statement loop.
 
 Its state is the address of the separator in front of the next statement. While nobody presses a key
-the engine calls one statement after the other; with a key down, TRON or a watcher the loop looks
-around before each of them, as the ROM does at 1D1EH.
+the engine calls one statement after the other; with a key down, TRON, a watcher or somebody who may
+stop it the loop looks around before each of them, as the ROM does at 1D1EH.
 """
 
 from __future__ import annotations
@@ -107,6 +107,7 @@ class Execution(Activity):
         return (
             bool(state.control.trace)
             or bool(state.listeners)
+            or bool(state.stops)
             or not state.host.console.quiet
             or self.noted is not None
         )
@@ -121,6 +122,10 @@ class Execution(Activity):
     def _slowly(self, state: State) -> None:
         clock = state.clock
         while clock.now < clock.limit and state.stack[-1] is self:
+            if state.stops and state.stops.before(self.next):
+                # Whoever turns the wheel finds that there is no more time.
+                clock.limit = clock.now
+                return
             self._one(state)
             if not self._must_look(state):
                 return

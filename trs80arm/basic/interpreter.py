@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from trs80arm.basic import addresses, editing, execution, system_area
+from trs80arm.basic import addresses, aside, editing, execution, system_area
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.code import CompiledCode
 from trs80arm.basic.control import DIRECT
@@ -20,7 +20,7 @@ from trs80arm.basic.execution import Execution
 from trs80arm.basic.host import Host
 from trs80arm.basic.outcome import Outcome
 from trs80arm.basic.program import Program
-from trs80arm.basic.state import Listener, State
+from trs80arm.basic.state import Listener, State, Stops
 from trs80arm.basic.system_area import SystemArea, Workspace
 
 
@@ -61,6 +61,15 @@ class Interpreter:
         self.state.listeners = listeners
 
     @property
+    def stops(self) -> Stops:
+        """Who may stop a program before a statement; they are not part of a snapshot."""
+        return self.state.stops
+
+    @stops.setter
+    def stops(self, stops: Stops) -> None:
+        self.state.stops = stops
+
+    @property
     def waiting(self) -> Waiting:
         """What the machine waits for."""
         return self.state.stack[-1].waiting
@@ -69,6 +78,17 @@ class Interpreter:
     def running(self) -> bool:
         """Whether a program or a direct line is under way."""
         return execution.under_way(self.state) is not None
+
+    @property
+    def next_address(self) -> int | None:
+        """The separator in front of the statement that is executed next, or is under way now.
+
+        None when neither program nor direct line runs.
+        """
+        running = execution.under_way(self.state)
+        if running is None:
+            return None
+        return running.next if self.state.stack[-1] is running else running.statement
 
     @property
     def next_line(self) -> int | None:
@@ -110,6 +130,15 @@ class Interpreter:
                 top.advance(state)
         except BasicError as error:
             execution.failed(state, error)
+
+    def aside(self, crunched: bytes) -> None:
+        """Do an assignment or a POKE beside what the machine is doing, in no time.
+
+        Raises:
+            BasicError: what the machine says to it.
+            ValueError: it is another statement, or not one alone.
+        """
+        aside.do(self.state, crunched)
 
     # -- instead of the keyboard --------------------------------------------------------------
 

@@ -36,6 +36,35 @@ class Listener(Protocol):
         """A statement begins: its line (65535 in direct mode) and its separator's address."""
 
 
+class Stops:
+    """Who may stop a program before a statement: a debugger.
+
+    They are heeded only where time can stand still and go on later, which the rig says.
+
+    Attributes:
+        conditions: each is asked before every statement, with the address of its separator,
+            whether the machine is to stop there.
+        heeded: whether they are asked now.
+        reached: whether one has stopped the machine since this was last set to False.
+    """
+
+    __slots__ = ("conditions", "heeded", "reached")
+
+    def __init__(self) -> None:
+        self.conditions: list[Callable[[int], bool]] = []
+        self.heeded = False
+        self.reached = False
+
+    def __bool__(self) -> bool:
+        return self.heeded and bool(self.conditions)
+
+    def before(self, address: int) -> bool:
+        """Whether the machine is to stop before a statement; everybody is asked."""
+        stopped = [condition(address) for condition in list(self.conditions)]
+        self.reached = self.reached or any(stopped)
+        return any(stopped)
+
+
 class Activity:
     """One thing that the machine is doing."""
 
@@ -86,6 +115,7 @@ class State:
         stack: what the machine is doing, the topmost last; the bottom is a `Home`.
         outcome: how the last program ended; None while one runs.
         listeners: watchers of statements; they are not part of a snapshot.
+        stops: who may stop a program before a statement; not part of a snapshot either.
         armbasic: whether the `@` statements are there.
         blocks: whether runs of statements are compiled into one function.
     """
@@ -111,13 +141,19 @@ class State:
         self.stack: list[Activity] = []
         self.outcome: Outcome | None = None
         self.listeners: list[Listener] = []
+        self.stops = Stops()
         self.armbasic = armbasic
         self.blocks = blocks
         self._make_engine = make_engine
         self._engine: Engine | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "listeners": [], "_engine": None}
+        kept = {name: value for name, value in self.__dict__.items() if name != "stops"}
+        return {**kept, "listeners": [], "_engine": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.stops = Stops()
 
     @property
     def engine(self) -> Engine:

@@ -136,8 +136,7 @@ class Pacer:
         self._target = machine.time + passed
         end = now + self._budget
         while machine.waiting is Waiting.NOTHING or machine.typing:
-            self._one_slice(self._slice)
-            if self._wall() >= end:
+            if not self._one_slice(self._slice) or self._wall() >= end:
                 return
         self._pay(end)
 
@@ -152,12 +151,12 @@ class Pacer:
     def _pay(self, end: float) -> None:
         machine = self.machine
         while (owed := self._target - machine.time) > LEAST_OWED:
-            self._one_slice(min(owed, self._slice))
-            if self._wall() >= end:
+            if not self._one_slice(min(owed, self._slice)) or self._wall() >= end:
                 return
 
-    def _one_slice(self, seconds: float) -> None:
-        began = self._wall()
+    def _one_slice(self, seconds: float) -> bool:
+        """Let some time pass; whether any has: not in a machine that a debugger has stopped."""
+        began, before = self._wall(), self.machine.time
         self.machine.run_for(seconds)
         cost = self._wall() - began
         # Long slices are cheaper: a motion of many steps is computed as one array.
@@ -166,6 +165,7 @@ class Pacer:
             self._slice = max(self._slice / 2, SHORTEST_SLICE)
         elif cost < budget * 0.4 and seconds >= self._slice:
             self._slice = min(self._slice * 1.5, LONGEST_SLICE)
+        return self.machine.time != before
 
     def _measure(self, now: float) -> None:
         began, virtual = self._measured

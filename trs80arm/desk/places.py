@@ -14,6 +14,8 @@ from trs80arm.saving import write_whole
 
 APP = "trs80arm"
 MOST_RECENT = 12
+STATES = "states"
+"""The folder of saved states in the state folder."""
 _LARGEST_LIST = 1 << 20
 """Bytes of the list of recent files."""
 PROGRAM_SUFFIXES = (".bas", ".txt", ".lst", ".cas")

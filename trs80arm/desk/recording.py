@@ -13,7 +13,7 @@ from __future__ import annotations
 import contextlib
 import io
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import astuple, dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -95,6 +95,8 @@ class Journal:
     ) -> None:
         self._rig = rig
         self.bench_text: str | None = bench
+        self._first_bench = bench
+        self._benches: list[tuple[Bench, str | None]] = []
         head = {
             "format": FORMAT,
             "version": __version__,
@@ -134,8 +136,11 @@ class Journal:
             self._file.write(line + "\n")
             self._file.flush()
         except OSError as error:
-            self.fault = f"{self._path}: {error.strerror or error}; recording to it has ended"
-            self._shut()
+            self._failed(error)
+
+    def _failed(self, error: OSError) -> None:
+        self.fault = f"{self._path}: {error.strerror or error}; recording to it has ended"
+        self._shut()
 
     def _shut(self) -> None:
         if self._file is not None:
@@ -148,12 +153,51 @@ class Journal:
         if isinstance(value, Pose):
             return {"pose": list(astuple(value))}
         if isinstance(value, Bench):
-            return {"bench": self.bench_text}
+            return {"bench": self._text_of(value)}
         if isinstance(value, bytes):
             return {"hex": value.hex()}
         if isinstance(value, list | tuple):
             return [self._plain(item) for item in value]
         return value
+
+    def _text_of(self, bench: Bench) -> str | None:
+        """The text of a bench that is set up: the one at hand, or its own if it was up before."""
+        for known, text in self._benches:
+            if known is bench:
+                return text
+        self._benches.append((bench, self.bench_text))
+        return self.bench_text
+
+    def cut(self, count: int) -> None:
+        """Only so many things were done, the first ones; what came later was not."""
+        self._become(self._lines[: 1 + count])
+
+    def take_up(self, lines: Sequence[str]) -> None:
+        """Another machine is on the desk, with the lines of its recording, the head first."""
+        self._first_bench = json.loads(lines[0]).get("bench")
+        self._become(lines)
+        # It is told of what is done after everybody else, as it was from the start.
+        self._stop()
+        self._stop = self._rig.record(self._take)
+
+    def _become(self, lines: Sequence[str]) -> None:
+        self._lines[:] = lines
+        setups = [entry for entry in map(json.loads, self._lines) if entry.get("do") == "set_bench"]
+        self.bench_text = setups[-1]["with"][0]["bench"] if setups else self._first_bench
+        if self._file is None:
+            return
+        try:
+            self._file.seek(0)
+            self._file.truncate()
+            self._file.write("\n".join([*self._lines, ""]))
+            self._file.flush()
+        except OSError as error:
+            self._failed(error)
+
+    @property
+    def lines(self) -> Sequence[str]:
+        """What was done, as lines of a recording, its head first."""
+        return tuple(self._lines)
 
     def _end(self) -> str:
         return json.dumps({"t": self._rig.clock.now, "do": END, "with": []})
@@ -347,6 +391,7 @@ ACTIONS: dict[str, tuple[Callable[[Any], Any], ...]] = {
     "move_to": (_pose,),
     "pull": (partial(fit, _Number),) * 3,
     "let_go": (),
+    "change": (partial(fit, str),),
     "step_statement": (),
     "insert_cassette": (_cassette_name, _cassette_content),
     "rewind_cassette": (),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from trs80arm.arm import benchfile
@@ -19,6 +19,7 @@ from trs80arm.benches import BenchFile
 from trs80arm.desk.greeting import greet
 from trs80arm.desk.keepsakes import Keepsakes
 from trs80arm.desk.recording import Journal, Recording
+from trs80arm.desk.timeline import Timeline
 from trs80arm.files import Kind, load_program, parse_program, save_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.jog_keys import JogKeys
@@ -49,6 +50,9 @@ class Session:
 
     Attributes:
         rig: the machine; another one after a recording was begun.
+        timeline: its past, and what it will do again after one went back.
+        halted: whether it stands before a statement, so that no time passes.
+        broken_off: how the program ended that `ready` broke off last.
         keepsakes: its cassettes and paper, as far as they are in memory only.
         path: the file that the program came from or went to.
         bench_path: the bench file, None for the standard bench.
@@ -82,11 +86,21 @@ class Session:
         self.greeted = greeting
         if greeting:
             greet(rig.console)
-        self._use(rig, Journal(rig, file.text if file else None, record, greeting=greeting))
+        self.halted = False
+        self.broken_off: object = None
+        timeline = self._timeline(rig)
+        journal = Journal(rig, file.text if file else None, record, greeting=greeting)
+        self._use(rig, timeline, journal)
 
-    def _use(self, rig: Rig, journal: Journal) -> None:
+    def _timeline(self, rig: Rig) -> Timeline:
+        """Keep a rig's past from now on; to be told of inputs before a journal is."""
+        return Timeline(rig, lambda count: self._journal.cut(count))
+
+    def _use(self, rig: Rig, timeline: Timeline, journal: Journal) -> None:
         self.rig = rig
+        self.timeline = timeline
         self._journal = journal
+        self.halted = False
         self._safe: ProgramLines = []
         self.path = None
         self.keepsakes.forget()
@@ -149,7 +163,11 @@ class Session:
 
     def _run_to(self, target: int) -> None:
         rig = self.rig
+        if self.halted:
+            return
         while self._played and self._played[0].time <= target:
+            if not self.timeline.run_to(self._played[0].time):
+                return
             done = self._played.popleft()
             try:
                 rig.replay([done])
@@ -158,7 +176,7 @@ class Session:
                 self._play_fault = f"it ends here, for {error}"
             else:
                 self._note_program(done)
-        rig.run_to(target)
+        self.timeline.run_to(target)
 
     def new_faults(self) -> list[str]:
         """What has gone wrong with cassette, paper and recordings, one line each, told once."""
@@ -184,9 +202,10 @@ class Session:
             Whether there was one within `LONGEST_STEP`.
         """
         rig = self.rig
+        self.halted = False
         before = rig.state.coils
         end = rig.clock.now + round(LONGEST_STEP * T_STATES_PER_SECOND)
-        while rig.clock.now < end:
+        while rig.clock.now < end and not self.halted:
             self._run_to(min(end, self._next_step()))
             if rig.state.coils != before:
                 return True
@@ -203,14 +222,6 @@ class Session:
             return rig.clock.now + 1
         busy = rig.typing or bool(self._played)
         return rig.clock.now + round((GLANCE if busy else LONGEST_STEP) * T_STATES_PER_SECOND)
-
-    def step_statement(self) -> int | None:
-        """Do one statement of the program that runs.
-
-        Returns:
-            The number of the line that is next; None when no program runs.
-        """
-        return self.rig.step_statement()
 
     # -- the program ------------------------------------------------------------------------------
 
@@ -268,12 +279,14 @@ class Session:
     def ready(self) -> None:
         """Bring the machine back to its prompt as an operator would, or else by switching it off.
 
-        A motion under way comes to its end first.
+        A motion under way comes to its end first. A machine that stood before a statement goes on.
         """
         rig = self.rig
+        self.halted = False
         rig.stop_typing()
         for _ in range(TRIES):
             if rig.waiting is Waiting.COMMAND:
+                self.broken_off = rig.outcome
                 return
             if rig.waiting in LEAVING:
                 rig.type(LEAVING[rig.waiting])
@@ -299,6 +312,7 @@ class Session:
 
     def reset(self) -> None:
         """Switch the machine off and on."""
+        self.halted = False
         self.rig.reset()
         self._safe = []
         self.path = None
@@ -365,11 +379,38 @@ class Session:
         """
         self._journal.save(path)
 
+    @property
+    def recorded(self) -> Sequence[str]:
+        """Everything that was done since the machine was switched on, as lines of a recording."""
+        return self._journal.lines
+
+    def take_up(self, snapshot: bytes, recorded: Sequence[str]) -> None:
+        """Put the machine of a snapshot on the desk.
+
+        Args:
+            snapshot: the machine.
+            recorded: what brought it there, as lines of a recording; its head first.
+
+        Raises:
+            SnapshotError: it is none; the machine stays as it is.
+        """
+        self.rig.restore(snapshot)
+        self.stop_playing()
+        self.timeline.close()
+        self.timeline = self._timeline(self.rig)
+        # Who is told of inputs first is the timeline, then the journal.
+        self._journal.take_up(recorded)
+        self.halted = False
+        self._note_events()
+        self._tell_of_new_machine()
+
     def play(self, recording: Recording) -> None:
         """Put the recorded machine on the desk and let the recording play as time passes."""
         self._journal.close()
+        self.timeline.close()
         rig = recording.rig()
-        self._use(rig, Journal(rig, recording.bench, greeting=recording.greeting))
+        timeline = self._timeline(rig)
+        self._use(rig, timeline, Journal(rig, recording.bench, greeting=recording.greeting))
         self._play_fault = None
         self._played = deque(recording.inputs)
         self._play_end = recording.end

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import re
 import stat
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -144,6 +145,41 @@ class FolderShelf:
         return os.path.dirname(os.path.realpath(path)) == os.path.realpath(self._folder)
 
 
+class PastShelf:
+    """The cassettes of a folder as they were once; what is recorded here stays in memory.
+
+    Args:
+        folder: the cassettes as they are now.
+        contents: what was on those that have been recorded on since; nothing: there was none.
+    """
+
+    def __init__(self, folder: Path, contents: Mapping[str, bytes]) -> None:
+        self._now = FolderShelf(folder)
+        self._contents = dict(contents)
+
+    def names(self) -> list[str]:
+        """The cassettes there were, in order."""
+        there = {name for name, content in self._contents.items() if content}
+        return sorted(set(self._now.names()) - self._contents.keys() | there)
+
+    def load(self, name: str) -> bytes:
+        """What was on a cassette; nothing on a new one."""
+        found = self._contents.get(name)
+        return self._now.load(name) if found is None else found
+
+    def store(self, name: str, content: bytes) -> None:
+        """Keep what is on a cassette now; the file stays as it is."""
+        self._contents[name] = content
+
+    def set_aside(self, name: str) -> None:
+        """Keep no copy: no file is recorded over."""
+
+    @property
+    def in_memory(self) -> dict[str, bytes]:
+        """None: all are, or will be, files."""
+        return {}
+
+
 class Tape:
     """A recorder.
 
@@ -162,6 +198,8 @@ class Tape:
         fault: why a cassette could not be read or written, in one line; None when all is well. It
             is no error of the machine's, which never notices a bad recorder; what could not be
             written is kept in the recorder and can be played.
+        replaced: the cassettes of the folder that were recorded on, in order, with what was on
+            them before; not part of a snapshot.
     """
 
     def __init__(self, folder: Path | None = None) -> None:
@@ -181,6 +219,11 @@ class Tape:
         self.running = False
         self.position = 0
         self.fault: str | None = None
+        self.replaced: list[tuple[str, bytes]] = []
+
+    def use_past(self, folder: Path, contents: Mapping[str, bytes]) -> None:
+        """Keep the cassettes as they were once in a folder, and no file from now on."""
+        self._shelf = PastShelf(folder, contents)
 
     def use_folder(self, folder: Path) -> None:
         """Keep the cassettes in a folder from now on; the one in the recorder stays in."""
@@ -189,7 +232,7 @@ class Tape:
     def __getstate__(self) -> dict[str, Any]:
         # A folder is of the computer and not of the machine.
         kept = self._shelf if isinstance(self._shelf, MemoryShelf) else MemoryShelf()
-        return self.__dict__ | {"_shelf": kept}
+        return self.__dict__ | {"_shelf": kept, "replaced": []}
 
     # -- the operator ---------------------------------------------------------------------------
 
@@ -355,6 +398,7 @@ class Tape:
                 self._put_in(name)
             else:
                 self._reload()
+            before = self._content
             if code is not None:
                 try:
                     self._shelf.set_aside(name)
@@ -364,8 +408,11 @@ class Tape:
                 self._recorded_from = None
         else:
             self._reload()
+            before = self._content
         if self._recorded_from is None:
             self._recorded_from = len(self._content)
+        if not isinstance(self._shelf, MemoryShelf):
+            self.replaced.append((name, before))
         self._content += recorded
         self.position = self.length
         try:

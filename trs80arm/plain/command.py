@@ -6,10 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
+from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.session import Session
+from trs80arm.desk.states import States
 from trs80arm.desk.teach import Lesson
 from trs80arm.desk.tour import Tour
 from trs80arm.desk.workbench import Workbench
@@ -34,6 +36,8 @@ class Sitting:
         peripherals: recorder and printer.
         lesson: the positions taught.
         tour: the first five minutes, step by step.
+        debugger: stops the machine, and moves it on and back.
+        states: the saved states.
         ask: asks its user; the next line is the answer.
         tell: says something.
         reach: which files can be named.
@@ -46,6 +50,8 @@ class Sitting:
     peripherals: Peripherals
     lesson: Lesson
     tour: Tour
+    debugger: Debugger
+    states: States
     ask: LineAsking
     tell: Tell
     reach: Reach

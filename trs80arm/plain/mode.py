@@ -10,17 +10,19 @@ from datetime import datetime
 from typing import TextIO
 
 from trs80arm.deck import Deck
+from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.happenings import Happenings
 from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.peripherals import Peripherals
-from trs80arm.desk.places import RecentFiles, state_folder
+from trs80arm.desk.places import STATES, RecentFiles, state_folder
 from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.session import Session
 from trs80arm.desk.sound import LineSound
+from trs80arm.desk.states import States
 from trs80arm.desk.teach import Lesson
 from trs80arm.desk.tour import FILE as TOUR_FILE
 from trs80arm.desk.tour import Step, Tour
@@ -30,6 +32,7 @@ from trs80arm.options import Sound, TerminalOptions
 from trs80arm.plain.arm import show_registers
 from trs80arm.plain.asking import LineAsking
 from trs80arm.plain.command import Sitting
+from trs80arm.plain.debugging import tell_stop
 from trs80arm.plain.table import do_command, is_command
 from trs80arm.plain.teaching import show_positions
 from trs80arm.reasons import one_line
@@ -39,6 +42,8 @@ from trs80arm.teletype import Teletype
 
 SLICE = 0.05
 """Virtual seconds between two looks at the wall's clock and at Ctrl+C."""
+MARK_EVERY = 200
+"""Slices between two snapshots to which one can go back, while something runs."""
 
 
 class PlainMode:
@@ -81,6 +86,7 @@ class PlainMode:
         self._left = False
         self._tape = ""
         self._step: Step | None = None
+        self._slices = 0
         self._sitting = self._sit_down(reach)
         self._sound = LineSound(session, self._ring, self._say, sound)
 
@@ -111,6 +117,8 @@ class PlainMode:
             peripherals=Peripherals(session, ask, say),
             lesson=lesson,
             tour=Tour(session, lesson, files, state / TOUR_FILE, ask, say),
+            debugger=Debugger(session),
+            states=States(state / STATES),
             ask=ask,
             tell=self._tell,
             reach=reach,
@@ -189,6 +197,8 @@ class PlainMode:
         elif line.startswith("."):
             self._sitting.ask.drop()
             do_command(self._sitting, line[1:].strip())
+        elif self.session.halted:
+            self._tell("The machine stands: .go lets it go on, .help says what else there is.")
         elif self.session.rig.waiting is Waiting.SET:
             self._hold(line)
         else:
@@ -198,8 +208,12 @@ class PlainMode:
         """Let the machine work, or a recording play, until the operator is wanted."""
         session = self.session
         try:
-            while session.typing or session.waiting is Waiting.NOTHING:
+            session.timeline.mark()
+            while session.busy and not session.halted:
                 session.run_for(SLICE)
+                self._slices += 1
+                if self._slices % MARK_EVERY == 0:
+                    session.timeline.mark()
                 self._tell_happenings()
                 self._tell_of_tape()
                 self._tell_of_tour()
@@ -215,7 +229,8 @@ class PlainMode:
         self._tell_of_tour()
         for fault in session.new_faults():
             self._tell(fault)
-        if session.waiting is Waiting.SET and not self._sitting.ask.waits:
+        stands = tell_stop(self._sitting)
+        if session.waiting is Waiting.SET and not self._sitting.ask.waits and not stands:
             self._tell("@SET: which keys? (.help)")
         self._out.flush()
 
@@ -244,6 +259,7 @@ class PlainMode:
 
     def _press_break(self) -> None:
         rig = self.session.rig
+        self.session.halted = False
         rig.stop_typing()
         rig.hold(["BREAK"], 0.1)
         rig.run_for(0.3)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trs80arm.plain import arm, machine, peripherals, teaching
+from trs80arm.plain import arm, debugging, machine, peripherals, teaching
 from trs80arm.plain.command import Group, LineCommand, Sitting
 
 COLUMN = 26
@@ -30,6 +30,7 @@ GROUPS: tuple[Group, ...] = (
     arm.GROUP,
     teaching.GROUP,
     peripherals.GROUP,
+    debugging.GROUP,
     Group(
         "This program",
         (

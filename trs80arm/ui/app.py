@@ -26,17 +26,19 @@ from textual.driver import Driver
 from textual.filter import LineFilter
 from textual.screen import Screen
 
+from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.files import PLAYING, SessionFiles
 from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.pacing import TICK, Pacer
 from trs80arm.desk.peripherals import Peripherals
-from trs80arm.desk.places import RecentFiles
+from trs80arm.desk.places import STATES, RecentFiles
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.remembered import Remembered
 from trs80arm.desk.session import Session
 from trs80arm.desk.sound import LineSound
 from trs80arm.desk.stage import Stage
+from trs80arm.desk.states import States
 from trs80arm.desk.teach import Lesson
 from trs80arm.desk.tour import FILE as TOUR_FILE
 from trs80arm.desk.tour import Tour
@@ -48,6 +50,7 @@ from trs80arm.ui.asking import Dialogs
 from trs80arm.ui.commands.arm import ArmCommands
 from trs80arm.ui.commands.bar import CommandBar
 from trs80arm.ui.commands.comfort import ComfortCommands
+from trs80arm.ui.commands.debug import DebugCommands
 from trs80arm.ui.commands.keys import KeyCommands
 from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.palette import Palette
@@ -63,6 +66,7 @@ from trs80arm.ui.panels.inspector import Asked
 from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 from trs80arm.ui.panels.status import Pace
+from trs80arm.ui.screens.debugger import DebuggerScreen
 from trs80arm.ui.screens.desk import DeskScreen, Typed
 from trs80arm.ui.screens.key_test import KeyTest
 from trs80arm.ui.screens.palette import PaletteScreen
@@ -75,6 +79,8 @@ OFFER = (
     "`Ctrl+N` begins a tour of five minutes: drive, pick, run, teach.",
     "Or just type: later Ctrl+N, or `trs80arm tour`, begins it as well.",
 )
+MARK_EVERY = 1.0
+"""Seconds of the wall between two snapshots to which the debugger can go back, while it works."""
 COPY_EVERY = 5.0
 """Seconds of the wall between two looks at whether a recovery copy is due."""
 BEHIND_FPS = 5
@@ -154,6 +160,8 @@ class Trs80Arm(Themed[int]):
         self.recovery = Recovery(session, self.lesson, state, name, self.say)
         self.remembered = Remembered(options.settings_file, self.say)
         self.stage = Stage(session, self.say)
+        self.debugger = Debugger(session)
+        self.states = States(state / STATES)
         self.commands = self._groups(state)
         session.watch_machine(self.keyboard.start_afresh)
         for theme in THEMES:
@@ -166,6 +174,7 @@ class Trs80Arm(Themed[int]):
         session, lesson, keyboard, desk = self.session, self.lesson, self.keyboard, self.desk
         reach = Reach(self.options.own_folder)
         panels_help = [panel.HELP for panel in (*desk.panels.values(), desk.status)]
+        panels_help.append(DebuggerScreen.HELP)
         dialogs, say = Dialogs(self, reach), self.say
         recent = RecentFiles(state / "recent.json")
         files = SessionFiles(session, self.recovery, recent, dialogs, say, reach)
@@ -174,10 +183,17 @@ class Trs80Arm(Themed[int]):
         leaving = Leaving(
             session, lesson, self.recovery, files, dialogs, arm.teach, lambda: self.exit(0)
         )
-        machine = MachineCommands(session, self.pacer, keyboard, files, self.stage, dialogs, say)
+        debugger, pacer = self.debugger, self.pacer
+        machine = MachineCommands(
+            session, debugger, pacer, keyboard, files, self.stage, dialogs, say
+        )
+        debug = DebugCommands(
+            session, debugger, self.states, pacer, dialogs, say, lambda: self.at_the_keyboard
+        )
         return Commands(
             files=files,
             machine=machine,
+            debug=debug,
             arm=arm,
             view=ViewCommands(desk, self.remembered, dialogs, say),
             tube=TubeCommands(self, files, say),
@@ -263,6 +279,7 @@ class Trs80Arm(Themed[int]):
         if self._ticking:
             self.heartbeat.begin(self)
             self.set_interval(COPY_EVERY, self.recovery.keep)
+            self.set_interval(MARK_EVERY, self._mark)
 
     def _use_first_arm_style(self, style: ArmStyle) -> None:
         """Draw the arm as the options want it, if the terminal can."""
@@ -339,6 +356,11 @@ class Trs80Arm(Themed[int]):
             return False
         return self.session.busy or self.keyboard.held.busy or not self.desk.still
 
+    def _mark(self) -> None:
+        """Keep a snapshot to which the debugger can go back, while the machine works."""
+        if self.session.busy and not self.pacer.paused:
+            self.session.timeline.mark()
+
     async def on_event(self, event: events.Event) -> None:
         """Whatever the terminal sends wakes the program."""
         if isinstance(event, events.InputEvent):
@@ -352,6 +374,7 @@ class Trs80Arm(Themed[int]):
         self.keyboard.feed()
         self.pacer.advance()
         self.sound.go_on()
+        self.commands.debug.look()
         now = self.wall()
         if now >= self._next_frame:
             fps = min(self.options.fps, BEHIND_FPS) if self.dialog_is_open else self.options.fps

@@ -67,10 +67,11 @@ def topics(
         .replace("<!-- commands -->", _listed(commands))
         .replace("<!-- keys -->", _listed(TABLE))
     )
-    return [topic for part in (text, *map(cleandoc, panels)) for topic in _topics_of(part)]
+    return [topic for part in (text, *map(cleandoc, panels)) for topic in topics_of(part)]
 
 
-def _topics_of(text: str) -> list[Topic]:
+def topics_of(text: str) -> list[Topic]:
+    """The topics of a page, one a heading."""
     _, *parts = _HEADING.split(text)
     return [
         Topic(title, words.strip()) for title, words in zip(parts[::2], parts[1::2], strict=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from trs80arm.desk.asking import Asking, Choice, ListQuestion, Say
+from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.pacing import Pacer
 from trs80arm.desk.session import Session
@@ -25,6 +26,7 @@ class MachineCommands:
 
     Args:
         session: the machine.
+        debugger: what may have stopped it.
         pacer: how fast its time goes.
         keyboard: the operator's hands.
         files: asks before a program goes.
@@ -36,6 +38,7 @@ class MachineCommands:
     def __init__(
         self,
         session: Session,
+        debugger: Debugger,
         pacer: Pacer,
         keyboard: Keyboard,
         files: SessionFiles,
@@ -44,6 +47,7 @@ class MachineCommands:
         say: Say,
     ) -> None:
         self._session = session
+        self._debugger = debugger
         self._pacer = pacer
         self._keyboard = keyboard
         self._files = files
@@ -64,6 +68,8 @@ class MachineCommands:
 
     def go_on(self) -> None:
         """End a pause."""
+        if self._debugger.stop is not None:
+            self._debugger.go()
         if self._pacer.paused:
             self._pacer.pause(False)
             self._say("Going on.")
@@ -74,13 +80,7 @@ class MachineCommands:
             self.go_on()
         else:
             self._pacer.pause(True)
-            self._say("Paused: F6 goes on, F7 does one statement.")
-
-    def step_statement(self) -> None:
-        """Pause, and do one statement of BASIC."""
-        self._pacer.pause(True)
-        number = self._session.step_statement()
-        self._say("No program runs." if number is None else f"Next: line {number}")
+            self._say("Paused: F6 goes on, F7 opens the debugger.")
 
     def step_motor(self) -> None:
         """Pause, and let the motors do one step."""

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from trs80arm.desk.tour import Tour
     from trs80arm.ui.commands.arm import ArmCommands
     from trs80arm.ui.commands.comfort import ComfortCommands
+    from trs80arm.ui.commands.debug import DebugCommands
     from trs80arm.ui.commands.keys import KeyCommands
     from trs80arm.ui.commands.machine import MachineCommands
     from trs80arm.ui.commands.program import ProgramCommands
@@ -35,6 +36,7 @@ class Commands:
 
     files: SessionFiles
     machine: MachineCommands
+    debug: DebugCommands
     arm: ArmCommands
     view: ViewCommands
     tube: TubeCommands
@@ -157,12 +159,58 @@ COMMANDS: tuple[Command, ...] = (
     ),
     Command(
         "step_statement",
-        lambda to: to.machine.step_statement(),
-        "Machine: one statement",
-        "Pause, and do one statement.",
+        lambda to: to.debug.step(),
+        "Debugger: stop, then one statement",
+        "Stop the program and open the debugger; once stopped, do one statement.",
         "f7",
-        "Step",
-        also="single step debug trace",
+        "Debug",
+        also="single step trace breakpoint",
+    ),
+    Command(
+        "debugger",
+        lambda to: to.debug.open(),
+        "Debugger: open",
+        "Listing with breakpoints, variables, memory, steps on and back.",
+        "ctrl+x",
+        also="breakpoint variables memory poke let inspect step",
+    ),
+    Command(
+        "step_back",
+        lambda to: to.debug.back(),
+        "Debugger: one statement back",
+        "Go one statement back in time.",
+        "alt+f7",
+        also="undo reverse rewind",
+    ),
+    Command(
+        "back_to_stop",
+        lambda to: to.debug.back_to_stop(),
+        "Debugger: back to the breakpoint before",
+        "Go back in time to the last breakpoint that was reached.",
+        also="undo reverse step back",
+    ),
+    Command(
+        "states",
+        lambda to: to.debug.states(),
+        "Machine: saved states",
+        "Save the whole machine by name, load one, remove one.",
+        also="snapshot save load state restore",
+    ),
+    Command(
+        "quick_save",
+        lambda to: to.debug.quick_save(),
+        "Machine: save the state quickly",
+        "Save the whole machine, to come back to it.",
+        "shift+f3,f15,ctrl+f3",
+        also="snapshot state store",
+    ),
+    Command(
+        "quick_load",
+        lambda to: to.debug.quick_load(),
+        "Machine: load the state saved quickly",
+        "Come back to the machine that was saved quickly.",
+        "shift+f2,f14,ctrl+f2",
+        also="snapshot state restore",
     ),
     Command(
         "step_motor",

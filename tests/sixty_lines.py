@@ -1,0 +1,69 @@
+"""A program of sixty lines with a mistake in it, to be found with the debugger alone.
+
+It is to visit six places of a tray in turn, but goes to the fifth for ever: the subroutine from 500
+on, a root by Newton's rule, counts with the `I` of the main loop. Its lines 520 and 550 should have
+another letter.
+"""
+
+LISTING = """\
+10 REM SIX PLACES OF A TRAY
+20 CLEAR 200
+30 DEFINT I-N
+40 DIM X(6),Y(6),R(6),N$(6)
+50 FOR I=1 TO 6
+60 READ N$(I),X(I),Y(I)
+70 NEXT I
+80 DATA "NW",5,2
+90 DATA "N",6,2
+100 DATA "NE",7,2
+110 DATA "SW",5,-2
+120 DATA "S",6,-2
+130 DATA "SE",7,-2
+150 @RESET
+160 D=40
+170 V=0
+180 L=0
+200 FOR I=1 TO 6
+210 Q=X(I)*X(I)+Y(I)*Y(I):GOSUB 500
+220 R(I)=W:GOSUB 600
+230 V=V+1
+240 PRINT N$(I);R(I)
+250 NEXT I
+270 @STEP D,-L,0,0,0,0,0
+280 L=0
+290 IF V=6 THEN PRINT "ALL":GOTO 320
+300 PRINT "ONLY";V
+310 GOTO 330
+320 PRINT "VISITED"
+330 @READ J1,J2,J3,J4,J5,J6
+340 PRINT "BASE";J1
+350 GOSUB 700
+360 GOSUB 800
+370 END
+500 REM W = ROOT OF Q
+510 W=Q/2
+520 FOR I=1 TO 4
+530 W=(W+Q/W)/2
+550 NEXT I
+560 RETURN
+600 REM TURN THE BASE TO PLACE I
+610 A=Y(I)/W
+620 K=A*100
+630 M=K-L
+640 @STEP D,M,0,0,0,0,0
+650 L=K
+660 RETURN
+700 REM THE LONGEST REACH
+710 Z=0
+720 FOR N=1 TO 6
+730 IF R(N)>Z THEN Z=R(N)
+740 NEXT N
+750 PRINT "REACH";Z
+760 RETURN
+800 REM A LINE UNDER IT
+810 FOR N=1 TO 20
+820 PRINT "-";
+830 NEXT N
+840 PRINT
+850 RETURN
+"""

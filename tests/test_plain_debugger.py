@@ -1,0 +1,121 @@
+"""The debugger in the line mode."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.own_places import own_places
+from tests.sixty_lines import LISTING
+from tests.test_plain import talk
+from trs80arm.desk.session import Session
+
+__all__ = ["own_places"]
+
+
+@pytest.fixture
+def sixty(tmp_path: Path) -> str:
+    """The file of a program of sixty lines with a mistake in it."""
+    path = tmp_path / "sixty.bas"
+    path.write_text(LISTING)
+    return f".open {path}"
+
+
+def test_the_mistake_is_found_in_lines(sixty: str) -> None:
+    session = Session()
+    said = talk(
+        *(sixty, ".break 220", "RUN", ".print I W", ".registers"),
+        *(".back 2", ".print I", ".list", ".step 2", ".registers"),
+        session=session,
+    )
+    assert "Breakpoint before 220: R(I)=W" in said
+    assert "I = 5" in said
+    assert "Back before 550: NEXT I" in said
+    assert "I = 4" in said
+    assert " >550 NEXT I" in said
+    times = re.findall(r"T-state (\d+)", said)
+    assert times[0] == times[-1] == str(session.rig.clock.now)
+    registers = re.findall(r"base: .*", said)
+    assert registers[0] == registers[-1]
+
+
+def test_conditions_are_typed_behind_if() -> None:
+    said = talk(
+        "10 FOR I=1 TO 9", "20 A=I", "30 NEXT", ".break 20 if I>5", ".break", "RUN", ".vars"
+    )
+    assert "Stops before 20 if I>5." in said
+    assert "20 if I>5" in said
+    assert "I = 6\nA = 5" in said
+
+
+def test_steps_over_and_out_of_a_subroutine() -> None:
+    program = ("10 GOSUB 50", "20 GOSUB 50", "30 END", "50 B=B+1", "60 RETURN")
+    said = talk(*program, ".break 10", "RUN", ".step", ".stack", ".out", ".over", ".go")
+    where = re.findall(r"(?:Before|before) (\d+)", said)
+    assert where == ["10", "10", "50", "20", "30"]
+    assert "10  GOSUB" in said
+
+
+def test_variables_and_memory_are_changed_and_refused() -> None:
+    said = talk(
+        *("10 A%=1", "20 GOTO 20", ".break 20", "RUN", ".let A%=7", ".let A%=70000", ".print A%"),
+        *(".poke 3C00H,66", ".memory 3C00H 1", ".poke 1", ".memory X", ".print Q", ".let GOTO 1"),
+    )
+    assert "A% = 7" in said
+    assert "?OV Error." in said
+    assert re.search(r"3C00  42 .*  B", said)
+    assert "Type an address and a value" in said
+    assert "X is no address" in said
+    assert "There is no Q yet." in said
+    assert "Only an assignment" in said
+
+
+def test_states_are_kept_listed_taken_and_dropped() -> None:
+    said = talk(
+        *("10 A=A+1:GOTO 10", ".break 10 if A=3", "RUN", ".keep three", ".clear", ".let A=9"),
+        *(
+            ".states",
+            ".take three",
+            ".print A",
+            ".drop three",
+            ".take three",
+            ".take before load",
+            ".print A",
+        ),
+    )
+    assert "State three is saved." in said
+    assert re.search(r"three  \d{4}-\d\d-\d\d \d\d:\d\d  10: A=A\+1", said)
+    assert "State three is loaded." in said
+    assert "A = 3" in said
+    assert "There is no state 'three'." in said
+    assert "A = 9" in said.partition("no state")[2]
+
+
+def test_a_line_is_not_typed_while_the_machine_stands() -> None:
+    said = talk("10 A=1", "20 GOTO 20", ".break 20", "RUN", "PRINT 6*7")
+    assert "The machine stands" in said
+    assert "42" not in said
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        (".break 5", "There is no line 5."),
+        (".break 10 if", "Stops before 10 if."),
+        (".break 10 if I", "A condition compares"),
+        (".clear 10", "Line 10 has no breakpoint."),
+        (".until X", "Which line? A number."),
+        (".step many", "How often?"),
+        (".out", "The program is in no subroutine."),
+        (".back", "Nothing is known of an earlier statement."),
+        (".back stop", "Nothing is known of an earlier stop."),
+        (".step", "No program runs; it stops before"),
+        (".where", "No program runs."),
+        (".stack", "No FOR or GOSUB is open."),
+        (".print", "Which variable?"),
+    ],
+)
+def test_what_cannot_be_done_is_said(line: str, said: str) -> None:
+    assert said in talk("10 A=1", line)
