@@ -237,7 +237,7 @@ class MiniMover:
     def _hand_ahead(self, latches: npt.NDArray[np.int64]) -> int:
         """Writes at the beginning of a burst up to which an empty hand cannot come to its end."""
         cable, model = self.grip.cable, self.model
-        if self.grip.contact or cable <= 0 or (latches != HAND).any():
+        if self.grip.contact or cable <= 0 or latches[0] != HAND or (latches != HAND).any():
             return len(latches)
         most = model.hand.range * model.hand_steps - cable
         return max(0, min(len(latches), int(min(most, cable)) - 2))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.shapes import Vector, minus, plus
+from trs80arm.arm.shapes import Vector, length, minus, plus
 
 SLICES = 4
 """Pieces that something long is cut into, for a ring around the whole of it would be too wide."""
@@ -42,8 +42,8 @@ class Ring:
 def around(solid: Placed) -> Ring:
     """A solid, somewhere around the axis."""
     (a, b, c), (d, e, f) = solid.low, solid.high
-    out = math.hypot((a + d) / 2, (b + e) / 2)
-    reach = math.hypot(d - a, e - b) / 2
+    out = length((a + d) / 2, (b + e) / 2)
+    reach = length(d - a, e - b) / 2
     return Ring(out - reach, out + reach, c, f)
 
 
@@ -74,7 +74,7 @@ def rolled_slices(
         c: cosine of the way that the base points.
         s: its sine.
     """
-    level, steep = math.hypot(way[0], way[1]) * aside, abs(way[2]) * aside
+    level, steep = length(way[0], way[1]) * aside, abs(way[2]) * aside
     ends = [plus(start, way, ahead * k / SLICES) for k in range(SLICES + 1)]
     rings = []
     for one, other in pairwise(ends):
@@ -82,7 +82,7 @@ def rolled_slices(
         rings.append(
             Ring(
                 min(outs) - steep,
-                math.hypot(max(abs(out) for out in outs) + steep, aside),
+                length(max(abs(out) for out in outs) + steep, aside),
                 min(one[2], other[2]) - level,
                 max(one[2], other[2]) + level,
             )
@@ -93,6 +93,6 @@ def rolled_slices(
 def _swept(corners: Sequence[Vector], c: float, s: float) -> Ring:
     """What is between some corners, turned with the base from where it points to c, s."""
     ahead = min(x * c + y * s for x, y, _ in corners)
-    far = max(math.hypot(x, y) for x, y, _ in corners)
+    far = max(length(x, y) for x, y, _ in corners)
     heights = [z for _, _, z in corners]
     return Ring(ahead, far, min(heights), max(heights))

@@ -30,6 +30,11 @@ def cross(a: Vector, b: Vector) -> Vector:
     )
 
 
+def length(x: float, y: float, z: float = 0.0) -> float:
+    """Of a vector; a rounded square root of sums, the same on every platform."""
+    return math.sqrt(x * x + y * y + z * z)
+
+
 def plus(a: Vector, b: Vector, factor: float = 1.0) -> Vector:
     """`a` plus `factor` times `b`."""
     return (a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2])

@@ -31,7 +31,7 @@ Array = npt.NDArray[np.int64]
 Span = tuple[float, float]
 
 _GEARS = (Motor.LEFT_WRIST, Motor.RIGHT_WRIST)
-_ROWS = np.array(ROWS, dtype=np.int64)
+_ROWS = np.array(ROWS, dtype=np.int8)
 
 
 @dataclass(slots=True)
@@ -42,13 +42,15 @@ class _Train:
         latch: of the motor.
         places: which writes of the burst they are.
         turns: half-steps that each turns the field, 1 or -1.
+        way: that of all of them, if it is the same; else 0.
         end: the rotor's position after the last.
         low, high: the least and the greatest position that it comes to.
     """
 
     latch: int
     places: Array
-    turns: Array
+    turns: npt.NDArray[np.int8]
+    way: int
     end: int
     low: int
     high: int
@@ -114,34 +116,34 @@ def _trains(arm: MiniMover, latches: Array, nibbles: Array) -> list[_Train]:
     rows = _ROWS[nibbles & 15]
     if int(rows.min()) < 0 or int(latches.min()) < 0 or int(latches.max()) > 5:
         return []
+    latches = latches.astype(np.int8)
     trains = []
     for latch, motor in enumerate(arm.motors[:6]):
         places = np.flatnonzero(latches == latch)
         if not len(places):
             continue
-        turns = rows[places]
-        before = (motor.field if motor.row >= 0 else motor.rotor) & 7
-        turns[1:] -= turns[:-1].copy()
-        turns[0] -= before
+        mine = rows[places]
+        turns = np.empty_like(mine)
+        np.subtract(mine[1:], mine[:-1], out=turns[1:])
+        turns[0] = mine[0] - ((motor.field if motor.row >= 0 else motor.rotor) & 7)
         turns += 3
         turns &= 7
         turns -= 3
-        least, most = int(turns.min()), int(turns.max())
-        if least < -1 or most > 1:
+        way = int(turns[0])
+        if abs(way) != 1:
             return []
-        if least == most:
-            if not least:
-                return []
-            end = motor.rotor + least * len(places)
-            low, high = sorted((motor.rotor + least, end))
+        if bool((turns == way).all()):
+            end = motor.rotor + way * len(places)
+            low, high = sorted((motor.rotor + way, end))
         else:
-            if not turns.all():
+            way = 0
+            if not bool((np.abs(turns) == 1).all()):
                 return []
             path = np.cumsum(turns)
             end = motor.rotor + int(path[-1])
             low, high = motor.rotor + int(path.min()), motor.rotor + int(path.max())
         trains.append(
-            _Train(latch, places, turns, end, min(low, motor.rotor), max(high, motor.rotor))
+            _Train(latch, places, turns, way, end, min(low, motor.rotor), max(high, motor.rotor))
         )
     return trains
 
@@ -210,7 +212,13 @@ def _together(
         here = arm.rotors[train.latch]
         ends = sign * (train.low - here), sign * (train.high - here)
         return min(ends), max(ends)
-    steps = np.zeros(len(times), dtype=np.int64)
+    if len({sign * train.way for train, sign in moving} - {0}) == 1 and all(
+        train.way for train, _ in moving
+    ):
+        # All go the same way.
+        end = sum(sign * train.way * len(train.places) for train, sign in moving)
+        return min(0, end), max(0, end)
+    steps = np.zeros(len(times), dtype=np.int8)
     for train, sign in moving:
         steps[train.places] = sign * train.turns
     path = np.cumsum(steps)
@@ -278,8 +286,7 @@ def _in_time(
             level, steep = nearest_and_farthest(*spans[turns])
             weight = strength.most(turns, burdens)
             up = bool(train.turns[0] * drive.sign > 0)
-            same = bool((train.turns == train.turns[0]).all())
-            against = max(0.0, weight * (level if up else -steep)) if same else weight
+            against = max(0.0, weight * (level if up else -steep)) if train.way else weight
         else:
             against = strength.most(turns, burdens)
         period = strength.curves[turns].period(against, margin)
@@ -316,9 +323,13 @@ def _on_ticks(
     """Positions of all rotors on some ticks, ticks x 6."""
     rotors = np.empty((len(ticks), 6), dtype=np.int64)
     rotors[:] = arm.rotors
+    before = np.searchsorted(times, ticks)
     for train in trains:
-        done = np.searchsorted(times[train.places], ticks)
-        rotors[:, train.latch] += np.concatenate(([0], np.cumsum(train.turns)))[done]
+        done = np.searchsorted(train.places, before)
+        if train.way:
+            rotors[:, train.latch] += train.way * done
+        else:
+            rotors[:, train.latch] += np.concatenate(([0], np.cumsum(train.turns)))[done]
     return rotors
 
 
@@ -327,19 +338,17 @@ def _arrive(arm: MiniMover, trains: list[_Train], times: Array, nibbles: Array) 
     ends = [int(train.places[-1]) for train in trains]
     # Where every rotor stood just before the last step of each motor, whose time hangs on it.
     stood = [list(arm.rotors) for _ in trains]
-    for train in trains:
-        begun = np.searchsorted(train.places, ends)
-        for rotors, steps in zip(stood, begun.tolist(), strict=True):
-            one_way = train.high - train.low == len(train.turns)
-            first = int(train.turns[0])
-            rotors[train.latch] += steps * first if one_way else int(train.turns[:steps].sum())
     rotors = list(arm.rotors)
-    tick = int(times[-1]) // TICK_STATES * TICK_STATES
     ticked = list(rotors)
+    # And where it stood on the last tick.
+    stood.append(ticked)
+    tick = int(times[-1]) // TICK_STATES * TICK_STATES
+    writes = np.array([*ends, int(np.searchsorted(times, tick))])
     for train in trains:
-        done = int(np.searchsorted(times[train.places], tick))
-        ticked[train.latch] += int(train.turns[:done].sum())
-    for train, end, before in zip(trains, ends, stood, strict=True):
+        begun = np.searchsorted(train.places, writes)
+        for there, steps in zip(stood, begun.tolist(), strict=True):
+            there[train.latch] += steps * train.way if train.way else int(train.turns[:steps].sum())
+    for train, end, before in zip(trains, ends, stood, strict=False):
         motor = arm.motors[train.latch]
         turned = train.end - motor.rotor
         time, nibble = int(times[end]), int(nibbles[end]) & 15

@@ -6,7 +6,6 @@ decides what happens: only whether it is certain that nothing does.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -24,7 +23,7 @@ from trs80arm.arm.geometry import CableDrive, forward
 from trs80arm.arm.linkage import FINGERS, ArmLinkage
 from trs80arm.arm.model import Link, Motor
 from trs80arm.arm.rings import Ring, around, link_slices, rolled_slices
-from trs80arm.arm.shapes import Box, Vector, plus
+from trs80arm.arm.shapes import Box, Vector, length, plus
 from trs80arm.arm.trigonometry import sin_cos
 
 FAR = 100.0
@@ -82,15 +81,15 @@ class Surroundings:
     def _longest_levers(self) -> tuple[float, ...]:
         model = self._linkage.model
         ahead, aside = self.extent(model.hand.range)
-        out = math.hypot(ahead, aside)
+        out = length(ahead, aside)
         swung = max(
-            math.hypot(abs(solid.center[0]) + solid.half[0], solid.half[2])
+            length(abs(solid.center[0]) + solid.half[0], solid.half[2])
             for solid in model.solids
             if solid.link in (Link.UPPER_ARM, Link.FOREARM)
         )
         wide = max(solid.half[1] for solid in model.solids)
         levers = {
-            Motor.BASE: math.hypot(2 * swung, wide) + out,
+            Motor.BASE: length(2 * swung, wide) + out,
             Motor.SHOULDER: swung,
             Motor.ELBOW: swung,
             # A gear turns pitch and roll by half as much.
@@ -131,15 +130,15 @@ class Surroundings:
                 abs(at) + half for at, half in zip(solid.center, solid.half, strict=True)
             )
             if solid.link in FINGERS:
-                aside = max(aside, math.hypot(wide + opening / 2, thick))
+                aside = max(aside, length(wide + opening / 2, thick))
             elif solid.link is Link.HAND:
-                aside = max(aside, math.hypot(wide, thick))
+                aside = max(aside, length(wide, thick))
         for load in self._bench.scene.carried:
             assert load.carried is not None
             place, turn = load.carried
             for corner in (each for part in load.shape.solids for each in part.vertices):
                 x, y, z = plus(place, apply(turn, corner))
-                ahead, aside = max(ahead, abs(x)), max(aside, math.hypot(y, z))
+                ahead, aside = max(ahead, abs(x)), max(aside, length(y, z))
         return ahead, aside
 
     def measured(self, joints: Sequence[float]) -> Room:
@@ -258,8 +257,8 @@ class Surroundings:
         for thing in scene.fixed.values():
             for solid in thing.placed:
                 if thing.passes:
-                    ahead = max(math.hypot(x, y) for x, y, _ in solid.vertices if x >= 0)
-                    behind = max(math.hypot(x, y) for x, y, _ in solid.vertices)
+                    ahead = max(length(x, y) for x, y, _ in solid.vertices if x >= 0)
+                    behind = max(length(x, y) for x, y, _ in solid.vertices)
                     ring = Ring(-behind, ahead, solid.low[2], solid.high[2])
                     least = min(least, *(each.apart(ring) for each in mine[joined:]))
                 else:
@@ -268,7 +267,7 @@ class Surroundings:
         for body in scene.bodies.values():
             if body.carried is None:
                 x, y, z = body.place
-                out, reach = math.hypot(x, y), body.shape.radius
+                out, reach = length(x, y), body.shape.radius
                 ring = Ring(out - reach, out + reach, z - reach, z + reach)
                 if all(each.apart(ring) > least for each in mine):
                     continue
@@ -296,7 +295,7 @@ class Surroundings:
 
 def too_near(feeder: Feeder, tip: Vector) -> float:
     """Inches by which a fingertip is too near to a feeder for its next part."""
-    out = math.hypot(tip[0] - feeder.x, tip[1] - feeder.y)
+    out = length(tip[0] - feeder.x, tip[1] - feeder.y)
     return FEED_CLEARANCE + feeder.place.radius - out
 
 

@@ -63,7 +63,7 @@ class World:
         self.model = drive.model
         self.grip = Grip(self.model, drive.home_cable)
         self.vacant: list[Feeder] = []
-        self._lying: tuple[list[tuple[object, ...]], list[int]] = [], []
+        self._standing: dict[int, tuple[object, ...]] = {}
         self._rotors = [0] * 6
         self._ticked = [0] * 6
         self._looked: tuple[list[float], Room] | None = None
@@ -89,7 +89,7 @@ class World:
             "_looked": None,
             "_ringed": None,
             "_easing": [],
-            "_lying": ([], []),
+            "_standing": {},
         }
 
     def start(self) -> None:
@@ -659,14 +659,22 @@ class World:
     def _changed(self) -> None:
         """Parts have moved: see which feeders have room, and whether the hand has a load."""
         self._loaded = bool(self.bench.scene.carried)
-        if self.bench.feeders:
-            lying: list[tuple[object, ...]] = [
-                (part.name, part.place, part.turn, part.held) for part in self.bench.parts.values()
-            ]
-            given = [feeder.given for feeder in self.bench.feeders]
-            if self._lying != (lying, given):
-                self._lying = lying, given
-                self.vacant = self.bench.waiting_feeders()
+        bench = self.bench
+        self.vacant = []
+        for number, feeder in enumerate(bench.feeders):
+            name, *stood = self._standing.get(number, ("",))
+            part = bench.parts.get(str(name))
+            if feeder.empty or (
+                part is not None and not part.held and [part.place, part.turn] == stood
+            ):
+                # What stood at its place still does.
+                continue
+            found = bench.found_at(feeder.placed)
+            if found is None:
+                self.vacant.append(feeder)
+            elif found in bench.parts:
+                part = bench.parts[found]
+                self._standing[number] = (found, part.place, part.turn)
 
     def _touches(self, solids: Sequence[Placed]) -> bool:
         """Whether a link or finger is in some solids."""

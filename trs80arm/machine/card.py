@@ -257,10 +257,12 @@ class Card:
         if done < len(times):
             times, latches, nibbles = times[:done], latches[:done], nibbles[:done]
         if isinstance(latches, np.ndarray):
-            for latch in Latch:
-                places = np.flatnonzero(latches == latch)
-                if len(places):
-                    self.latches[latch] = int(nibbles[places[-1]])
+            last = np.full(len(Latch), -1)
+            # Of several assignments to one place the last one stays.
+            last[latches] = np.arange(len(latches))
+            for latch, place in enumerate(last.tolist()):
+                if place >= 0:
+                    self.latches[latch] = int(nibbles[place])
         else:
             for place, nibble in zip(latches, nibbles, strict=True):
                 self.latches[place] = int(nibble)

@@ -92,7 +92,7 @@ class Carrying:
     def tilt_left(self, hand: Link) -> float:
         """Radians by which a hand turned like that may turn further, at least."""
         now = max(-1.0, min(1.0, dot(apply_back(hand.turn, _DOWN), self._down)))
-        return math.acos(TILT) - math.acos(now)
+        return math.acos(TILT) - math.acos(now) - 1e-6
 
 
 def carry(body: Body, hand: Link) -> None:
