@@ -214,14 +214,15 @@ class MiniMover:
             if count - done >= SHORT:
                 self._pass(int(when[done]))
             if count - done >= SHORT and self._free:
-                ahead = slice(done, done + self._hand_ahead(where[done:]))
+                ahead = slice(done, done + self._hand_ahead(where[done:], stop))
                 ran = stride(self, when[ahead], where[ahead], what[ahead], stop)
-                if ran is None:
+                if ran is None and ahead.stop >= count:
                     some = slice(done, done + LONGEST)
                     ends = np.append(when[1:] != when[:-1], True)[some]
                     ran, ended = run_free(self, when[some], where[some], what[some], stop, ends)
                     if ended:
                         return done + ran
+                ran = ran or 0
                 done += ran
                 if done == count:
                     break
@@ -234,13 +235,23 @@ class MiniMover:
                 return done
         return done
 
-    def _hand_ahead(self, latches: npt.NDArray[np.int64]) -> int:
-        """Writes at the beginning of a burst up to which an empty hand cannot come to its end."""
-        cable, model = self.grip.cable, self.model
-        if self.grip.contact or cable <= 0 or latches[0] != HAND or (latches != HAND).any():
+    def _hand_ahead(self, latches: npt.NDArray[np.int64], stop: tuple[int, int] | None) -> int:
+        """Writes at the beginning of a burst up to which the hand alone cannot come to its end.
+
+        Its end is where it is shut or wide open, squeezes as hard as it can, or closes the switch.
+        """
+        grip, model = self.grip, self.model
+        if latches[0] != HAND or (latches != HAND).any():
             return len(latches)
-        most = model.hand.range * model.hand_steps - cable
-        return max(0, min(len(latches), int(min(most, cable)) - 2))
+        if grip.contact:
+            hand = model.hand
+            most = hand.most_squeeze if stop is None else hand.switch_steps
+            room = most - 1 - int(grip.squeeze)
+        elif grip.cable > 0:
+            room = min(int(model.hand.range * model.hand_steps) - grip.cable, grip.cable)
+        else:
+            return len(latches)
+        return max(0, min(len(latches), room - 2))
 
     @property
     def _free(self) -> bool:

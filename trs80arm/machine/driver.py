@@ -257,7 +257,8 @@ class Driver:
     def _pattern_array(self, train: Train) -> npt.NDArray[np.int64]:
         steps = np.arange(1, len(train) + 1) * train.direction
         # A ring is a power of two, and the last bits are quicker to have than a remainder.
-        return _PATTERNS[(steps + self._rows[train.motor]) & (RING - 1)]
+        patterns: npt.NDArray[np.int64] = _PATTERNS[(steps + self._rows[train.motor]) & (RING - 1)]
+        return patterns
 
     def _count(self, train: Train, steps: int) -> None:
         change = train.direction * steps
