@@ -133,3 +133,57 @@ def test_runs_in_pieces_and_from_snapshots_are_the_same(seed: int, pieces: list[
         fresh = Rig()
         fresh.restore(sliced.snapshot())
         sliced = fresh
+
+
+PEGS = """
+[arm]
+at = [8, 0, 0.6]
+opening = 1.5
+[[part]]
+at = [7.73, 0.95]
+turn = 124
+weight = 0.5
+shape = "pegs"
+size = [2, 1.5, 0.15]
+pegs = [[-0.5, 0], [0.5, 0.2]]
+peg_diameter = 0.25
+peg_height = 0.48
+"""
+
+
+def test_a_hand_that_presses_on_what_gives_way_is_the_same_in_one_run_and_in_slices() -> None:
+    whole, sliced = (Rig(bench=benchfile.parse(PEGS)) for _ in range(2))
+    for rig in (whole, sliced):
+        rig.load_text(
+            "10 @STEP 60,0,132,-36\n20 @STEP 100,0,0,0,0,0,-118\n30 @STEP 100,0,-132,36\n"
+        )
+        rig.type("RUN\r")
+    for _ in range(45):
+        whole.run_for(5 * FRAME)
+        for _ in range(5):
+            sliced.run_for(FRAME)
+    assert sliced.snapshot() == whole.snapshot()
+
+
+def test_what_comes_to_lie_on_one_finger_weighs_from_the_start_however_the_run_is_cut() -> None:
+    bench = """
+    [arm]
+    at = [8, 0, 0.6]
+    opening = 2.5
+    [[part]]
+    at = [8.1, -1.39]
+    bottom = 4
+    turn = 215
+    friction = 0.05
+    weight = 100
+    shape = "prism"
+    outline = [[-0.57, -0.34], [0.57, -0.34], [0, 0.34]]
+    height = 0.77
+    """
+    whole, sliced = (Rig(bench=benchfile.parse(bench)) for _ in range(2))
+    for rig in (whole, sliced):
+        rig.type("@STEP 100,0,0,0,0,0,-95\r")
+    whole.run_for(90 * FRAME)
+    for _ in range(90):
+        sliced.run_for(FRAME)
+    assert sliced.snapshot() == whole.snapshot()

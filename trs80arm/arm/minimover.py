@@ -257,10 +257,11 @@ class MiniMover:
     def _free(self) -> bool:
         """Whether every motor is in step and no more than its own weight and load bears on it.
 
-        Or what else does cannot change, as what it grips rests.
+        Or what else does cannot change, as what it grips rests; what still gives way strains the
+        hand's cable in ways of its own.
         """
         world = self._world
-        if not all(motor.settled for motor in self.motors):
+        if world.grip.strain or not all(motor.settled for motor in self.motors):
             return False
         return (world.free and not self._bears) or (world.gripped and self._pull is None)
 
