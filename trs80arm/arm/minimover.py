@@ -18,13 +18,14 @@ import numpy.typing as npt
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.body import Body
 from trs80arm.arm.burst import LONGEST, run_free
+from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.events import ArmEvent, EventKind, Happening, Reason
 from trs80arm.arm.forces import Burden, Strength, Vector, cosine, torques
 from trs80arm.arm.geometry import CableDrive, JointAngles, OutOfReach, forward, inverse, pose_of
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.limits import beyond_any_stop, beyond_stop, steps_to_stops
 from trs80arm.arm.model import Link, Motor, Pose
-from trs80arm.arm.motors import RING, ROWS, T_STATES_PER_SECOND, StepperMotor
+from trs80arm.arm.motors import RING, ROWS, StepperMotor
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.stride import stride
 from trs80arm.arm.world import World
@@ -45,11 +46,6 @@ STRONGEST = 1000.0
 
 GIVEN_WAY = 4
 """Half-steps by which a motor without current is turned in a tick, at most."""
-
-LULL = T_STATES_PER_SECOND // 2
-"""T-states after which what happens again is another event."""
-MANY = 256
-"""Happenings that are remembered, at least, to tell whether one goes on."""
 
 ELBOW, HAND, AUXILIARY = int(Motor.ELBOW), int(Motor.HAND), 6
 
@@ -105,8 +101,7 @@ class MiniMover:
         drive: the cables; it knows the pose in which the arm was switched on.
         motors: six, and the turntable's as the seventh.
         strength: what its motors can do, and what its own weight asks of them.
-        events: what happened, the latest `settings.events_kept` of it.
-        event_count: events so far, those dropped from the list included.
+        log: of what happened.
     """
 
     def __init__(self, settings: ArmSettings | None = None, bench: Bench | None = None) -> None:
@@ -117,9 +112,7 @@ class MiniMover:
         # The turntable's motor is of the base's kind.
         self._motor_kinds = (*(drive.turns for drive in self.model.drives), Motor.BASE)
         self._stops_off = 0
-        self.events: list[ArmEvent] = []
-        self.event_count = 0
-        self._happening: dict[Happening, int] = {}
+        self.log = EventLog(self.settings.events_kept)
         self._time = 0
         self._held_back: set[int] = set()
         self._pull: Vector | None = None
@@ -577,56 +570,8 @@ class MiniMover:
         *,
         goes_on: bool = False,
     ) -> int:
-        """Remember that something happens; however long it goes on it is one event.
-
-        Args:
-            happening: what it is.
-            motor: to which it happens.
-            force: ounces.
-            steps: lost by it, half-steps.
-            goes_on: whether it has not ended, however long ago it was last told of.
-
-        Returns:
-            The event's number.
-        """
-        number = self._happening.get(happening)
-        if number is not None and self.events and number >= self.events[0].number:
-            index = number - self.events[0].number
-            event = self.events[index]
-            if (goes_on and motor is not None) or self._time - event.until <= LULL:
-                event = replace(
-                    event,
-                    until=self._time,
-                    count=event.count + 1,
-                    steps=event.steps + steps,
-                    force=max(event.force, force),
-                )
-                text = happening.text(event.steps, event.force)
-                self.events[index] = replace(event, text=text)
-                return number
-        number = self.event_count
-        self._happening[happening] = number
-        self.events.append(
-            ArmEvent(
-                number,
-                self._time,
-                happening.kind,
-                motor,
-                steps,
-                happening.reason,
-                happening.text(steps, force),
-                until=self._time,
-                force=force,
-            )
-        )
-        self.event_count += 1
-        if len(self.events) > self.settings.events_kept:
-            del self.events[0]
-        if len(self._happening) > MANY:
-            self._happening = {
-                one: at for one, at in self._happening.items() if at >= self.events[0].number
-            }
-        return number
+        """Remember that something happens now; the event's number. Arguments as for the log."""
+        return self.log.tell(self._time, happening, motor, force, steps, goes_on=goes_on)
 
     # Looking at it
 
@@ -662,6 +607,16 @@ class MiniMover:
             grip.switch_closed,
             grip.part,
         )
+
+    @property
+    def events(self) -> list[ArmEvent]:
+        """What happened, the latest `settings.events_kept` of it."""
+        return self.log.events
+
+    @property
+    def event_count(self) -> int:
+        """Events so far, those dropped from the list included."""
+        return self.log.count
 
     @property
     def rotors(self) -> tuple[int, ...]:
