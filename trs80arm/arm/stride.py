@@ -113,16 +113,16 @@ def stride(
 
 def _trains(arm: MiniMover, latches: Array, nibbles: Array) -> list[_Train]:
     """The writes motor by motor; none where one of them is not a half-step of a motor."""
-    rows = _ROWS[nibbles & 15]
-    if int(rows.min()) < 0 or int(latches.min()) < 0 or int(latches.max()) > 5:
-        return []
+    rows = _ROWS.take(nibbles & 15)
     latches = latches.astype(np.int8)
+    if rows.min() < 0 or latches.min() < 0 or latches.max() > 5:
+        return []
     trains = []
     for latch, motor in enumerate(arm.motors[:6]):
-        places = np.flatnonzero(latches == latch)
+        places = (latches == latch).nonzero()[0]
         if not len(places):
             continue
-        mine = rows[places]
+        mine = rows.take(places)
         turns = np.empty_like(mine)
         np.subtract(mine[1:], mine[:-1], out=turns[1:])
         turns[0] = mine[0] - ((motor.field if motor.row >= 0 else motor.rotor) & 7)
@@ -290,7 +290,7 @@ def _in_time(
         else:
             against = strength.most(turns, burdens)
         period = strength.curves[turns].period(against, margin)
-        when = times[train.places]
+        when = times.take(train.places)
         if int(when[0]) < motor.done:
             return False
         if len(when) > 1 and int((when[1:] - when[:-1]).min()) < period:
@@ -323,9 +323,9 @@ def _on_ticks(
     """Positions of all rotors on some ticks, ticks x 6."""
     rotors = np.empty((len(ticks), 6), dtype=np.int64)
     rotors[:] = arm.rotors
-    before = np.searchsorted(times, ticks)
+    before = times.searchsorted(ticks)
     for train in trains:
-        done = np.searchsorted(train.places, before)
+        done = train.places.searchsorted(before)
         if train.way:
             rotors[:, train.latch] += train.way * done
         else:
@@ -345,7 +345,7 @@ def _arrive(arm: MiniMover, trains: list[_Train], times: Array, nibbles: Array) 
     tick = int(times[-1]) // TICK_STATES * TICK_STATES
     writes = np.array([*ends, int(np.searchsorted(times, tick))])
     for train in trains:
-        begun = np.searchsorted(train.places, writes)
+        begun = train.places.searchsorted(writes)
         for there, steps in zip(stood, begun.tolist(), strict=True):
             there[train.latch] += steps * train.way if train.way else int(train.turns[:steps].sum())
     for train, end, before in zip(trains, ends, stood, strict=False):
