@@ -115,7 +115,7 @@ def test_a_gripped_part_is_carried_and_set_down() -> None:
     generator.turn(5, 200, D50)
     generator.wait(0.5)
     assert arm.state().held is None
-    assert block.bottom == pytest.approx(0, abs=0.001)
+    assert block.bottom == pytest.approx(0, abs=1e-5)
     assert block.place[1] == pytest.approx(8 * 100 / 937.8, abs=0.03)
     assert kinds(arm)[-1] is EventKind.PLACED
     assert arm.state().slipped == (0,) * 6
@@ -128,7 +128,7 @@ def test_a_part_let_go_in_the_air_falls() -> None:
     generator.step((0, -264, 72), delay_period(100))
     generator.turn(5, 200, D50)
     generator.wait(1.0)
-    assert arm.bench.parts["block"].bottom == pytest.approx(0, abs=0.001)
+    assert arm.bench.parts["block"].bottom == pytest.approx(0, abs=1e-5)
     assert EventKind.DROPPED in kinds(arm)
 
 
@@ -139,7 +139,7 @@ def test_a_part_gripped_too_lightly_is_not_lifted() -> None:
     generator.close(D50)
     assert arm.state().held is None
     generator.step((0, -132, 36), delay_period(100))
-    assert arm.bench.parts["block"].bottom == pytest.approx(0, abs=0.001)
+    assert arm.bench.parts["block"].bottom == pytest.approx(0, abs=1e-5)
     assert arm.state().slipped == (0,) * 6
 
 
@@ -158,7 +158,7 @@ def test_a_part_slips_out_as_the_grip_slackens() -> None:
     generator.turn(5, 22, EASY)
     generator.wait(1.0)
     assert arm.state().held is None
-    assert arm.bench.parts["block"].bottom == pytest.approx(0, abs=0.001)
+    assert arm.bench.parts["block"].bottom == pytest.approx(0, abs=1e-5)
 
 
 def test_elbow_motion_without_compensation_drops_the_part() -> None:

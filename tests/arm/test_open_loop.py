@@ -151,12 +151,12 @@ def test_a_tower_of_four_blocks_is_built_and_taken_down() -> None:
     build(generator)
     parts = arm.bench.parts
     heights = [parts[f"block {k + 1}"].bottom for k in range(4)]
-    assert heights == pytest.approx([0, 1, 2, 3], abs=0.001)
+    assert heights == pytest.approx([0, 1, 2, 3], abs=1e-4)
     assert arm.state().slipped == (0,) * 6
     for k in (3, 2, 1, 0):
         carry(generator, (6.5, 4.0, k + 0.6), (9.0, -4.5 + 2.25 * k, 0.62))
     heights = [parts[f"block {k + 1}"].bottom for k in range(4)]
-    assert heights == pytest.approx([0, 0, 0, 0], abs=0.001)
+    assert heights == pytest.approx([0, 0, 0, 0], abs=1e-4)
     assert arm.state().slipped == (0,) * 6
 
 
