@@ -86,13 +86,11 @@ def stride(
         low[train.latch], high[train.latch] = train.low, train.high
     pays = ((Motor.HAND, 1), (Motor.ELBOW, arm.model.elbow_pays_out))
     gears = [(one, arm.model.drives[arm.model.latch(one)].sign) for one in _GEARS]
-    against = [(one, sign * side) for (one, sign), side in zip(gears, (1, -1), strict=True)]
     paid = _together(arm, trains, dict(pays), times)
     pitched = _together(arm, trains, dict(gears), times)
-    rolled = _together(arm, trains, dict(against), times)
     if not (
         _hand_stays(arm, paid, stop)
-        and _load_stays(arm, trains, dict(pays), times, pitched, rolled)
+        and _load_stays(arm, trains, dict(pays), times, pitched)
         and _within_stops(arm, low, high, pitched)
         and _in_time(arm, trains, times, low, high, paid[0])
     ):
@@ -166,7 +164,6 @@ def _load_stays(
     pays: dict[Motor, int],
     times: Array,
     pitched: tuple[int, int],
-    rolled: tuple[int, int],
 ) -> bool:
     """Whether what rests in the hand goes on doing so: neither squeezed nor tilted otherwise."""
     world = arm.world
@@ -180,6 +177,11 @@ def _load_stays(
     low, high = world.held_cables()
     if not (world.burdens() and low <= now + least and now + most <= high):
         return False
+    against = {
+        one: arm.model.drives[arm.model.latch(one)].sign * side
+        for one, side in zip(_GEARS, (1, -1), strict=True)
+    }
+    rolled = _together(arm, trains, against, times)
     per_radian = 2 * arm.model.drives[arm.model.latch(Motor.LEFT_WRIST)].steps
     *_, left, right = arm.drive.driven(arm.rotors)
     level = abs(math.cos((left + right) / 2))
