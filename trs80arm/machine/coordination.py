@@ -87,6 +87,8 @@ class Train:
     def tick_array(self) -> npt.NDArray[np.int64]:
         """The same, for long trains."""
         steps = np.arange(self.begin, self.end, dtype=np.int64)
+        if self.over == self.under:
+            return self.offset + steps
         return self.offset + steps * self.over // self.under
 
 

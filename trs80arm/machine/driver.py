@@ -257,8 +257,7 @@ class Driver:
     def _pattern_array(self, train: Train) -> npt.NDArray[np.int64]:
         steps = np.arange(1, len(train) + 1) * train.direction
         # A ring is a power of two, and the last bits are quicker to have than a remainder.
-        patterns: npt.NDArray[np.int64] = _PATTERNS[(steps + self._rows[train.motor]) & (RING - 1)]
-        return patterns
+        return _PATTERNS.take((steps + self._rows[train.motor]) & (RING - 1))
 
     def _count(self, train: Train, steps: int) -> None:
         change = train.direction * steps
