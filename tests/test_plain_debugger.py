@@ -93,6 +93,11 @@ def test_states_are_kept_listed_taken_and_dropped() -> None:
     assert "A = 9" in said.partition("no state")[2]
 
 
+def test_manual_mode_ends_at_a_breakpoint_whatever_else_is_held() -> None:
+    said = talk("10 @SET", "20 A=1", "30 GOTO 30", ".break 20", "RUN", "1:0.3 0 6:1")
+    assert "Breakpoint before 20" in said
+
+
 def test_a_line_is_not_typed_while_the_machine_stands() -> None:
     said = talk("10 A=1", "20 GOTO 20", ".break 20", "RUN", "PRINT 6*7")
     assert "The machine stands" in said

@@ -460,6 +460,22 @@ def test_an_answer_is_given_again_on_the_way_forward() -> None:
     assert desk.session.rig.snapshot() == there
 
 
+def test_manual_mode_is_driven_again_on_the_way_forward() -> None:
+    desk = stopped("10 @SET\n20 B=1\n30 GOTO 30\n", 10)
+    desk.debugger.into()
+    desk.session.rig.hold(["1"], 0.5)
+    desk.pass_time(1)
+    desk.session.rig.type("0")
+    desk.pass_time(1)
+    there = desk.session.rig.snapshot()
+    assert desk.session.rig.registers[0] > 0
+    assert desk.debugger.back()
+    assert desk.session.rig.registers[0] == 0
+    desk.debugger.into()
+    assert desk.line == 20
+    assert desk.session.rig.snapshot() == there
+
+
 def test_who_does_something_else_in_the_past_makes_another_future() -> None:
     desk = stopped("10 INPUT A\n20 B=A*2\n30 GOTO 30\n", 10)
     desk.debugger.into()

@@ -189,6 +189,17 @@ async def test_an_error_brings_the_debugger_to_the_statement(sit_down: Opener) -
 
 
 @piloted
+async def test_a_click_sets_a_breakpoint_and_takes_it_off(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await stopped_at(sitting, "10 A=1\n20 B=2\n30 END\n", 10)
+        listing = debugger(sitting).query_one("#listing", OptionList)
+        for breakpoints in ([10, 20], [10]):
+            await sitting.pilot.click(listing, offset=(8, 1))
+            await sitting.settle()
+            assert list(sitting.app.debugger.breakpoints) == breakpoints
+
+
+@piloted
 async def test_closed_it_stands_and_goes_on_with_f6(sit_down: Opener) -> None:
     async with sit_down() as sitting:
         await stopped_at(sitting, "10 A=1\n20 GOTO 20\n", 20)

@@ -130,8 +130,9 @@ class Session:
 
     @property
     def waiting(self) -> Waiting:
-        """What the machine waits for."""
-        return Waiting.NOTHING if self.playing else self.rig.waiting
+        """What the machine waits for: nothing while what was done is being done again."""
+        again = self.playing or self.timeline.behind
+        return Waiting.NOTHING if again else self.rig.waiting
 
     @property
     def typing(self) -> bool:

@@ -270,10 +270,12 @@ class PlainMode:
         except ScriptError as error:
             self._tell(error)
             return
-        rig = self.session.rig
+        session = self.session
         for hold in holds:
-            rig.hold(hold.keys, hold.seconds)
-            rig.run_for(hold.seconds + SLICE)
+            if session.halted:
+                break
+            session.rig.hold(hold.keys, hold.seconds)
+            session.run_for(hold.seconds + SLICE)
         self._tell_happenings()
         show_registers(self._sitting, "")
 

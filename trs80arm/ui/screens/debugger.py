@@ -382,6 +382,10 @@ on standing.
         else:
             self.action_breakpoint()
 
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        """A row was clicked: what Enter does there."""
+        self.action_change()
+
     def action_let(self) -> None:
         """Ask for an assignment."""
         self._ask_change("")
