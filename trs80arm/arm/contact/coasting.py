@@ -218,7 +218,7 @@ def apart(
         for a in one.solids:
             for b in other.solids:
                 if a.near(b, speed * most) and boxes_apart(a, b) < speed * most:
-                    most = min(most, distance(a, b) / speed)
+                    most = min(most, distance(a, b, speed * most) / speed)
     return most
 
 

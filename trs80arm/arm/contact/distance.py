@@ -17,9 +17,15 @@ CLOSE_ENOUGH = 1e-7
 _MOST_ROUNDS = 40
 
 
-def distance(a: Placed, b: Placed) -> float:
-    """Inches between two solids; 0 where they touch or overlap."""
-    return _least(a.vertices, b.vertices)[0]
+def distance(a: Placed, b: Placed, enough: float = math.inf) -> float:
+    """Inches between two solids; 0 where they touch or overlap.
+
+    Args:
+        a: the first.
+        b: the second.
+        enough: if they are farther apart than so many inches, it need not be known by how much.
+    """
+    return _least(a.vertices, b.vertices, enough)[0]
 
 
 def separation(a: Sequence[Vector], b: Sequence[Vector]) -> tuple[float, Vector]:
@@ -51,7 +57,9 @@ def boxes_apart(a: Placed, b: Placed) -> float:
     return math.sqrt(total)
 
 
-def _least(ours: Sequence[Vector], theirs: Sequence[Vector]) -> tuple[float, Vector]:
+def _least(
+    ours: Sequence[Vector], theirs: Sequence[Vector], enough: float = math.inf
+) -> tuple[float, Vector]:
     """Distance of the origin from all differences of two sets of corners and what is between.
 
     And the way along which they are that far from it.
@@ -67,7 +75,7 @@ def _least(ours: Sequence[Vector], theirs: Sequence[Vector]) -> tuple[float, Vec
         out = dot(nearest, corner) / length
         if out > bound:
             bound, way = out, (nearest[0] / length, nearest[1] / length, nearest[2] / length)
-        if length - bound <= CLOSE_ENOUGH or corner in simplex:
+        if bound >= enough or length - bound <= CLOSE_ENOUGH or corner in simplex:
             break
         simplex.append(corner)
         nearest, simplex = _nearest(simplex)

@@ -10,10 +10,13 @@ from trs80arm.arm.contact.bodies import Body, Fixed
 from trs80arm.arm.contact.bounds import box_around
 from trs80arm.arm.contact.coasting import MOST_STEPS, Coast, Mover, apart, even, join, pace
 from trs80arm.arm.contact.driven import DrivenArm
+from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.solver import Contact, Mobile, Problem, total
 from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.shapes import cross, dot, plus
+
+_STILL: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @dataclass(slots=True)
@@ -46,8 +49,10 @@ class Prospect:
 
     def coast(self) -> Coast | None:
         """How all goes on as in this step, if it does."""
-        h, mobiles, awake = self.seconds, self.mobiles, self.awake
-        if all(body.still for body in awake) or any(body.asleep for body in awake):
+        h, mobiles = self.seconds, self.mobiles
+        # Some may have come to rest in the step.
+        awake = [body for body in self.awake if not body.asleep]
+        if all(body.still for body in awake):
             return None
         levers = [1.0] * 6
         if self.arm.linkage is not None:
@@ -64,14 +69,16 @@ class Prospect:
                 return None
         if not all(problem.settled for problem in self.problems):
             return None
-        links, bodies = self._movers()
+        links, bodies = self._movers(awake)
         join(links, bodies, touching := {contact.key[:2] for contact in self.contacts})
         moves = [body.move(body.name in driven) for body in bodies]
-        speeds = {id(mobiles[move.name]): (*move.velocity, *move.spin) for move in moves}
+        speeds: dict[int, Six] = dict.fromkeys(map(id, mobiles.values()), _STILL)
+        for move in moves:
+            speeds[id(mobiles[move.name])] = (*move.velocity, *move.spin)
         if self.arm_mobile is not None:
             a, b, c, d, e, f = self.arm.way
             speeds[id(self.arm_mobile)] = (a, b, c, d, e, f)
-        spans = {id(mobiles[body.name]): 2 * body.shape.radius for body in awake}
+        spans = {id(mobiles[body.name]): 2 * body.shape.radius for body in self.awake}
         lasting = MOST_STEPS * h
         for problem in self.problems:
             lasting = min(lasting, problem.lasting(speeds, spans, {TABLE}))
@@ -83,7 +90,7 @@ class Prospect:
         course = [rate * h for rate in self.arm.way]
         return Coast(course, list(self.arm.commands), levers, self.arm.gives, moves, lasting / h)
 
-    def _movers(self) -> tuple[list[Mover], list[Mover]]:
+    def _movers(self, awake: Sequence[Body]) -> tuple[list[Mover], list[Mover]]:
         """The arm's links and what is awake, as they went in the last step."""
         links = []
         for name, link, solid in zip(self.arm.names, self.arm.links, self.arm.solids, strict=True):
@@ -93,7 +100,7 @@ class Prospect:
             links.append(Mover(name, [solid], middle, radius, velocity, spin))
         return links, [
             Mover(body.name, body.placed, body.place, body.shape.radius, body.velocity, body.spin)
-            for body in self.awake
+            for body in awake
         ]
 
     def _apart(

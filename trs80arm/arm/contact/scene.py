@@ -23,7 +23,7 @@ from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.meeting import TOUCH, Meeting, islands, presses
 from trs80arm.arm.contact.memory import Memory
 from trs80arm.arm.contact.prospect import Prospect
-from trs80arm.arm.contact.rest import CALM_TICKS, calm, groups, leaning
+from trs80arm.arm.contact.rest import CALM_TICKS, Group, calm, groups, leaning
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.rotations import spun, turned
 from trs80arm.arm.contact.solver import Contact, Mobile, Problem
@@ -522,15 +522,21 @@ class Scene:
         arm = self.driven
         links = set(arm.names)
         lean = leaning(contacts)
+        seen: list[tuple[Group, bool, bool, list[int]]] = []
         for group in groups(awake, self.bodies, lean):
             held = bool(group.outside & links)
             loose = not group.outside - links
             hand = None
             if held and loose and arm.linkage is not None:
                 hand = before[arm.linkage.hand], arm.hand
-            for each in group.members:
-                counts = calm(each, hand, self._seconds)
-                each.still = each.still + counts * self._stride if counts else 0
+            counts = [calm(each, hand, self._seconds) for each in group.members]
+            seen.append((group, held, loose, counts))
+        # What something that moves has woken it may be about to touch.
+        alone = all(all(counts) for *_, counts in seen)
+        for group, held, loose, counts in seen:
+            for each, count in zip(group.members, counts, strict=True):
+                ticks = self._stride * (count if alone else 1)
+                each.still = each.still + ticks if count else 0
             if any(each.still < CALM_TICKS for each in group.members) or not group.outside:
                 continue
             gripped = group.outside.issuperset(arm.fingers) and arm.standing > 0

@@ -62,6 +62,7 @@ TILT = 0.015
 """Inches by which one end of it may come closer than the other."""
 
 _SLOWEST = 1e-9
+_ENDLESS = 1e9
 _EASIEST = 1e-9
 _CREEPING = CREEP * CREEP
 _SLOW = (20 * CREEP) ** 2
@@ -313,6 +314,12 @@ class _Patch:
             u, v, w, p, q, r = speeds[self.one]
             u, v, w = u + q * z - r * y, v + r * x - p * z, w + p * y - q * x
         return a - u, b - v, c - w, d - p, e - q, f - r
+
+    def fastest(self, relative: Six) -> float:
+        """A bound on the speed of each contact, inches a second."""
+        vx, vy, vz, wx, wy, wz = relative
+        turning = math.sqrt(wx * wx + wy * wy + wz * wz) * self._spread
+        return math.sqrt(vx * vx + vy * vy + vz * vz) + turning
 
     def openings(self, relative: Six) -> list[float]:
         """Speed at which each contact opens, inches a second."""
@@ -587,17 +594,19 @@ class Problem:
             endless: names of things that are the same wherever they are touched.
         """
         going = [speeds[id(mobile)] for mobile in self.mobiles]
-        lasting = math.inf
+        lasting = _ENDLESS
         tilting = 0.0
         for patch in self._patches:
             contact, relative = patch.contact, patch.relative(going)
             for (_, gap), pressure, opening in zip(
                 contact.points, contact.pressures, patch.openings(relative), strict=True
             ):
-                if pressure > 0 or opening < 0:
-                    room = DRIFT if pressure > 0 else max(gap, 0.0) + DRIFT
-                    lasting = min(lasting, room / max(abs(opening), _SLOWEST))
-            if contact.key[0] not in endless:
+                if pressure > 0:
+                    if abs(opening) * lasting > DRIFT:
+                        lasting = DRIFT / abs(opening)
+                elif -opening * lasting > (room := max(gap, 0.0) + DRIFT):
+                    lasting = room / -opening
+            if contact.key[0] not in endless and patch.fastest(relative) * lasting > SHIFT:
                 shift = max(patch.sliding(relative))
                 lasting = min(lasting, SHIFT / max(shift, _SLOWEST))
             a, b, c = cross(relative[3:], patch.normal)
