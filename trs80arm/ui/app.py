@@ -68,7 +68,7 @@ from trs80arm.ui.panels.registry import PANELS, PanelRow
 from trs80arm.ui.panels.status import Pace
 from trs80arm.ui.screens.debugger import DebuggerScreen
 from trs80arm.ui.screens.desk import DeskScreen, Typed
-from trs80arm.ui.screens.key_test import KeyTest
+from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.palette import PaletteScreen
 from trs80arm.ui.terminal.driver import choose_driver
 from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
@@ -456,7 +456,7 @@ class Trs80Arm(Themed[int]):
     def on_key_went_down(self, message: KeyWentDown) -> None:
         """A key of a terminal that tells presses from releases."""
         self.heartbeat.wake()
-        if isinstance(self.screen, KeyTest):
+        if isinstance(self.screen, Dialog):
             self.screen.went_down(message.base, message.name, message.text)
         if self.at_the_keyboard and not self.stage.operator_came():
             self.tour.decline()
@@ -467,7 +467,7 @@ class Trs80Arm(Themed[int]):
     def on_key_went_up(self, message: KeyWentUp) -> None:
         """The same let go."""
         self.heartbeat.wake()
-        if isinstance(self.screen, KeyTest):
+        if isinstance(self.screen, Dialog):
             self.screen.went_up(message.base)
         self.keyboard.went_up(message.base)
 

@@ -6,7 +6,6 @@ from trs80arm.desk.asking import Say
 from trs80arm.options import KeyMode
 from trs80arm.ui.asking import Screens
 from trs80arm.ui.keys.keyboard import Keyboard
-from trs80arm.ui.screens.key_test import KeyTest
 
 
 class KeyCommands:
@@ -40,5 +39,7 @@ class KeyCommands:
 
     def test(self) -> None:
         """What the terminal tells."""
+        from trs80arm.ui.screens.key_test import KeyTest
+
         keyboard = self._keyboard
         self._screens.open(KeyTest(keyboard.in_use, reports=keyboard.reports_releases))

@@ -51,6 +51,18 @@ class Dialog(ModalScreen[Answer | None], SeenThrough, Generic[Answer]):
         """Leave without an answer."""
         self.dismiss(None)
 
+    def went_down(self, base: str, name: str, text: str | None) -> None:
+        """A key went down, where the terminal tells so; for who looks at keys themselves.
+
+        Args:
+            base: tells the key from all others.
+            name: as Textual calls it.
+            text: what it types.
+        """
+
+    def went_up(self, base: str) -> None:
+        """The same key was let go."""
+
 
 class Choose(Dialog[str]):
     """Asks for one of a list.
