@@ -2,12 +2,16 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from textual.app import ComposeResult
 from textual.geometry import Region
 
 from tests.drawing import samples
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from trs80arm.drawing.readings import Readings
+from trs80arm.drawing.rows import Ink, Row
+from trs80arm.ui.panels.panel import Panel
 from trs80arm.ui.panels.registers import RegistersPanel
 from trs80arm.ui.themes import Themed
 
@@ -46,6 +50,42 @@ async def test_only_lines_that_differ_are_drawn_again() -> None:
         assert desk.panel.asked == [(Region(0, 3, 40, 1),)]
         await pilot.pause()
         assert "J3 elbow            7      7" in screen_text(desk)
+
+
+@piloted
+async def test_however_many_lines_differ_the_others_stand() -> None:
+    desk = Desk()
+    async with desk.run_test(size=(60, 12)) as pilot:
+        desk.panel.show(samples.readings())
+        await pilot.pause()
+        desk.panel.asked.clear()
+        moved = (7, 7, 7, 7, 7, 7)
+        desk.panel.show(samples.readings(registers=moved, joints=moved))
+        assert desk.panel.asked == [tuple(Region(0, y, 40, 1) for y in range(1, 7))]
+
+
+class Saying(Panel):
+    """A panel with a word from outside."""
+
+    def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
+        return [(("A\x1b[2JB\x9b", Ink.STRONG),)]
+
+
+@pytest.mark.parametrize("theme", ["green", "textual-ansi"])
+@piloted
+async def test_no_control_codes_leave_a_panel(theme: str) -> None:
+    class Outside(Themed[None]):
+        def compose(self) -> ComposeResult:
+            yield Saying()
+
+    desk = Outside()
+    desk.theme = theme if theme in desk.available_themes else "textual-dark"
+    async with desk.run_test(size=(60, 12)) as pilot:
+        panel = desk.query_one(Saying)
+        panel.show(samples.readings())
+        await pilot.pause()
+        line = panel.render_lines(Region(0, 0, 60, 1))[0]
+        assert line.text.rstrip() == "A[2JB"
 
 
 @piloted

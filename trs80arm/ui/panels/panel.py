@@ -7,11 +7,14 @@ and no clock.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rich.color import Color
 from rich.color_triplet import ColorTriplet
 from rich.segment import Segment
 from rich.style import Style
 from textual.events import Resize
+from textual.filter import ANSIToTruecolor, LineFilter
 from textual.geometry import Region
 from textual.strip import Strip
 
@@ -19,6 +22,7 @@ from trs80arm.drawing.pixels import Colours
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import DARKEST, LEVELS, Ink, Paint, Row, fitted
 from trs80arm.ui.terminal.components import LateComponents
+from trs80arm.ui.terminal.no_codes import NoControlCodes, printable
 
 _BLANK: Row = ()
 _LIGHT = 3 * 128
@@ -82,6 +86,7 @@ class Panel(LateComponents, can_focus=False):
         self._rows: list[Row] = []
         self._strips: dict[Row, Strip] = {}
         self._known_styles: dict[Ink | Paint, Style] = {}
+        self._true_colours: bool | None = None
 
     def show(self, readings: Readings) -> None:
         """Show these readings."""
@@ -104,9 +109,7 @@ class Panel(LateComponents, can_focus=False):
             self.refresh()
             return
         changed = [y for y in range(height) if rows[y] != old[y]]
-        if 2 * len(changed) > height:
-            self.refresh()
-        elif changed:
+        if changed:
             self.refresh(*(Region(0, y, width, 1) for y in changed))
 
     def on_resize(self, event: Resize) -> None:
@@ -119,6 +122,7 @@ class Panel(LateComponents, can_focus=False):
         """The theme changed: the colours of all strips are void."""
         self._strips.clear()
         self._known_styles.clear()
+        self._true_colours = None
         super().notify_style_update()
 
     def render_line(self, y: int) -> Strip:
@@ -131,9 +135,16 @@ class Panel(LateComponents, can_focus=False):
         if strip is None:
             if len(self._strips) > 4 * len(self._rows):
                 self._strips.clear()
-            strip = Strip([Segment(text, self._style(ink)) for text, ink in row], width)
+            strip = Strip([Segment(printable(text), self._style(ink)) for text, ink in row], width)
             self._strips[row] = strip
         return strip
+
+    def get_line_filters(self) -> Sequence[LineFilter]:
+        """The program's filters, but for those that would change nothing in lines made here."""
+        if self._true_colours is None:
+            self._true_colours = self.colours is not None
+        idle = (NoControlCodes, ANSIToTruecolor) if self._true_colours else NoControlCodes
+        return [one for one in super().get_line_filters() if not isinstance(one, idle)]
 
     @property
     def colours(self) -> Colours | None:

@@ -19,10 +19,11 @@ class NoControlCodes(LineFilter):
         return [
             segment
             if segment.control or segment.text.isprintable()
-            else Segment(_printable(segment.text), segment.style)
+            else Segment(printable(segment.text), segment.style)
             for segment in segments
         ]
 
 
-def _printable(text: str) -> str:
-    return "".join(sign for sign in text if sign.isprintable())
+def printable(text: str) -> str:
+    """Text without what a terminal would obey."""
+    return text if text.isprintable() else "".join(sign for sign in text if sign.isprintable())
