@@ -108,3 +108,31 @@ async def test_what_is_begun_by_a_command_is_something(command: str, sit_down: O
         assert not sitting.app.busy
         getattr(sitting.app.commands.machine, command)()
         assert sitting.app.busy
+
+
+@piloted
+async def test_snapshots_for_the_debugger_are_the_fewer_the_longer_they_take(
+    sit_down: Opener, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with sit_down() as sitting:
+        app = sitting.app
+        await sitting.type_line("10 GOTO 10")
+        app.session.rig.type("RUN\r")
+        await sitting.pass_time(1)
+        spent, marks = [0.0], []
+
+        def mark() -> None:
+            spent.append(spent[-1] + cost)
+            marks.append(app.wall())
+
+        monkeypatch.setattr(app.session.timeline, "mark", mark)
+        monkeypatch.setattr("trs80arm.ui.app.time.thread_time", lambda: spent[-1])
+        counts = []
+        for each in (0.0, 0.02):
+            cost = each
+            marks.clear()
+            for _ in range(20):
+                sitting.wall.now += 1
+                app._mark()
+            counts.append(len(marks))
+        assert counts == [20, 5]

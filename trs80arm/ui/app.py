@@ -80,7 +80,9 @@ OFFER = (
     "Or just type: later Ctrl+N, or `trs80arm tour`, begins it as well.",
 )
 MARK_EVERY = 1.0
-"""Seconds of the wall between two snapshots to which the debugger can go back, while it works."""
+"""Seconds of the wall between two snapshots to which the debugger can go back, at least."""
+MARKS_SHARE = 0.005
+"""The share of the processor's time that these may take: else they are fewer."""
 COPY_EVERY = 5.0
 """Seconds of the wall between two looks at whether a recovery copy is due."""
 BEHIND_FPS = 5
@@ -143,6 +145,7 @@ class Trs80Arm(Themed[int]):
         self._notice = ""
         self._notice_until = 0.0
         self._next_frame = 0.0
+        self._next_mark = 0.0
         self._remembered_theme = options.theme
         self._trying_themes = False
         self.pacer = Pacer(session, wall, options.speed.factor, lambda: session.hurried)
@@ -358,8 +361,10 @@ class Trs80Arm(Themed[int]):
 
     def _mark(self) -> None:
         """Keep a snapshot to which the debugger can go back, while the machine works."""
-        if self.session.busy and not self.pacer.paused:
+        if self.session.busy and not self.pacer.paused and self.wall() >= self._next_mark:
+            began = time.thread_time()
             self.session.timeline.mark()
+            self._next_mark = self.wall() + (time.thread_time() - began) / MARKS_SHARE
 
     async def on_event(self, event: events.Event) -> None:
         """Whatever the terminal sends wakes the program."""
