@@ -6,9 +6,11 @@ import io
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
 from tests.own_places import PROGRAMS, own_places
 from tests.test_plain import Opened, opened, talk
+from trs80arm.cli import cli
 from trs80arm.desk.places import state_folder
 from trs80arm.desk.session import Session
 from trs80arm.desk.tour import STEPS
@@ -234,3 +236,11 @@ def test_the_command_line_begins_the_tour(opened: Opened) -> None:
     assert code == 0
     assert "Tour 1/13" in out
     assert "Tour 2/13" in out
+
+
+@pytest.mark.parametrize("words", [["--plain", "tour"], ["tour", "--plain"]])
+def test_the_tour_in_lines_is_begun_from_the_shell(words: list[str]) -> None:
+    done = CliRunner().invoke(cli, [*words, "--speed", "max"], input="@SET\n0\n")
+    assert done.exit_code == 0
+    assert "Tour 1/13" in done.output
+    assert "Tour 2/13" in done.output
