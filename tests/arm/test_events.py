@@ -123,3 +123,20 @@ def test_dominoes_are_a_line_each() -> None:
         for k in range(4)
     )
     assert story(bench, "@STEP 100,150") == [f"domino {k} fell over" for k in range(4)]
+
+
+def test_an_elbow_that_cannot_lift_its_load_is_a_handful_of_lines() -> None:
+    lead = """
+    [arm]
+    at = [12, 0, 0.5]
+    opening = 1
+    [[part]]
+    name = "lead"
+    at = [12, 0]
+    size = [0.5, 0.5, 1]
+    weight = 30
+    """
+    told = story(lead, "@CLOSE 60", "@STEP 100,0,0,0,0,0,-140", "@STEP 100,0,0,300")
+    assert told[0] == "lead in the hand"
+    assert any(line.startswith("elbow slipped") and "too much load" in line for line in told)
+    assert len(told) <= 4
