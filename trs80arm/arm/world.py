@@ -35,6 +35,7 @@ from trs80arm.arm.telling import Telling
 
 Six = tuple[float, float, float, float, float, float]
 NONE: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+_NO_WAY = (0.0,) * 6
 GIVEN = 30
 """Ticks after which an arm that presses and stands has given all that it gives."""
 TURNED_FAST = 0.01
@@ -219,7 +220,7 @@ class World:
         return [*commands[:5], driven.joints[5] if self._loaded else commands[5]]
 
     def _surely_clear(
-        self, joints: Sequence[float], gone: Sequence[float] = (0.0,) * 6, pitched: float = 0.0
+        self, joints: Sequence[float], gone: Sequence[float] = _NO_WAY, pitched: float = 0.0
     ) -> bool:
         """Whether there must be room about somewhere, by the room there was where it was measured.
 
@@ -231,7 +232,7 @@ class World:
             gone: how far each coordinate goes on from there at most.
             pitched: how far both gears do together.
         """
-        ways = self.around.ways(gone)
+        ways = self.around.ways(gone) if any(gone) else _NO_WAY
         base, left, right = Motor.BASE, Motor.LEFT_WRIST, Motor.RIGHT_WRIST
         on = sum(ways)
         if self._looked is not None and self._looked[1].enough:

@@ -245,6 +245,8 @@ class Scene:
     @property
     def carried(self) -> list[Body]:
         """What rests in the hand."""
+        if not self._roster.carried:
+            return []
         return self._roster.ordered(self._roster.carried.values())
 
     def sleepers(self, low: Vector, high: Vector) -> list[Body]:
