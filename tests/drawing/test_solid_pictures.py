@@ -177,6 +177,13 @@ def test_a_closer_look_in_space_follows_the_hand() -> None:
         assert Ink.HAND in inks(rows)
 
 
+def test_dots_in_a_shadow_of_dots_have_no_ground() -> None:
+    stands = samples.posture(30.9, 31.4, -74.5, -90, 70, 0.5)
+    rows = picture(IN_SPACE, ArmStyle.BRAILLE).draw(samples.readings(stands), 100, 28)
+    assert Ink.SHADOW in inks(rows)
+    assert not [ink for row in rows for _, ink in row if isinstance(ink, Paint) and ink.under]
+
+
 @pytest.mark.parametrize("grain", [HALVES.samples, SEXTANTS.samples])
 @pytest.mark.parametrize("finger", [LEFT_FINGER, RIGHT_FINGER])
 def test_no_finger_has_gaps_between_the_samples(grain: tuple[int, int], finger: int) -> None:

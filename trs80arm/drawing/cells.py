@@ -120,7 +120,9 @@ class Cells:
 
     def _clear(self, rows: Ints, columns: Ints) -> None:
         """Let what cells show be behind a character that is put there."""
-        bare = (self.under[rows, columns] == NO_INK) & (self.glyphs[rows, columns] >= FULL_BLOCK)
+        glyphs = self.glyphs[rows, columns]
+        blocks = (glyphs >= FULL_BLOCK) & ((glyphs < DOTS.start) | (glyphs >= DOTS.stop))
+        bare = (self.under[rows, columns] == NO_INK) & blocks
         rows, columns = rows[bare], columns[bare]
         self.under[rows, columns] = self.ink[rows, columns]
         self.under_level[rows, columns] = self.level[rows, columns]
@@ -156,6 +158,8 @@ class Cells:
 
 FULL_BLOCK = 0x2580
 """The first code point of the blocks, which leave no ground to write on."""
+DOTS = range(0x2800, 0x2900)
+"""The code points of braille, which leave nearly all of it."""
 PLAINLY = LEVELS
 """The level of what is written plainly, in an ink that has no shades."""
 _STEPS = LEVELS + 1
