@@ -19,7 +19,7 @@ from trs80arm.film.cast import cast
 from trs80arm.film.frames import Film, Look
 from trs80arm.film.gif import gif
 from trs80arm.film.svg import svg
-from trs80arm.options import TerminalOptions
+from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.ui.filming import FilmError, Shooting, make_film
 
 __all__ = ["own_places"]
@@ -130,6 +130,17 @@ def test_a_run_is_filmed_with_its_answers_until_it_has_ended(tmp_path: Path, pro
     again = tmp_path / "again.cast"
     make_film(options, Shooting(80, 24, fps=4, speed=2, seconds=30, inputs=("7",)), again)
     assert again.read_bytes() == target.read_bytes()
+
+
+@pytest.mark.usefixtures("own_places")
+def test_who_has_pixels_is_filmed_in_half_blocks(tmp_path: Path, program: Path) -> None:
+    films = []
+    for style in (ArmStyle.PIXELS, ArmStyle.HALF):
+        target = tmp_path / f"{style}.cast"
+        options = TerminalOptions(program=program, arm=style)
+        make_film(options, Shooting(80, 24, fps=1, seconds=0.5), target)
+        films.append(target.read_bytes())
+    assert films[0] == films[1]
 
 
 @pytest.mark.usefixtures("own_places")

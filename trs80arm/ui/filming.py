@@ -25,7 +25,7 @@ from trs80arm.film.frames import Film, Line, Look
 from trs80arm.film.gif import GifError, gif
 from trs80arm.film.svg import svg
 from trs80arm.operator import Operator, ScriptError, parse_holds
-from trs80arm.options import Speed, TerminalOptions
+from trs80arm.options import ArmStyle, Speed, TerminalOptions
 from trs80arm.reasons import one_line
 from trs80arm.saving import write_whole
 from trs80arm.ui import layout
@@ -112,7 +112,9 @@ def make_film(options: TerminalOptions, shooting: Shooting, path: Path) -> None:
         raise FilmError("--font is for a GIF")
     try:
         sets = [parse_holds(holds) for holds in shooting.sets]
-        chosen = replace(options, speed=Speed.ONE, settings_file=None)
+        # A film is made of characters.
+        arm = ArmStyle.HALF if options.arm is ArmStyle.PIXELS else options.arm
+        chosen = replace(options, speed=Speed.ONE, arm=arm, settings_file=None)
         session = open_session(chosen)
     except (*UNUSABLE, ScriptError) as error:
         raise FilmError(one_line(error)) from None
