@@ -240,6 +240,7 @@ def test_the_terminal_is_asked_and_not_waited_for(answers: dict[bytes, bytes], f
     assert process.wait(20) == 0
     os.close(master)
     assert found.encode() in output
+    assert b"Traceback" not in output
 
 
 @piloted

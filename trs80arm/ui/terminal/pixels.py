@@ -11,6 +11,7 @@ The hooks that this leans on are pinned by `tests/ui/test_pixels.py`.
 from __future__ import annotations
 
 import io
+import logging
 import re
 import sys
 from collections.abc import Iterator, Mapping
@@ -150,6 +151,8 @@ def find_pixels(colours: str | None) -> PixelScreen:
     Raises:
         NoPixelsError: it shows none, or the library is not installed.
     """
+    # What the library finds out is told in a line, and not by it.
+    logging.getLogger("textual_image").addHandler(logging.NullHandler())
     try:
         from textual_image.renderable import Image, SixelImage, TGPImage
     except ModuleNotFoundError:
