@@ -37,7 +37,7 @@ async def carry_a_part(sitting: Sitting) -> None:
 
 
 def check_panels(name: str, app: Any) -> None:
-    """Compare the panels with the golden text of that name; status and keys are tested elsewhere."""
+    """Compare the panels with the golden text of that name; what is below is tested elsewhere."""
     lines = screen_text(app).splitlines()[:-BELOW]
     check_golden(name, "\n".join(lines) + "\n")
 
