@@ -24,6 +24,7 @@ from trs80arm.desk import recording
 from trs80arm.desk.last_resort import last_words
 from trs80arm.desk.places import RecentFiles, program_files
 from trs80arm.desk.session import Session
+from trs80arm.desk.states import QUICK, StateError, States
 from trs80arm.files import FileFormatError
 from trs80arm.settings import SettingsError
 
@@ -156,6 +157,12 @@ def test_a_state_folder_that_cannot_be_used_takes_nothing_and_breaks_nothing(bad
     assert len(desk.person.errors) <= 1
     assert bench_files(bad) == []
     assert not program_files(bad) or program_files(bad) == [bad / "a.bas"]
+    states = States(bad)
+    with pytest.raises(StateError):
+        states.save(QUICK, desk.session)
+    with pytest.raises(StateError):
+        states.load(QUICK, desk.session)
+    assert states.all() == []
     assert "a fault of the program itself: KeyError" in last_words(KeyError("x"), bad, Session())
 
 
@@ -185,6 +192,10 @@ def test_what_is_no_file_in_the_state_folder_is_passed_over(
     odd(desk.state / "recovered-20250101-000000-1.sitting")
     odd(desk.state / ".trs80arm-abcdefgh.saving")
     copy = odd(desk.state / "recovered-20250101-000000-1.bas")
+    odd(desk.state / "quick.state")
+    assert States(desk.state).all() == []
+    with pytest.raises(StateError):
+        States(desk.state).load(QUICK, desk.session)
     assert desk.recent.all() == []
     desk.files.load_file(copy)
     assert len(desk.person.errors) == 1
