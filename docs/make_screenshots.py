@@ -104,8 +104,8 @@ async def by_hand(sitting: Sitting) -> None:
     await sitting.pass_time(0.1)
 
 
-async def teach(sitting: Sitting) -> None:
-    """Positions taught, and the program of them."""
+async def pendant(sitting: Sitting) -> None:
+    """Positions taught, and the pendant with them."""
     for line in (
         *("@STEP 50,0,-207,290,0,0,340", "@STEP 50,0,132,-36", "@CLOSE"),
         *("@STEP 100,0,-132,36", "@STEP 50,651,-8,-13,-461,-462"),
@@ -114,6 +114,17 @@ async def teach(sitting: Sitting) -> None:
         await sitting.type(line + "\r")
         await sitting.app.run_action("do('teach_here')")
     await sitting.app.run_action("do('teach')")
+    await sitting.pilot.pause()
+    sitting.app.pendant.press(2, 1)
+    for _ in range(2):
+        await sitting.pass_time(0.8)
+        sitting.app.screen.show()
+
+
+async def taught_program(sitting: Sitting) -> None:
+    """The program of the positions."""
+    await pendant(sitting)
+    await sitting.pilot.press("l")
     await sitting.pass_time(0.1)
 
 
@@ -257,7 +268,9 @@ async def main() -> None:
     await shoot("manual", (120, 40), manual)
     await shoot("slipped", (120, 40), slipped, theme="amber")
     await shoot("by-hand", (100, 30), by_hand)
-    await shoot("teach", (100, 36), teach, bench=PROGRAMS / "table4.toml", theme="paper")
+    bench = PROGRAMS / "table4.toml"
+    await shoot("pendant", (120, 40), pendant, bench=bench)
+    await shoot("taught-program", (100, 36), taught_program, bench=bench, theme="paper")
     await shoot("tour", (100, 30), tour, tour=True)
     await shoot("tapes", (80, 24), tapes, program=PROGRAMS / "table2.bas")
     await shoot("open", (100, 30), action("open"), theme="white")

@@ -131,7 +131,10 @@ _SETTING_FLAGS = {
     "arm": ("arm.model", "The arm on the cable: minimover5 or teachmover."),
 }
 _SCREEN_FLAGS = {
-    "speed": ("terminal.speed", "Virtual seconds a second: 1, 2, 5, 20 or max."),
+    "speed": (
+        "terminal.speed",
+        "Virtual seconds a second: 0.05 to 20, or max.",
+    ),
     "keys": ("terminal.keys", "auto, events, repeat or latch."),
     "glyphs": ("terminal.glyphs", "auto, sextant, braille, quadrant or ascii."),
     "theme": ("terminal.theme", "green, white, amber, contrast or paper."),

@@ -73,8 +73,12 @@ class Sound(StrEnum):
 
 
 class Speed(Enum):
-    """Virtual seconds per second of the wall."""
+    """Virtual seconds per second of the wall, from slow motion on."""
 
+    TWENTIETH = "0.05"
+    TENTH = "0.1"
+    QUARTER = "0.25"
+    HALF = "0.5"
     ONE = "1"
     TWO = "2"
     FIVE = "5"
@@ -86,13 +90,24 @@ class Speed(Enum):
         """The number; None for flat out."""
         return None if self is Speed.FLAT_OUT else float(self.value)
 
+    @property
+    def percent(self) -> str:
+        """As an override says it."""
+        return "flat out" if self.factor is None else f"{100 * self.factor:g} %"
+
+    def other(self, by: int) -> Speed:
+        """A faster speed, or a slower one; the last ones stay."""
+        speeds = list(Speed)
+        return speeds[min(max(speeds.index(self) + by, 0), len(speeds) - 1)]
+
 
 @dataclass(frozen=True)
 class TerminalSettings:
     """The table `[terminal]`.
 
     Attributes:
-        speed: how fast the machine's time goes: 1 as it was, 2, 5 or 20 times, or max.
+        speed: how fast the machine's time goes: 1 as it was, 2, 5 or 20 times, or max; 0.05, 0.1,
+            0.25 and 0.5 are slow motion.
         keys: how presses become held keys: events (real releases), repeat (a timer), latch (on and
             off), or auto, which takes releases where the terminal reports them.
         glyphs: the characters of the tube's graphics: sextant, braille, quadrant, ascii, or auto.

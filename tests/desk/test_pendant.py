@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from trs80arm.arm.settings import ArmSettings
 from trs80arm.desk.jogging import Coordinates
 from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.session import Session
 from trs80arm.desk.teach import Lesson
-from trs80arm.rig import RigSettings, Waiting
+from trs80arm.rig import Input, Rig, RigSettings, Waiting
 
 X, Y, Z, PITCH, ROLL, HAND = range(6)
 FRAME = 1 / 60
@@ -37,7 +38,9 @@ class Bench:
         self.finish()
 
     def press(self, axis: int, way: int, seconds: float = 0.0) -> None:
-        self.pendant.hold(axis, way)
+        self.pendant.press(axis, way)
+        if seconds:
+            self.pendant.hold(axis, way)
         end = self.session.time + seconds
         while self.session.time < end:
             self.pendant.go_on()
@@ -120,7 +123,7 @@ def test_a_program_that_runs_is_not_typed_into_but_stopped_on_demand(bench: Benc
     rig.type("RUN\r")
     bench.session.run_for(2.0)
     bench.press(Z, 1)
-    assert bench.pendant.message == "A program runs: Space stops it."
+    assert bench.pendant.message == "A program runs: stop it first."
     assert not bench.pendant.sent
     assert bench.pendant.stop()
     bench.session.run_for(1.0)
@@ -182,6 +185,25 @@ def test_a_hand_that_is_jogged_shut_stops_at_the_part(bench: Bench) -> None:
     bench.by(HAND, -1.4)
     assert bench.pendant.message == "The grip switch has closed."
     assert bench.session.rig.state.force < 0.7
+
+
+def test_a_hand_that_is_held_shut_squeezes_no_more_until_its_key_is_let_go(bench: Bench) -> None:
+    bench.pendant.open_to(0.7)
+    bench.finish()
+    bench.by(Z, 0.5)
+    bench.by(X, 3)
+    pendant, rig = bench.pendant, bench.session.rig
+    pendant.press(HAND, -1)
+    for _ in range(900):
+        pendant.hold(HAND, -1)
+        pendant.go_on()
+        bench.session.run_for(FRAME)
+    assert pendant.message == "The grip switch has closed."
+    force = rig.state.force
+    assert force < 0.7
+    pendant.release(HAND, -1)
+    bench.press(HAND, -1)
+    assert rig.state.force == pytest.approx(force + 0.5, abs=0.01)
 
 
 def test_points_are_gone_through_forwards_and_back_with_the_part(bench: Bench) -> None:
@@ -284,6 +306,39 @@ def test_a_slip_ends_what_was_to_come_and_is_told_once(bench: Bench) -> None:
     bench.by(Z, 1)
     assert pendant.message == ""
     assert bench.session.rig.pose.z - before.z == pytest.approx(1, abs=0.02)
+
+
+def test_what_was_done_is_done_again_from_a_recording(bench: Bench) -> None:
+    done: list[Input] = []
+    bench.session.rig.record(done.append)
+    bench.press(Z, 1, seconds=3.0)
+    bench.pendant.close()
+    bench.finish()
+    again = Rig()
+    again.replay(done)
+    again.run_to(bench.session.rig.clock.now)
+    assert again.registers == bench.session.rig.registers
+    assert again.screen() == bench.session.rig.screen()
+
+
+def test_the_teachmover_is_driven_as_well_and_its_hand_stays_as_wide() -> None:
+    bench = Bench(RigSettings(arm=ArmSettings(model="teachmover")))
+    bench.pendant.open_to(1.0)
+    bench.finish()
+    for axis, amount in ((Z, 2.0), (X, 2.5), (Y, -1.5)):
+        bench.by(axis, amount)
+    pose = bench.session.rig.pose
+    assert (pose.x, pose.y, pose.z) == (
+        pytest.approx(7.5, abs=0.03),
+        pytest.approx(-1.5, abs=0.03),
+        pytest.approx(2.0, abs=0.03),
+    )
+    assert pose.opening == pytest.approx(1.0, abs=0.01)
+    bench.pendant.teach()
+    bench.by(Z, 1.0)
+    bench.pendant.go_to(0)
+    bench.finish()
+    assert bench.session.rig.registers == bench.pendant.lesson.positions[0].registers
 
 
 def test_a_machine_without_armbasic_says_so_itself() -> None:

@@ -12,6 +12,7 @@ from trs80arm.desk.asking import ListQuestion
 from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.leaving import NOTHING_UNSAVED, PROGRAM_UNSAVED
 from trs80arm.desk.pacing import Pacer
+from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.remembered import Remembered
 from trs80arm.desk.sound import LineSound
 from trs80arm.desk.stage import Stage
@@ -29,14 +30,16 @@ from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ARM_OPTIONS, ViewCommands
 from trs80arm.ui.help_topics import Topic
 from trs80arm.ui.keys.held_keys import HeldKeys
+from trs80arm.ui.keys.jog_keyboard import JogKeyboard
 from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.layout import Lead
 from trs80arm.ui.screens.debugger import DebuggerScreen
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.hand_move import HandMoveScreen
 from trs80arm.ui.screens.key_test import KeyTest
+from trs80arm.ui.screens.pendant import PendantScreen
 from trs80arm.ui.screens.settings import SettingsScreen
-from trs80arm.ui.screens.teach import TeachResult, TeachScreen
+from trs80arm.ui.screens.taught_program import TeachResult
 
 
 class Shown:
@@ -141,8 +144,20 @@ class Desk(Sitting):
             person.say,
             lambda: True,
         )
+        pendant = Pendant(self.session, self.lesson)
+        jog_keyboard = JogKeyboard(
+            self.session, pendant, HeldKeys(), self.keyboard, lambda: self.wall
+        )
         self.arm = ArmCommands(
-            self.session, self.lesson, self.files, person, person.say, self.shown, lambda: False
+            self.session,
+            pendant,
+            jog_keyboard,
+            self.machine,
+            self.files,
+            person,
+            person.say,
+            self.shown,
+            lambda: ArmStyle.ASCII,
         )
         remembered = Remembered(folder / "settings.toml", person.say)
         self.view = ViewCommands(self.shown, remembered, person, person.say)
@@ -339,7 +354,7 @@ def test_positions_are_taught_and_loaded_as_a_program(desk: Desk) -> None:
     assert desk.person.told == ["Position 1 is taught: F12 lists them."]
     desk.shown.result = TeachResult("10 END\n")
     desk.arm.teach()
-    assert isinstance(desk.shown.opened[0], TeachScreen)
+    assert isinstance(desk.shown.opened[0], PendantScreen)
     assert desk.lines == [10]
     assert not desk.lesson.unwritten
 
@@ -349,6 +364,18 @@ def test_a_lesson_that_could_not_be_loaded_is_not_called_written(desk: Desk) -> 
     desk.shown.result = TeachResult("NO PROGRAM\n")
     desk.arm.teach()
     assert desk.lesson.unwritten
+
+
+def test_the_override_goes_through_all_speeds_and_stops_at_the_ends(desk: Desk) -> None:
+    said = [desk.machine.speed_text]
+    for _ in range(5):
+        desk.machine.other_speed(-1)
+        said.append(desk.machine.speed_text)
+    assert said == ["100 %", "50 %", "25 %", "10 %", "5 %", "5 %"]
+    assert desk.pacer.speed == 0.05
+    for _ in range(9):
+        desk.machine.other_speed(1)
+    assert desk.machine.speed_text == "flat out"
 
 
 def test_the_dialog_for_hands_is_opened(desk: Desk) -> None:

@@ -9,7 +9,7 @@ from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.session import Session
 from trs80arm.desk.teach import Lesson
 from trs80arm.ui.screens.dialog import Ask
-from trs80arm.ui.screens.teach import TeachScreen
+from trs80arm.ui.screens.pendant import PendantScreen
 
 
 @piloted
@@ -21,7 +21,7 @@ async def test_leaving_asks_when_no_program_of_the_positions_is_written(sit_down
         assert "Positions were taught" in screen_text(sitting.app)
         await sitting.press("enter")
         await sitting.settle()
-        assert isinstance(sitting.app.screen, TeachScreen)
+        assert isinstance(sitting.app.screen, PendantScreen)
 
 
 @piloted
@@ -56,6 +56,8 @@ async def test_positions_loaded_into_the_machine_are_safe_with_its_program(
 ) -> None:
     async with sit_down() as sitting:
         await sitting.press("ctrl+t", "f12")
+        await sitting.settle()
+        await sitting.press("l")
         await sitting.settle()
         await sitting.press("l")
         await sitting.settle()

@@ -336,7 +336,7 @@ def test_suspended_and_back_the_terminal_is_the_shells_in_between(tmp_path: Path
         (["--replay", "bad.bas"], "bad.bas: "),
         (["--record", "/nowhere/x"], "/nowhere/x: No such file or directory"),
         (["--theme", "puce"], "there is no theme 'puce'"),
-        (["--speed", "3"], "expected one of 1, 2, 5, 20"),
+        (["--speed", "3"], "expected one of 0.05, 0.1, 0.25, 0.5, 1, 2, 5, 20"),
     ],
 )
 def test_what_cannot_be_used_is_one_line_and_code_2(

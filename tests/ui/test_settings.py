@@ -50,7 +50,10 @@ def test_the_rooms_settings_are_reached_by_table_and_key(tmp_path: Path) -> None
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("[terminal]\nfps = 30\nspeed = 3\n", "line 3: terminal.speed: expected one of 1, 2, 5"),
+        (
+            "[terminal]\nfps = 30\nspeed = 3\n",
+            "line 3: terminal.speed: expected one of 0.05, 0.1",
+        ),
         ("[terminal]\ncolour = 1\n", "line 2: terminal.colour: unknown key"),
         ("[terminal]\nfps = true\n", "line 2: terminal.fps: expected a whole number"),
         ("[terminal]\nfps = 600\n", "line 2: terminal.fps: fps must be 1 to 60, not 600"),

@@ -11,7 +11,7 @@ from tests.ui.piloted import piloted
 from tests.ui.screen_text import styles_at
 from trs80arm.drawing.rows import Ink, Paint
 from trs80arm.ui.filming import picture
-from trs80arm.ui.screens.teach import TeachScreen
+from trs80arm.ui.screens.pendant import PendantScreen
 from trs80arm.ui.themes import THEMES
 
 LEGIBLE = 4.5
@@ -62,8 +62,8 @@ async def test_frames_and_titles_can_be_seen_in_the_own_themes(sit_down: Opener,
         await sitting.press("ctrl+t", "f12")
         await sitting.settle()
         dialog = sitting.app.screen
-        assert isinstance(dialog, TeachScreen)
-        box = dialog.query_one("#listing-box")
+        assert isinstance(dialog, PendantScreen)
+        box = dialog.query_one(".dialog")
         frames = [*sitting.app.desk.panels.values(), box]
         for widget in frames:
             if not widget.display:

@@ -11,19 +11,29 @@ Whoever lets time pass calls `go_on` before each slice.
 
 from __future__ import annotations
 
+import math
 from collections import deque
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from trs80arm.desk.jogging import STEP_SIZES, Coordinates, Jogger, Plan, Stance, StepSize
+from trs80arm.desk.listed_points import ListingError, read_points
 from trs80arm.desk.session import Session
 from trs80arm.desk.taught_programs import (
     Manner,
+    Written,
     commands,
     move_between,
     moves,
     step_command,
+    written,
 )
-from trs80arm.desk.teach import Lesson, Position
+from trs80arm.desk.teach import MOST_DELAY, Lesson, Position
+from trs80arm.files import FileFormatError, load_program
+from trs80arm.machine.clock import T_STATES_PER_SECOND
+from trs80arm.program_text import spell
+from trs80arm.reasons import one_line
 from trs80arm.rig import Key, Rig, Waiting
 
 KEPT = 200
@@ -72,6 +82,7 @@ class Pendant:
     Args:
         session: the machine.
         lesson: the points; the pendant adds to them.
+        typed: is given every command that is typed.
 
     Attributes:
         lesson: the points.
@@ -83,12 +94,15 @@ class Pendant:
         message: what became of what was wanted; empty if there is nothing to say.
     """
 
-    def __init__(self, session: Session, lesson: Lesson) -> None:
+    def __init__(
+        self, session: Session, lesson: Lesson, typed: Callable[[str], None] = lambda _: None
+    ) -> None:
         self._session = session
+        self._typed = typed
         self.lesson = lesson
         self.coordinates = Coordinates.WORLD
         self.size_number = 3
-        self.manner = Manner()
+        self.manner = Manner(speed=_unhurried(session.rig))
         self.place: int | None = None
         self.sent: deque[str] = deque(maxlen=KEPT)
         self.message = ""
@@ -97,6 +111,8 @@ class Pendant:
         """The ways whose keys are down, in the order in which they went down."""
         self._owed: dict[tuple[int, int], None] = {}
         """Those of which no step was planned yet: a press is a step at least."""
+        self._ended: set[tuple[int, int]] = set()
+        """Those that can be held on and on, but nothing comes of it until they are let go."""
         self._passed: dict[Key, None] = {}
         """The keys of the machine's own `@SET` that are held for it."""
         self._queue: deque[_Order] = deque()
@@ -142,10 +158,31 @@ class Pendant:
         return bool(self._queue or self._held or self._owed or self._doing or self._round)
 
     @property
+    def hint(self) -> str:
+        """What one could do next; nothing while something is under way."""
+        if self._queue or self._doing:
+            return ""
+        if self.obstacle:
+            return "" if self.message else f"{self.obstacle}: {self._way_out}"
+        keys, count = self._session.jog_keys, len(self.lesson)
+        if not count:
+            return (
+                f"Keys {''.join(keys.positive)} and {''.join(keys.negative)} move the arm, O opens "
+                "the hand. Above the part, press A: that is the first point."
+            )
+        if count == 1:
+            return "Down to the part, A; C closes the hand, A: each place is a point, in order."
+        if not any(position.grips for position in self.lesson.positions):
+            return "At the part C closes the hand until it grips; A then: the hand holds there."
+        return "A adds the next point. When all is taught: K puts the parts back, P plays it once."
+
+    @property
     def obstacle(self) -> str:
         """Why no command can be typed; empty if one can, or the pendant's own is under way."""
         if self._session.playing:
             return "A recording plays"
+        if self._session.halted:
+            return "The debugger has stopped the machine"
         if self._doing is not None or self._rig.waiting is Waiting.COMMAND:
             return ""
         return IN_THE_WAY[self._rig.waiting]
@@ -153,7 +190,9 @@ class Pendant:
     # -- time -------------------------------------------------------------------------------------
 
     def go_on(self) -> None:
-        """Type the next line if the machine is ready for it."""
+        """Type the next line if the machine is ready for it, and not stopped by the debugger."""
+        if self._session.halted:
+            return
         if self._doing is not None and not self._finished():
             return
         if not self._queue and (self._held or self._owed):
@@ -163,9 +202,8 @@ class Pendant:
         if not self._queue:
             return
         if self.obstacle:
-            way_out = "choose joint coordinates." if self._in_set else "Space stops it."
             self._forget()
-            self.message = f"{self.obstacle}: {way_out}"
+            self.message = f"{self.obstacle}: {self._way_out}"
             return
         order = self._queue.popleft()
         if order.closes and self.stance.switch_closed:
@@ -173,6 +211,10 @@ class Pendant:
             self.message = "The grip switch has closed."
         else:
             self._send(order)
+
+    @property
+    def _way_out(self) -> str:
+        return "choose joint coordinates, or end it." if self._in_set else "stop it first."
 
     @property
     def _in_set(self) -> bool:
@@ -186,6 +228,7 @@ class Pendant:
             rig.hold([Key.BREAK], TOUCH)
             rig.run_until(lambda rig: not rig.typing, READY_SECONDS)
         self.sent.append(order.text)
+        self._typed(order.text)
         self._doing = order
         rig.type(order.text + "\r")
         rig.run_until(lambda rig: _moves(rig) or not _works(rig), LONGEST_LINE)
@@ -212,8 +255,12 @@ class Pendant:
         self._queue.clear()
         self._round = []
         self._owed.clear()
-        self._held.clear()
+        self._end_holding()
         self._jogger.let_go()
+
+    def _end_holding(self) -> None:
+        self._ended.update(self._held)
+        self._held.clear()
 
     def stop(self) -> bool:
         """Stop: nothing more is typed; a program, or a hand that closes, gets BREAK.
@@ -241,8 +288,8 @@ class Pendant:
 
     # -- jogging ----------------------------------------------------------------------------------
 
-    def hold(self, axis: int, way: int) -> None:
-        """A key goes down: the arm makes a step, and more until the key is let go.
+    def press(self, axis: int, way: int) -> None:
+        """A key goes down: the arm makes a step.
 
         Args:
             axis: 0 to 5.
@@ -254,8 +301,14 @@ class Pendant:
             self._passed[key] = None
             self._rig.press(key)
         else:
-            self._held[axis, way] = self._owed[axis, way] = None
+            self._owed[axis, way] = None
+            self._ended.discard((axis, way))
             self._leave_the_way()
+
+    def hold(self, axis: int, way: int) -> None:
+        """A key stays down: steps follow one another until it is let go."""
+        if self._key(axis, way) not in self._passed and (axis, way) not in self._ended:
+            self._held[axis, way] = None
 
     def release(self, axis: int, way: int) -> None:
         """A key is let go; the step under way is finished."""
@@ -264,6 +317,7 @@ class Pendant:
             del self._passed[key]
             self._rig.release(key)
         self._held.pop((axis, way), None)
+        self._ended.discard((axis, way))
 
     def let_go(self) -> None:
         """All keys are let go."""
@@ -271,6 +325,7 @@ class Pendant:
             self._rig.release(key)
         self._passed.clear()
         self._held.clear()
+        self._ended.clear()
 
     def _key(self, axis: int, way: int) -> Key:
         """The key of `@SET` that goes that way."""
@@ -300,7 +355,7 @@ class Pendant:
 
     def _take(self, plan: Plan) -> None:
         if plan.problem:
-            self._held.clear()
+            self._end_holding()
             self.message = f"No farther: {plan.problem}."
         self._queue.extend(
             _Order(step_command(self.manner.speed, piece), closes=plan.closes)
@@ -366,6 +421,12 @@ class Pendant:
         """Put the marked point earlier or later."""
         if self.place is not None:
             self.place = self.lesson.move(self.place, by)
+
+    def switch_grip(self) -> None:
+        """Say that the hand holds something at the marked point, or that it does not."""
+        if self.place is not None:
+            position = self.lesson.positions[self.place]
+            self.lesson.set_grip(self.place, not position.grips, position.squeeze)
 
     def mark(self, place: int) -> None:
         """Mark a point."""
@@ -441,6 +502,57 @@ class Pendant:
         self._queue.extend(way)
         if self.manner.repeats:
             self._round = way
+
+    # -- programs ---------------------------------------------------------------------------------
+
+    def program(self, *, in_coordinates: bool) -> Written:
+        """The program of the points, in Table 4's style or Table 3's."""
+        model = self._rig.arm.model
+        return written(self.lesson, self.manner, model, in_coordinates=in_coordinates)
+
+    def read_memory(self) -> str:
+        """Have the points of the program in the machine's memory.
+
+        Returns:
+            Why it cannot be read; empty when it was.
+        """
+        return self._read(self._session.program)
+
+    def read_file(self, path: Path) -> str:
+        """Have the points of a program file.
+
+        Returns:
+            Why it cannot be read; empty when it was.
+        """
+        try:
+            return self._read(load_program(path))
+        except (FileFormatError, OSError) as error:
+            return one_line(error)
+
+    def _read(self, lines: Sequence[tuple[int, bytes]]) -> str:
+        self._begin()
+        listing = "".join(f"{number} {spell(line)}\n" for number, line in lines)
+        try:
+            points = read_points(listing, self.stance)
+        except ListingError as error:
+            return str(error)
+        self.lesson.replace(points.positions)
+        self.lesson.written()
+        self.manner = points.manner
+        self.place = 0
+        self.message = f"{len(points.positions)} points were read."
+        return ""
+
+
+def _unhurried(rig: Rig) -> int:
+    """The D, in tens, at which each motor of the arm follows while the hand is empty.
+
+    It is the article's own 50 for the MiniMover; a `@STEP` makes a half-step in 1.2 + 0.03 D ms.
+    """
+    arm = rig.arm
+    slowest = max(curve.period(0.0, arm.settings.speed_margin) for curve in arm.strength.curves)
+    least = (1000 * slowest / T_STATES_PER_SECOND - 1.2) / 0.03
+    return min(max(0, math.ceil(least / 10) * 10), MOST_DELAY)
 
 
 def _works(rig: Rig) -> bool:

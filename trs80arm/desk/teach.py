@@ -154,6 +154,10 @@ class Lesson:
         """Put a position into the list, at its end if no place is said."""
         self._positions.insert(len(self) if place is None else place, position)
 
+    def put(self, place: int, position: Position) -> None:
+        """Have another position in the place of one."""
+        self._positions[place] = position
+
     def replace(self, positions: Sequence[Position]) -> None:
         """Have these positions and no others."""
         self._positions = list(positions)

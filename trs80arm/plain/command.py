@@ -8,6 +8,7 @@ from typing import Protocol
 
 from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.files import SessionFiles
+from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.session import Session
@@ -36,6 +37,7 @@ class Sitting:
         peripherals: recorder and printer.
         lesson: the positions taught.
         tour: the first five minutes, step by step.
+        pendant: teaches them.
         debugger: stops the machine, and moves it on and back.
         states: the saved states.
         ask: asks its user; the next line is the answer.
@@ -50,6 +52,7 @@ class Sitting:
     peripherals: Peripherals
     lesson: Lesson
     tour: Tour
+    pendant: Pendant
     debugger: Debugger
     states: States
     ask: LineAsking

@@ -16,6 +16,7 @@ from trs80arm.desk.happenings import Happenings
 from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
+from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.places import STATES, RecentFiles, state_folder
 from trs80arm.desk.reach import ALL_FILES, Reach
@@ -110,6 +111,7 @@ class PlainMode:
             show_positions(self._sitting, "")
 
         leaving = Leaving(session, lesson, self._recovery, files, ask, show, self._end)
+        self._pendant = Pendant(session, lesson, self._tell_typed)
         return Sitting(
             session=session,
             files=files,
@@ -117,6 +119,7 @@ class PlainMode:
             peripherals=Peripherals(session, ask, say),
             lesson=lesson,
             tour=Tour(session, lesson, files, state / TOUR_FILE, ask, say),
+            pendant=self._pendant,
             debugger=Debugger(session),
             states=States(state / STATES),
             ask=ask,
@@ -136,6 +139,11 @@ class PlainMode:
         """The bell of the terminal; a file has none."""
         if self._out.isatty():
             self._out.write("\a")
+
+    def _tell_typed(self, command: str) -> None:
+        """What the pendant types, unless all that is typed is seen anyway."""
+        if not self._echo:
+            self._tell(f">{command}")
 
     def _tell(self, text: object) -> None:
         """Say something that the machine did not, on a line of its own."""
@@ -209,7 +217,8 @@ class PlainMode:
         session = self.session
         try:
             session.timeline.mark()
-            while session.busy and not session.halted:
+            while (session.busy or self._pendant.busy) and not session.halted:
+                self._pendant.go_on()
                 session.run_for(SLICE)
                 self._slices += 1
                 if self._slices % MARK_EVERY == 0:
@@ -224,9 +233,13 @@ class PlainMode:
                     self._sleep(SLICE / self._speed)
         except KeyboardInterrupt:
             session.stop_playing()
-            self._press_break()
+            if not self._pendant.stop():
+                self._press_break()
         self._tell_happenings()
         self._tell_of_tour()
+        if self._pendant.message:
+            self._tell(self._pendant.message)
+            self._pendant.message = ""
         for fault in session.new_faults():
             self._tell(fault)
         stands = tell_stop(self._sitting)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trs80arm.plain import arm, debugging, machine, peripherals, teaching
+from trs80arm.plain import arm, debugging, machine, pendant, peripherals, teaching
 from trs80arm.plain.command import Group, LineCommand, Sitting
 
 COLUMN = 26
@@ -28,6 +28,7 @@ def show_help(sitting: Sitting, words: str) -> None:
 GROUPS: tuple[Group, ...] = (
     machine.GROUP,
     arm.GROUP,
+    pendant.GROUP,
     teaching.GROUP,
     peripherals.GROUP,
     debugging.GROUP,

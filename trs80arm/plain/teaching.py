@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
-from trs80arm.desk.taught_programs import Manner, Written, written
-from trs80arm.drawing.readings import Readings
+from trs80arm.desk.taught_programs import Written, written
 from trs80arm.plain.command import Group, LineCommand, Sitting
 from trs80arm.plain.machine import at_file
 from trs80arm.reasons import reason
@@ -14,7 +14,7 @@ from trs80arm.saving import write_whole
 
 STYLES = {"steps": False, "data": True}
 """How a program can be written: whether in coordinates."""
-ONCE = "once"
+ONCE, ROUND = "once", "round"
 
 
 def show_positions(sitting: Sitting, _: str) -> None:
@@ -28,16 +28,19 @@ def show_positions(sitting: Sitting, _: str) -> None:
             f"{number} {position.name}: X {pose.x:.2f}, Y {pose.y:.2f}, Z {pose.z:.2f}, pitch "
             f"{pose.pitch:.1f}, roll {pose.roll:.1f}, hand {grip}; registers "
             f"{' '.join(map(str, position.registers))}"
+            f"{'; ' + position.comment if position.comment else ''}"
         )
 
 
 def _teach(sitting: Sitting, name: str) -> None:
-    position = sitting.lesson.add(Readings.of(sitting.session.rig), name)
+    position = sitting.pendant.teach(name)
+    number = 1 + (sitting.pendant.place or 0)
     grip = ", the hand holds" if position.grips else ""
-    sitting.tell(f"Position {len(sitting.lesson)}, {position.name}, is taught{grip}.")
+    sitting.tell(f"Position {number}, {position.name}, is taught{grip}.")
+    sitting.pendant.message = ""
 
 
-def _at(sitting: Sitting, words: str, do: Callable[[int, str], object]) -> None:
+def at_position(sitting: Sitting, words: str, do: Callable[[int, str], object]) -> None:
     """Do something with the position whose number comes first, and list all."""
     number, _, rest = words.partition(" ")
     if not number.isdecimal() or not 1 <= int(number) <= len(sitting.lesson):
@@ -48,12 +51,12 @@ def _at(sitting: Sitting, words: str, do: Callable[[int, str], object]) -> None:
 
 
 def _again(sitting: Sitting, words: str) -> None:
-    standing = Readings.of(sitting.session.rig)
-    _at(sitting, words, lambda place, _: sitting.lesson.teach_again(place, standing))
+    standing = sitting.pendant.stance
+    at_position(sitting, words, lambda place, _: sitting.lesson.teach_again(place, standing))
 
 
 def _rename(sitting: Sitting, words: str) -> None:
-    _at(sitting, words, sitting.lesson.rename)
+    at_position(sitting, words, sitting.lesson.rename)
 
 
 def _move(sitting: Sitting, words: str) -> None:
@@ -63,19 +66,20 @@ def _move(sitting: Sitting, words: str) -> None:
         else:
             sitting.tell("To which number?")
 
-    _at(sitting, words, move)
+    at_position(sitting, words, move)
 
 
 def _remove(sitting: Sitting, words: str) -> None:
-    _at(sitting, words, lambda place, _: sitting.lesson.remove(place))
+    at_position(sitting, words, lambda place, _: sitting.lesson.remove(place))
 
 
 def _program(sitting: Sitting, words: list[str]) -> Written:
     """A program of the lesson in the manner that the words say."""
     in_coordinates = any(STYLES.get(word.casefold(), False) for word in words)
-    repeats = ONCE not in map(str.casefold, words)
+    manner = sitting.pendant.manner
+    if manners := [word.casefold() for word in words if word.casefold() in (ONCE, ROUND)]:
+        manner = replace(manner, repeats=manners[-1] == ROUND)
     model = sitting.session.rig.arm.model
-    manner = Manner(repeats=repeats)
     return written(sitting.lesson, manner, model, in_coordinates=in_coordinates)
 
 
@@ -98,7 +102,7 @@ def _load(sitting: Sitting, words: str) -> None:
 
 
 def _write(sitting: Sitting, words: str) -> None:
-    manner = [word for word in words.split() if word.casefold() in (*STYLES, ONCE)]
+    manner = [word for word in words.split() if word.casefold() in (*STYLES, ONCE, ROUND)]
     name = " ".join(word for word in words.split() if word not in manner)
     program = _program(sitting, manner)
 
@@ -117,7 +121,7 @@ def _write(sitting: Sitting, words: str) -> None:
 
 _MANNER = (
     "steps (Table 3's style: @STEP with differences) or data (Table 4's: coordinates in DATA "
-    "lines), round and round unless it says once."
+    "lines), once or round and round."
 )
 GROUP = Group(
     "Teaching",
@@ -127,8 +131,9 @@ GROUP = Group(
             "teach where the arm is",
             _teach,
             "[NAME]",
-            "Move the arm, by @SET, @STEP or .hand, and teach each position; where the grip "
-            "switch is closed the program will close the hand by @CLOSE.",
+            "Move the arm, by .jog, @SET, @STEP or .hand, and teach each position; it comes behind "
+            "the one where the arm was last. Where the grip switch is closed the program will "
+            "close the hand by @CLOSE.",
         ),
         LineCommand("positions", "what is taught", show_positions),
         LineCommand("again", "teach a position anew, where the arm is", _again, "NUMBER"),
@@ -136,8 +141,10 @@ GROUP = Group(
         LineCommand("move", "put a position elsewhere in the order", _move, "NUMBER NUMBER"),
         LineCommand("remove", "forget a position", _remove, "NUMBER"),
         LineCommand(
-            "lesson", "load a program of the positions", _load, "[steps|data] [once]", _MANNER
+            "lesson", "load a program of the positions", _load, "[steps|data] [once|round]", _MANNER
         ),
-        LineCommand("write", "write such a program", _write, "FILE [steps|data] [once]", _MANNER),
+        LineCommand(
+            "write", "write such a program", _write, "FILE [steps|data] [once|round]", _MANNER
+        ),
     ),
 )

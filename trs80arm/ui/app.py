@@ -30,6 +30,7 @@ from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.files import PLAYING, SessionFiles
 from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.pacing import TICK, Pacer
+from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.places import STATES, RecentFiles
 from trs80arm.desk.reach import Reach
@@ -61,6 +62,7 @@ from trs80arm.ui.commands.view import ViewCommands
 from trs80arm.ui.heartbeat import Heartbeat
 from trs80arm.ui.help_topics import topics
 from trs80arm.ui.keys.held_keys import HeldKeys
+from trs80arm.ui.keys.jog_keyboard import JogKeyboard
 from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.panels.inspector import Asked
 from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
@@ -155,10 +157,18 @@ class Trs80Arm(Themed[int]):
         self.heartbeat = Heartbeat(self.tick, lambda: self.busy, wall)
         held = HeldKeys(options.tap_ms / 1000, options.repeat_ms / 1000)
         self.keyboard = Keyboard(session, held, options.keys, wall)
+        self.lesson = Lesson()
+        self.pendant = Pendant(session, self.lesson)
+        self.jog_keyboard = JogKeyboard(
+            session,
+            self.pendant,
+            HeldKeys(options.tap_ms / 1000, options.repeat_ms / 1000),
+            self.keyboard,
+            wall,
+        )
         bar = CommandBar(COMMANDS, id="commands")
         self.desk = DeskScreen(panels, bar, self.keyboard.let_go)
         self.desk.history = History(session.rig)
-        self.lesson = Lesson()
         name = f"{datetime.now():%Y%m%d-%H%M%S}-{os.getpid()}"
         self.recovery = Recovery(session, self.lesson, state, name, self.say)
         self.remembered = Remembered(options.settings_file, self.say)
@@ -182,13 +192,23 @@ class Trs80Arm(Themed[int]):
         recent = RecentFiles(state / "recent.json")
         files = SessionFiles(session, self.recovery, recent, dialogs, say, reach)
         self.tour = Tour(session, lesson, files, state / TOUR_FILE, dialogs, say)
-        arm = ArmCommands(session, lesson, files, dialogs, say, dialogs, lambda: desk.arm_style)
-        leaving = Leaving(
-            session, lesson, self.recovery, files, dialogs, arm.teach, lambda: self.exit(0)
-        )
         debugger, pacer = self.debugger, self.pacer
         machine = MachineCommands(
             session, debugger, pacer, keyboard, files, self.stage, dialogs, say
+        )
+        arm = ArmCommands(
+            session,
+            self.pendant,
+            self.jog_keyboard,
+            machine,
+            files,
+            dialogs,
+            say,
+            dialogs,
+            lambda: desk.arm_style,
+        )
+        leaving = Leaving(
+            session, lesson, self.recovery, files, dialogs, arm.teach, lambda: self.exit(0)
         )
         debug = DebugCommands(
             session, debugger, self.states, pacer, dialogs, say, lambda: self.at_the_keyboard
@@ -357,7 +377,8 @@ class Trs80Arm(Themed[int]):
             return True
         if self.pacer.paused:
             return False
-        return self.session.busy or self.keyboard.held.busy or not self.desk.still
+        hands = self.keyboard.held.busy or self.jog_keyboard.keyboard.held.busy
+        return self.session.busy or hands or self.pendant.busy or not self.desk.still
 
     def _mark(self) -> None:
         """Keep a snapshot to which the debugger can go back, while the machine works."""
@@ -377,6 +398,9 @@ class Trs80Arm(Themed[int]):
         self.stage.go_on()
         self.tour.go_on()
         self.keyboard.feed()
+        self.jog_keyboard.feed()
+        if not self.pacer.paused:
+            self.pendant.go_on()
         self.pacer.advance()
         self.sound.go_on()
         self.commands.debug.look()
@@ -479,6 +503,7 @@ class Trs80Arm(Themed[int]):
     def on_key_report(self, message: KeyReport) -> None:
         """The terminal told whether it reports releases."""
         self.keyboard.told(message.releases)
+        self.jog_keyboard.take_up()
 
     def on_typed(self, message: Typed) -> None:
         """A key of a terminal that does not."""
@@ -526,4 +551,5 @@ class Trs80Arm(Themed[int]):
 
     def on_app_blur(self, event: events.AppBlur) -> None:
         """The window lost the focus: a release would be lost, so take all hands off."""
+        self.jog_keyboard.keyboard.let_go()
         self.keyboard.let_go()

@@ -11,15 +11,17 @@ from typing import TYPE_CHECKING
 from trs80arm.desk.asking import Asking, Say
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.hands import move_by_hand
+from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.session import Session
-from trs80arm.desk.teach import Lesson
 from trs80arm.desk.workbench import Workbench
 from trs80arm.drawing.readings import Readings
 from trs80arm.options import ArmStyle
 from trs80arm.ui.asking import Screens
+from trs80arm.ui.keys.jog_keyboard import JogKeyboard
 
 if TYPE_CHECKING:
-    from trs80arm.ui.screens.teach import TeachResult
+    from trs80arm.ui.screens.pendant import Override
+    from trs80arm.ui.screens.taught_program import TeachResult
 
 
 class ArmCommands:
@@ -27,18 +29,22 @@ class ArmCommands:
 
     Args:
         session: the machine with its arm.
-        lesson: the positions taught.
+        pendant: the teach pendant, with the points taught.
+        jog_keyboard: its keys.
+        override: its speed override.
         files: loads a program of them, and sets benches up.
         ask: a way to ask.
         say: a way to say something.
-        screens: shows the dialogs of hands and teaching.
+        screens: shows the dialogs of hands and pendant.
         style: how the arm is drawn now.
     """
 
     def __init__(
         self,
         session: Session,
-        lesson: Lesson,
+        pendant: Pendant,
+        jog_keyboard: JogKeyboard,
+        override: Override,
         files: SessionFiles,
         ask: Asking,
         say: Say,
@@ -46,7 +52,9 @@ class ArmCommands:
         style: Callable[[], ArmStyle],
     ) -> None:
         self._session = session
-        self._lesson = lesson
+        self._pendant = pendant
+        self._jog_keyboard = jog_keyboard
+        self._override = override
         self._files = files
         self._ask = ask
         self._say = say
@@ -87,21 +95,30 @@ class ArmCommands:
         )
 
     def teach(self) -> None:
-        """The list of positions."""
-        from trs80arm.ui.screens.teach import TeachScreen
+        """The teach pendant."""
+        from trs80arm.ui.screens.pendant import Means, PendantScreen
 
         reach = self._files.reach
-        folder = self._session.path.parent if self._session.path else reach.home
-        self._screens.open(TeachScreen(self._lesson, self.look, folder, reach), self._taught)
+        means = Means(
+            self._pendant,
+            self._jog_keyboard,
+            self.look,
+            self._override,
+            self._session.rig.refill,
+            self._session.path.parent if self._session.path else reach.home,
+            reach,
+            self._style(),
+        )
+        self._screens.open(PendantScreen(means), self._taught)
 
     def _taught(self, result: TeachResult) -> None:
         def load() -> None:
             if self._files.load_listing(result.listing):
-                self._lesson.written()
+                self._pendant.lesson.written()
 
         self._files.if_program_may_go("Load the lesson", load)
 
     def teach_here(self) -> None:
-        """Add where the arm is to the lesson."""
-        self._lesson.add(self.look())
-        self._say(f"Position {len(self._lesson)} is taught: F12 lists them.")
+        """Add where the arm is to the points."""
+        self._pendant.teach()
+        self._say(f"Position {len(self._pendant.lesson)} is taught: F12 lists them.")

@@ -13,6 +13,10 @@ from trs80arm.rig import Key
 from trs80arm.ui.keys.keyboard import Keyboard
 
 SPEED_NOTES = {
+    Speed.TWENTIETH: "slow motion, a twentieth",
+    Speed.TENTH: "slow motion, a tenth",
+    Speed.QUARTER: "slow motion, a quarter",
+    Speed.HALF: "slow motion, half as fast",
     Speed.ONE: "as the machine was",
     Speed.TWO: "twice as fast",
     Speed.FIVE: "five times as fast",
@@ -93,9 +97,21 @@ class MachineCommands:
         choices = tuple(
             Choice(speed.value, _speed_word(speed), SPEED_NOTES[speed]) for speed in Speed
         )
-        now = next(speed for speed in Speed if speed.factor == self._pacer.speed)
-        question = ListQuestion("Speed", choices, now.value)
+        question = ListQuestion("Speed", choices, self._speed.value)
         self._ask.choose(question, lambda value: self.set_speed(Speed(value)))
+
+    @property
+    def _speed(self) -> Speed:
+        return next(speed for speed in Speed if speed.factor == self._pacer.speed)
+
+    @property
+    def speed_text(self) -> str:
+        """The speed as the pendant's override says it."""
+        return "paused" if self._pacer.paused else self._speed.percent
+
+    def other_speed(self, by: int) -> None:
+        """Go faster, or slower, by so many of the speeds that there are."""
+        self.set_speed(self._speed.other(by))
 
     def set_speed(self, speed: Speed) -> None:
         """Go at a speed."""

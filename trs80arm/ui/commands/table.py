@@ -435,11 +435,11 @@ COMMANDS: tuple[Command, ...] = (
     Command(
         "teach",
         lambda to: to.arm.teach(),
-        "Arm: teach",
-        "The positions taught, and programs of them.",
+        "Arm: teach pendant",
+        "The teach pendant: jog the arm, teach points, play them, write the program.",
         "f12",
         "Teach",
-        also="positions lesson program",
+        also="jog positions points lesson program world tool joint",
     ),
     Command(
         "teach_here",

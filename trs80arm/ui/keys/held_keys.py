@@ -129,6 +129,11 @@ class HeldKeys:
         self._pointed.clear()
 
     @property
+    def down(self) -> frozenset[Key]:
+        """The keys whose switches are closed."""
+        return self._down
+
+    @property
     def latched(self) -> frozenset[Key]:
         """The keys that the latch holds."""
         return frozenset(self._latched)
