@@ -187,3 +187,29 @@ def test_what_comes_to_lie_on_one_finger_weighs_from_the_start_however_the_run_i
     for _ in range(90):
         sliced.run_for(FRAME)
     assert sliced.snapshot() == whole.snapshot()
+
+
+def test_the_hand_opens_under_what_lies_on_it_alike_in_one_run_and_in_slices() -> None:
+    bench = """
+    [arm]
+    at = [8, 0, 0.6]
+    [[part]]
+    at = [7.99, -0.26]
+    bottom = 4
+    turn = 232
+    weight = 0.5
+    shape = "cylinder"
+    diameter = 1.11
+    height = 0.46
+    """
+    whole, sliced = (Rig(bench=benchfile.parse(bench)) for _ in range(2))
+    for rig in (whole, sliced):
+        rig.load_text("10 @STEP 70,0,0,0,0,0,173\n")
+        rig.type("RUN\r")
+    (disc,) = parts(whole)
+    assert disc.carried is not None
+    for _ in range(8):
+        whole.run_for(10 * FRAME)
+        for _ in range(5):
+            sliced.run_for(2 * FRAME)
+        assert parts(sliced)[0].place == disc.place

@@ -173,7 +173,8 @@ class _Stretch:
         hand = model.hand
         bad = self.squeeze > hand.most_squeeze - 2
         bad |= self.cable > hand.range * model.hand_steps - 2
-        if grip.contact:
+        # Something may lie on the hand that is not between its fingers.
+        if grip.contact or self.arm.bench.scene.carried:
             bad |= self._disturbed()
         self._cut(bad)
 

@@ -167,7 +167,8 @@ def _load_stays(
 ) -> bool:
     """Whether what rests in the hand goes on doing so: neither squeezed nor tilted otherwise."""
     world = arm.world
-    if not arm.grip.contact:
+    # Something may lie on the hand that is not between its fingers.
+    if not arm.grip.contact and not arm.bench.scene.carried:
         return True
     if world.gripped:
         return True
