@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import fields, replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,13 +13,17 @@ from hypothesis import strategies as st
 
 from trs80arm import Rig
 from trs80arm.arm import ArmSettings, Bench, BenchError, MiniMover, Motor, benchfile
+from trs80arm.arm.forces import T_STATES_PER_SECOND, Strength
 from trs80arm.arm.geometry import CableDrive, inverse
 from trs80arm.arm.model import ArmModel
 from trs80arm.arm.models import MINIMOVER5, MODELS, TEACHMOVER
 from trs80arm.arm.stepping import PulseGenerator, delay_period
+from trs80arm.basic.activity import Waiting
+from trs80arm.machine.driver import DriverSettings
 from trs80arm.works import RigSettings
 
 SIX = st.tuples(*[st.integers(-3000, 3000)] * 6)
+PROGRAMS = Path(__file__).parents[2] / "programs"
 TEACH = ArmSettings(model="teachmover")
 
 
@@ -89,6 +94,32 @@ def test_step_leaves_the_teachmovers_hand_to_the_program() -> None:
     assert rig.arm.rotors == (0, -100, -100, 0, 0, 0)
     assert rig.registers == rig.joints == (0, -100, -100, 0, 0, 0)
     assert rig.state.pose.opening == pytest.approx(100 / 370.8)
+
+
+def test_the_teachmover_picks_and_places_with_every_rate_left_at_its_default() -> None:
+    rig = Rig(RigSettings(arm=TEACH), benchfile.load(PROGRAMS / "table3.toml"))
+    lines = (
+        "10 @CLOSE: @STEP 50,0,0,0,0,0,-30",
+        "20 @STEP 50,0,-100,-50,25,25,-50: REM UP; THE HAND GOES WITH THE ELBOW",
+        "30 @STEP 50,800",
+        "40 @STEP 50,0,100,50,-25,-25,50",
+        "50 @STEP 50,0,0,0,0,0,150",
+        "60 @STEP 50,0,-100,-50,25,25,-50",
+    )
+    rig.type("".join(line + "\r" for line in (*lines, "RUN")))
+    assert rig.run_until_waiting(60) is Waiting.COMMAND
+    assert rig.arm.bench.trays[0].taken == 1
+    assert rig.state.slipped == (0,) * 6
+    assert rig.joints == rig.registers
+
+
+@pytest.mark.parametrize("model", MODELS.values(), ids=lambda model: model.name)
+def test_every_arms_motors_follow_armbasic_at_its_default_rates(model: ArmModel) -> None:
+    asked = DriverSettings()
+    for delay in (asked.close_delay, asked.set_delay):
+        rate = T_STATES_PER_SECOND / delay_period(delay)
+        for motor, curve in zip(Motor, Strength.of(model).curves, strict=True):
+            assert curve.idle**0.5 > rate, motor
 
 
 def test_a_bench_beyond_the_teachmovers_reach_is_refused_in_one_line() -> None:

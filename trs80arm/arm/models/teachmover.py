@@ -20,6 +20,7 @@ _S3 = 4158 / tau
 _S4 = 1536 / tau
 _S6 = 370.8  # half-steps per inch: the hand's drum is twice as large
 _POUND = 32
+_HAND_RATE = 0.80 * MINIMOVER5.hand_steps  # half-steps per second: the motor's, whatever its drum
 
 TEACHMOVER = replace(
     MINIMOVER5,
@@ -33,7 +34,7 @@ TEACHMOVER = replace(
         Drive(Motor.ELBOW, _S3, -1, 0.82 * _S3, 0.23 * _S3),
         Drive(Motor.RIGHT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4),
         Drive(Motor.LEFT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4),
-        Drive(Motor.HAND, _S6, 1, 0.80 * _S6, 3.0 * _POUND),
+        Drive(Motor.HAND, _S6, 1, _HAND_RATE, 3.0 * _POUND),
     ),
     elbow_pays_out=-1,
     compensated=False,
@@ -46,6 +47,11 @@ TEACHMOVER = replace(
             "its read-back: forearm -J3, pitch -(J4 + J5); J4 is right",
         ),
         ("drives: rates", "the MiniMover's in radians per second, as its brochure repeats them"),
+        (
+            "drives: the hand's rates",
+            "guessed: as many half-steps a second without load as the MiniMover's motor makes, "
+            "hence 1.33 in/s on a drum twice as large; 3 lb/s at 3 lb, as Table 1",
+        ),
         ("elbow_pays_out", "its read-back: opening (J6 - J3) / 371"),
         ("compensated", "its @STEP leaves the hand alone; its users add the elbow's steps"),
         (
