@@ -88,6 +88,10 @@ class Shown:
     def zoom_arm(self, way: str) -> None:
         self.done.append(("arm", way))
 
+    @property
+    def help_here(self) -> str:
+        return ""
+
     def open(self, dialog: Dialog[Any], then: Any = None) -> None:
         self.opened.append(dialog)
         if self.result is not None and then is not None:

@@ -84,3 +84,24 @@ async def test_typing_searches_it(sit_down: Opener) -> None:
         text = screen_text(sitting.app)
         assert "Tapes" in text
         assert "In a minute" not in text
+
+
+@pytest.mark.parametrize(
+    ("command", "title"),
+    [
+        ("teach", "The teach pendant"),
+        ("debugger", "The debugger"),
+        ("hand_move", "Moving the arm by hand"),
+    ],
+)
+@piloted
+async def test_in_front_of_a_page_it_opens_at_that(
+    sit_down: Opener, command: str, title: str
+) -> None:
+    async with sit_down() as sitting:
+        sitting.app.action_do(command)
+        await sitting.settle()
+        assert await first_topic(sitting) == title
+        headings = sitting.app.screen.query_one(Markdown).source.splitlines()
+        assert headings.count(f"## {title}") == 1
+        assert "## Manual mode" in headings

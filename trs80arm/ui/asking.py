@@ -29,6 +29,10 @@ class Screens(Protocol):
     def open(self, dialog: Dialog[Answer], then: Callable[[Answer], object] | None = None) -> None:
         """Show it; `then` gets its answer, if it ends with one."""
 
+    @property
+    def help_here(self) -> str:
+        """What the screen in front says of itself, in Markdown; empty if it says nothing."""
+
 
 class Dialogs:
     """Asks by dialogs of an application.
@@ -50,6 +54,11 @@ class Dialogs:
                 then(answer)
 
         self._app.push_screen(dialog, ended)
+
+    @property
+    def help_here(self) -> str:
+        """What the screen in front says of itself, in Markdown; empty if it says nothing."""
+        return self._app.screen.HELP or ""
 
     def ask(self, question: Question, then: Callable[[str], object]) -> None:
         """Ask by buttons."""

@@ -6,6 +6,7 @@ Dialogs are imported when they are opened: the first frame needs none.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from inspect import cleandoc
 from typing import Any, Protocol
 
 from trs80arm.desk.asking import Asking, Choice, ListQuestion
@@ -22,7 +23,7 @@ from trs80arm.rig import Waiting
 from trs80arm.ui.asking import Screens
 from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.view import View
-from trs80arm.ui.help_topics import AFTER_A_SLIP, WHILE_WAITING, Topic
+from trs80arm.ui.help_topics import AFTER_A_SLIP, WHILE_WAITING, Topic, topics_of
 from trs80arm.ui.keys.keyboard import Keyboard
 
 
@@ -104,9 +105,16 @@ class ProgramCommands:
         from trs80arm.ui.screens.help import HelpScreen
 
         session = self._session
-        slipped = session.slip is not None
-        first = AFTER_A_SLIP if slipped else WHILE_WAITING.get(session.waiting, "")
-        self._screens.open(HelpScreen(self._topics(), first))
+        here = topics_of(cleandoc(self._screens.help_here))
+        if here:
+            first = here[0].title
+        elif session.slip is not None:
+            first = AFTER_A_SLIP
+        else:
+            first = WHILE_WAITING.get(session.waiting, "")
+        titles = {topic.title for topic in here}
+        others = (topic for topic in self._topics() if topic.title not in titles)
+        self._screens.open(HelpScreen([*here, *others], first))
 
     def theme(self) -> None:
         """Choose a theme; each is seen while it is marked."""

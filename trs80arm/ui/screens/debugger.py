@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
-from inspect import cleandoc
 from typing import ClassVar
 
 from rich.text import Text
@@ -25,7 +24,6 @@ from trs80arm.desk.states import QUICK, States
 from trs80arm.inspection import line_text
 from trs80arm.machine.video import COLUMNS
 from trs80arm.shown import shown
-from trs80arm.ui.help_topics import topics_of
 from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.states import StatesScreen
@@ -83,7 +81,7 @@ class DebuggerScreen(Dialog[Leaving]):
         Binding("v", "behind", "View", show=False),
         Binding("shift+f3,ctrl+f3,f15", "quick_save", show=False),
         Binding("shift+f2,ctrl+f2,f14", "quick_load", show=False),
-        Binding("f1,question_mark", "help", "Help", key_display="F1"),
+        Binding("f1,question_mark", "app.do('help')", "Help", key_display="F1"),
         Binding("right", "app.focus_next", show=False),
         Binding("left", "app.focus_previous", show=False),
     ]
@@ -454,13 +452,6 @@ on standing.
     def action_behind(self) -> None:
         """Look at the machine behind, until a key is pressed."""
         self.query_one(".dialog").display = False
-
-    def action_help(self) -> None:
-        """The keys in words."""
-        # Markdown takes long to be imported, and the first frame does not need it.
-        from trs80arm.ui.screens.help import HelpScreen
-
-        self.app.push_screen(HelpScreen(topics_of(cleandoc(self.HELP))))
 
     def on_key(self, event: events.Key) -> None:
         """The key after a look at the machine brings the debugger back."""

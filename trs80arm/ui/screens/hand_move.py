@@ -50,6 +50,7 @@ class HandMoveScreen(Dialog[None]):
         Binding("shift+right,pagedown", "nudge(10)", "More x10", show=False),
         Binding("home", "home", "Start"),
         Binding("tab", "to_entry", show=False),
+        Binding("f1", "app.do('help')", "Help"),
     ]
     AUTO_FOCUS = ""
     DEFAULT_CSS = """
