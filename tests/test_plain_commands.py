@@ -22,6 +22,11 @@ from trs80arm.rig import RigSettings, Waiting
 __all__ = ["opened", "own_places"]
 
 
+def test_no_two_commands_have_the_same_name() -> None:
+    names = [command.name for group in GROUPS for command in group.commands]
+    assert len(names) == len(set(names))
+
+
 def test_every_command_is_in_the_help_and_explains_itself() -> None:
     for command in (command for group in GROUPS for command in group.commands):
         said = talk(".help", f".help {command.name}")

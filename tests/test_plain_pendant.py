@@ -40,7 +40,7 @@ def test_a_task_is_taught_played_written_and_read_back(tmp_path: Path) -> None:
         f".write {data} data",
         ".backward",
         ".forward",
-        ".go 6",
+        ".to 6",
         f".read {data}",
         session=session,
     )
@@ -70,7 +70,7 @@ def test_every_way_has_a_name() -> None:
         (".jog z -1", "No farther: the fingertip would be"),
         (".width wide", "How wide, in inches?"),
         (".width 4", "The hand opens 0 to 3 inches."),
-        (".go A", "To which position?"),
+        (".to A", "To which position?"),
         (".forward", "There is no point yet."),
         (".through", "There is no point yet."),
         (".delay fast", "D is a number from 0 to 32767."),

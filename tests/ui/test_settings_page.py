@@ -10,6 +10,7 @@ from textual.widgets import Input, OptionList
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from trs80arm.options import Speed
 from trs80arm.ui.screens.dialog import Choose
 from trs80arm.ui.screens.settings import AskValue, SettingsScreen
 
@@ -38,7 +39,7 @@ async def test_a_choice_is_made_from_a_list_and_seen_at_once(sit_down: Opener) -
         await sitting.press("enter")
         await sitting.settle()
         assert isinstance(sitting.app.screen, Choose)
-        sitting.app.screen.query_one(OptionList).highlighted = 2
+        sitting.app.screen.query_one(OptionList).highlighted = list(Speed).index(Speed.FIVE)
         await sitting.press("enter")
         await sitting.settle()
         assert sitting.app.pacer.speed == 5

@@ -233,7 +233,9 @@ class PlainMode:
                     self._sleep(SLICE / self._speed)
         except KeyboardInterrupt:
             session.stop_playing()
-            if not self._pendant.stop():
+            if self._pendant.busy:
+                self._pendant.stop()
+            else:
                 self._press_break()
         self._tell_happenings()
         self._tell_of_tour()

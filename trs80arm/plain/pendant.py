@@ -123,7 +123,7 @@ GROUP = Group(
         ),
         LineCommand("grip", "close the hand until it grips", lambda on, _: on.pendant.close()),
         LineCommand("width", "open the hand so wide", _width, "INCHES"),
-        LineCommand("go", "go to a position", _go, "NUMBER or NAME"),
+        LineCommand("to", "go to a position", _go, "NUMBER or NAME"),
         LineCommand("forward", "on to the next position", lambda on, _: on.pendant.step(1)),
         LineCommand(
             "backward",
