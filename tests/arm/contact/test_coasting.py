@@ -11,6 +11,7 @@ from tests.arm.contact.hand import SlidingHand
 from trs80arm.arm.contact import prospect
 from trs80arm.arm.contact.bodies import Body, Fixed, Shape
 from trs80arm.arm.contact.clock import TICK_STATES
+from trs80arm.arm.contact.manifold import between
 from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import box
 
@@ -100,6 +101,46 @@ def test_what_lies_in_the_way_is_met_where_it_lies() -> None:
     assert cube.place[0] == pytest.approx(6.5, abs=0.005)
     assert scene.torques[0] < -100
     assert light.place == pytest.approx((5.0, 1.2, 0.5), abs=0.001)
+
+
+LANE = (1.06, -1.04)
+"""Where the middles of cubes stand to the left and right of a cube that goes by."""
+
+
+def test_what_stands_beside_the_way_is_passed_by_asleep_and_seldom_looked_at() -> None:
+    scene = row(3)
+    for k in range(8):
+        scene.add(Body(f"beside {k}", CUBE, 0.5, (6.5 + 1.05 * (k // 2), LANE[k % 2], 0.5)))
+    scene.advance(100 * TICK_STATES)
+    beside = [body for body in scene.bodies.values() if body.name.startswith("beside")]
+    places, before = [body.place for body in beside], scene.solved
+    awake = []
+    for k in range(60, 460, 5):
+        push(scene, lambda k: straight(k - 60), k, k + 5)
+        awake += [body.name for body in beside if not body.asleep]
+    assert scene.bodies["2"].place[0] > 9.0
+    assert not awake
+    assert [body.place for body in beside] == places
+    assert scene.solved - before < 25
+
+
+@pytest.mark.parametrize("ahead", [-0.3, 0.1, 0.5, 0.9, 1.3])
+def test_a_nose_is_met_though_the_cheek_is_passed_by(ahead: float) -> None:
+    cheek, nose = box((3.0, 1.0, 1.0)), box((0.4, 0.4, 1.0)).moved((ahead, -0.65, 0.0))
+    scene = row(1)
+    face = scene.add(Body("face", Shape.of([cheek, nose], 2.0), 0.5, (7.5, 1.03, 0.5)))
+    scene.advance(100 * TICK_STATES)
+    there, cube, deepest = face.place, scene.bodies["0"], 0.0
+    for k in range(60, 700, 4):
+        push(scene, lambda k: straight(k - 60), k, k + 4)
+        for solid in face.placed:
+            found = between(cube.placed[0], solid, 0.0)
+            if found is not None:
+                deepest = min(deepest, *(gap for _, gap in found.points))
+        if cube.placed[0].high[0] < face.placed[1].low[0] - 0.03:
+            assert face.place == there
+    assert face.place != there
+    assert deepest > -0.01
 
 
 def test_time_in_pieces_and_a_copy_in_the_middle_change_nothing() -> None:

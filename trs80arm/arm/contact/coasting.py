@@ -11,9 +11,9 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from trs80arm.arm.contact.distance import boxes_apart, distance
+from trs80arm.arm.contact.distance import boxes_apart, separation
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.contact.solver import CREEP, Mobile
+from trs80arm.arm.contact.solver import CREEP, DRIFT, Mobile
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
 MOST_STEPS = 32
@@ -205,8 +205,8 @@ def apart(
         bodies: that move.
         links: of the arm, that do not meet each other.
         others: what stands.
-        heedless: names of what is looked at as touching (how that stays the solver knows), and
-            of what never touches.
+        heedless: names of what presses on each other (how that stays the solver knows), and of
+            what never touches.
         most: more than so much does not matter.
     """
     turning = {id(mover): mover.turning for mover in (*bodies, *links, *others)}
@@ -214,11 +214,16 @@ def apart(
         if (one.name, other.name) in heedless or (other.name, one.name) in heedless:
             continue
         way = minus(one.velocity, other.velocity)
-        speed = math.sqrt(dot(way, way)) + turning[id(one)] + turning[id(other)]
+        turn = turning[id(one)] + turning[id(other)]
+        speed = math.sqrt(dot(way, way)) + turn
         for a in one.solids:
             for b in other.solids:
                 if a.near(b, speed * most) and boxes_apart(a, b) < speed * most:
-                    most = min(most, distance(a, b, speed * most) / speed)
+                    room, across = separation(a.vertices, b.vertices, speed * most)
+                    # What goes by comes no closer than the plane between them.
+                    closing = turn - dot(way, across)
+                    if closing * most > room + DRIFT:
+                        most = (room + DRIFT) / closing
     return most
 
 

@@ -28,18 +28,21 @@ def distance(a: Placed, b: Placed, enough: float = math.inf) -> float:
     return _least(a.vertices, b.vertices, enough)[0]
 
 
-def separation(a: Sequence[Vector], b: Sequence[Vector]) -> tuple[float, Vector]:
+def separation(
+    a: Sequence[Vector], b: Sequence[Vector], enough: float = math.inf
+) -> tuple[float, Vector]:
     """How far two solids are apart, and along which way.
 
     Args:
         a: corners of the first.
         b: corners of the second.
+        enough: if they are farther apart than so many inches, it need not be known by how much.
 
     Returns:
         Inches, 0 where they touch or overlap; and a vector of length 1 along which the first is
         beyond the second by so much (any vector where they are not apart).
     """
-    return _least(a, b)
+    return _least(a, b, enough)
 
 
 def distance_to(solid: Placed, *points: Vector) -> float:

@@ -170,10 +170,13 @@ class Manifold:
     Attributes:
         normal: unit vector from the first into the second.
         points: where, with the gap there in inches, negative where they overlap.
+        apart: inches by which the whole of the second is beyond the whole of the first along the
+            normal: as long as they are, they cannot touch, wherever they slide.
     """
 
     normal: Vector
     points: list[tuple[Vector, float]]
+    apart: float
 
 
 def on_table(solid: Placed, margin: float) -> Manifold | None:
@@ -181,7 +184,7 @@ def on_table(solid: Placed, margin: float) -> Manifold | None:
     if solid.middle[2] > solid.solid.radius + margin or solid.low[2] > margin:
         return None
     points = [((x, y, z / 2), z) for x, y, z in solid.vertices if z <= margin]
-    return Manifold((0.0, 0.0, 1.0), _fewer(points, (0.0, 0.0, 1.0)))
+    return Manifold((0.0, 0.0, 1.0), _fewer(points, (0.0, 0.0, 1.0)), solid.low[2])
 
 
 def between(a: Placed, b: Placed, margin: float) -> Manifold | None:
@@ -205,10 +208,10 @@ def between(a: Placed, b: Placed, margin: float) -> Manifold | None:
             apart, normal, one, other = found
             if apart > margin:
                 return None
-            return Manifold(normal, [(_crossing(a, b, normal, one, other), apart)])
+            return Manifold(normal, [(_crossing(a, b, normal, one, other), apart)], apart)
         if found is None and not points:
             return None
-    return Manifold(outwards, _fewer(points, outwards))
+    return Manifold(outwards, _fewer(points, outwards), of_b if second else of_a)
 
 
 def _best_face(a: Placed, b: Placed, margin: float) -> tuple[float, int]:

@@ -153,7 +153,7 @@ class Meeting:
                 found = met(theirs, solid, margin)
                 if found is None:
                     continue
-                if other.asleep and not body.still and _about_to_touch(found, margin):
+                if other.asleep and not body.still and self._comes_upon(body, found):
                     self.wake(other.name)
                     for woken in self.roster.ordered(self.roster.awake.values()):
                         if woken.name not in mobiles:
@@ -163,6 +163,14 @@ class Meeting:
                 sides = Side(mobiles.get(other.name)), Side(mobiles[body.name])
                 rough = math.sqrt(body.friction * other.friction)
                 self._add((other.name, body.name, 64 * k + i), found, *sides, rough)
+
+    def _comes_upon(self, body: Body, found: Manifold) -> bool:
+        """Whether a body touches a sleeper, or will in this step: what passes by does not."""
+        side = Side(self.mobiles[body.name])
+        return any(
+            gap <= max(TOUCH, -dot(_velocity(side, point), found.normal) * self.seconds)
+            for point, gap in found.points
+        )
 
     def _arm(self, mobile: Mobile, reach: Sequence[float]) -> None:
         """Links against what stands fast; `reach` is how far each may move in this step."""
@@ -203,6 +211,7 @@ class Meeting:
         elif self.plate is not None and self.plate.spin and key[0] == TABLE:
             surfaces = [self.plate.surface(point, self.seconds) for point, _ in points]
         contact = Contact(key, points, found.normal, first, second, friction, surfaces)
+        contact.apart = found.apart
         if known:
             origin = second.mobile.place if second.mobile is not None else NOWHERE
             contact.pressures = [self._pressed(known, minus(point, origin)) for point, _ in points]
@@ -217,11 +226,6 @@ class Meeting:
             if square < nearest:
                 best, nearest = pressure, square
         return best * self.seconds
-
-
-def _about_to_touch(found: Manifold, margin: float) -> bool:
-    """Whether a gap is closed, or will be in this step."""
-    return min(gap for _, gap in found.points) <= max(TOUCH, margin - MARGIN)
 
 
 def islands(contacts: Sequence[Contact]) -> list[list[Contact]]:

@@ -81,10 +81,12 @@ class Prospect:
         spans = {id(mobiles[body.name]): 2 * body.shape.radius for body in self.awake}
         lasting = MOST_STEPS * h
         for problem in self.problems:
-            lasting = min(lasting, problem.lasting(speeds, spans, {TABLE}))
+            lasting = problem.lasting(speeds, spans, {TABLE}, lasting)
         if lasting >= h:
             passing = {(thing.name, link) for thing in self.fixed.values() for link in thing.passes}
-            lasting = self._apart(bodies, links, touching | passing, lasting)
+            pressing = {contact.key[:2] for contact in self.contacts if any(contact.pressures)}
+            resting = {pair for pair in touching if pair[0] == TABLE}
+            lasting = self._apart(bodies, links, pressing | resting | passing, lasting)
         if lasting < h:
             return None
         course = [rate * h for rate in self.arm.way]

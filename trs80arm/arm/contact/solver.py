@@ -62,7 +62,6 @@ TILT = 0.015
 """Inches by which one end of it may come closer than the other."""
 
 _SLOWEST = 1e-9
-_ENDLESS = 1e9
 _EASIEST = 1e-9
 _CREEPING = CREEP * CREEP
 _SLOW = (20 * CREEP) ** 2
@@ -150,6 +149,7 @@ class Contact:
         friction: coefficient.
         surfaces: velocity of the first side at each point, if it stands fast but its surface moves.
         pressures: impulse along the normal at each: as it was a tick before, then as found.
+        apart: inches by which the two are apart along the normal, whole solids and not points.
     """
 
     key: Key
@@ -160,6 +160,7 @@ class Contact:
     friction: float
     surfaces: list[Vector] | None = None
     pressures: list[float] = field(default_factory=list)
+    apart: float = -math.inf
 
     @property
     def gap(self) -> float:
@@ -320,6 +321,46 @@ class _Patch:
         vx, vy, vz, wx, wy, wz = relative
         turning = math.sqrt(wx * wx + wy * wy + wz * wz) * self._spread
         return math.sqrt(vx * vx + vy * vy + vz * vz) + turning
+
+    def lasting(self, relative: Six, across: float, most: float, *, ends: bool) -> float:
+        """Seconds for which what presses goes on pressing where it does, and nothing else begins.
+
+        Args:
+            relative: of the second thing against the first.
+            across: inches across the smaller of them.
+            most: more than so much does not matter.
+            ends: whether the first is not the same wherever it is touched.
+        """
+        contact = self.contact
+        for (_, gap), pressure, opening in zip(
+            contact.points, contact.pressures, self.openings(relative), strict=True
+        ):
+            if pressure > 0:
+                if abs(opening) * most > DRIFT:
+                    most = DRIFT / abs(opening)
+            elif -opening * most > (room := max(gap, 0.0) + DRIFT):
+                most = room / -opening
+        if ends and self.fastest(relative) * most > SHIFT:
+            most = min(most, SHIFT / max(*self.sliding(relative), _SLOWEST))
+        return min(most, TILT / max(across * self._tilting(relative), _SLOWEST))
+
+    def passing(self, relative: Six, across: float) -> float:
+        """Seconds for which there is a plane between the two, however far they slide.
+
+        Args:
+            relative: of the second thing against the first.
+            across: inches across the second.
+        """
+        nx, ny, nz = self.normal
+        vx, vy, vz = relative[:3]
+        closing = across * self._tilting(relative) - nx * vx - ny * vy - nz * vz
+        room = self.contact.apart + DRIFT
+        return room / max(closing, _SLOWEST) if room > 0 else 0.0
+
+    def _tilting(self, relative: Six) -> float:
+        """Radians a second by which the second thing turns against the contact's plane."""
+        a, b, c = cross(relative[3:], self.normal)
+        return math.sqrt(a * a + b * b + c * c)
 
     def openings(self, relative: Six) -> list[float]:
         """Speed at which each contact opens, inches a second."""
@@ -585,37 +626,29 @@ class Problem:
             )
         )
 
-    def lasting(self, speeds: dict[int, Six], spans: dict[int, float], endless: set[str]) -> float:
+    def lasting(
+        self, speeds: dict[int, Six], spans: dict[int, float], endless: set[str], most: float
+    ) -> float:
         """Seconds for which these contacts stay as they are while everything goes on.
 
         Args:
             speeds: with which it does, by the `id` of each mobile.
             spans: inches across the bodies among them, likewise.
             endless: names of things that are the same wherever they are touched.
+            most: more than so much does not matter.
         """
         going = [speeds[id(mobile)] for mobile in self.mobiles]
-        lasting = _ENDLESS
-        tilting = 0.0
         for patch in self._patches:
             contact, relative = patch.contact, patch.relative(going)
-            for (_, gap), pressure, opening in zip(
-                contact.points, contact.pressures, patch.openings(relative), strict=True
-            ):
-                if pressure > 0:
-                    if abs(opening) * lasting > DRIFT:
-                        lasting = DRIFT / abs(opening)
-                elif -opening * lasting > (room := max(gap, 0.0) + DRIFT):
-                    lasting = room / -opening
-            if contact.key[0] not in endless and patch.fastest(relative) * lasting > SHIFT:
-                shift = max(patch.sliding(relative))
-                lasting = min(lasting, SHIFT / max(shift, _SLOWEST))
-            a, b, c = cross(relative[3:], patch.normal)
-            span = min(
-                spans.get(id(contact.first.mobile), math.inf),
-                spans.get(id(contact.second.mobile), ARM_SPAN),
-            )
-            tilting = max(tilting, span * span * (a * a + b * b + c * c))
-        return min(lasting, TILT / max(math.sqrt(tilting), _SLOWEST))
+            one, two = contact.first.mobile, contact.second.mobile
+            across = spans.get(id(two), ARM_SPAN)
+            idle = not any(contact.pressures)
+            passing = patch.passing(relative, across) if idle else 0.0
+            if passing < most:
+                across = min(spans.get(id(one), math.inf), across)
+                ends = contact.key[0] not in endless
+                most = max(passing, patch.lasting(relative, across, most, ends=ends))
+        return most
 
     def _least(self, speeds: list[Six], bounding: list[Pressures]) -> tuple[list[Six], int]:
         """Newton's method: velocities at which impulses and momentum balance.
