@@ -125,7 +125,8 @@ def test_a_program_that_runs_is_not_typed_into_but_stopped_on_demand(bench: Benc
     bench.press(Z, 1)
     assert bench.pendant.message == "A program runs: stop it first."
     assert not bench.pendant.sent
-    assert bench.pendant.stop()
+    bench.pendant.stop()
+    assert bench.pendant.message == "Stopped."
     bench.session.run_for(1.0)
     assert rig.waiting is Waiting.COMMAND
     bench.press(Z, 1)
@@ -241,7 +242,8 @@ def test_a_run_is_stopped_at_the_end_of_its_step(bench: Bench) -> None:
     bench.pendant.run()
     bench.pendant.go_on()
     bench.session.run_for(0.1)
-    assert bench.pendant.stop()
+    bench.pendant.stop()
+    assert bench.pendant.message == "Stopped."
     sent = len(bench.pendant.sent)
     bench.finish()
     bench.session.run_for(3.0)

@@ -262,13 +262,10 @@ class Pendant:
         self._ended.update(self._held)
         self._held.clear()
 
-    def stop(self) -> bool:
+    def stop(self) -> None:
         """Stop: nothing more is typed; a program, or a hand that closes, gets BREAK.
 
         A `@STEP` under way goes to its end, as on the real machine.
-
-        Returns:
-            Whether there was anything to stop.
         """
         rig, was_busy = self._rig, self.busy or bool(self._passed)
         self.let_go()
@@ -282,9 +279,8 @@ class Pendant:
         elif rig.waiting is not Waiting.COMMAND:
             self._session.ready()
         elif not was_busy:
-            return False
+            return
         self.message = "Stopped."
-        return True
 
     # -- jogging ----------------------------------------------------------------------------------
 
