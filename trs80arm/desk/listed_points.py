@@ -18,11 +18,9 @@ from trs80arm.arm.model import Pose
 from trs80arm.desk.jogging import Stance
 from trs80arm.desk.taught_programs import HOME, Manner
 from trs80arm.desk.teach import Lesson, Position, listing_comment, listing_name
-from trs80arm.rig import Counts
 
 LAST_X = -100.0
 """An X below it ends the DATA lines, as in Table 4's line 309."""
-NO_STEPS: Counts = (0, 0, 0, 0, 0, 0)
 
 
 class ListingError(ValueError):

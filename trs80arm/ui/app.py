@@ -65,7 +65,7 @@ from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.jog_keyboard import JogKeyboard
 from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.panels.inspector import Asked
-from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
+from trs80arm.ui.panels.keys_by_mouse import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 from trs80arm.ui.panels.status import Pace
 from trs80arm.ui.screens.debugger import DebuggerScreen

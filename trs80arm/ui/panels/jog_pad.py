@@ -9,13 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from textual import events
-
 from trs80arm.desk.jogging import Coordinates
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, Span
 from trs80arm.rig import Key
-from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
+from trs80arm.ui.panels.keys_by_mouse import KeysByMouse
 from trs80arm.ui.panels.panel import Panel
 
 AXES = 6
@@ -52,7 +50,7 @@ class _Button:
     word: str
 
 
-class JogPad(Panel):
+class JogPad(KeysByMouse, Panel):
     """The buttons, as wide as there is room.
 
     Args:
@@ -132,25 +130,3 @@ class JogPad(Panel):
         axis = (x - LABELS) // self._column(self.size.width)
         buttons = self._buttons(self._readings, y - _BUTTONS)
         return buttons[axis].key if axis < AXES else None
-
-    def on_mouse_down(self, event: events.MouseDown) -> None:
-        """Hold or latch the button under the mouse."""
-        key = self.key_at(event.x, event.y)
-        if key is None:
-            return
-        event.stop()
-        if event.button == 1:
-            self.capture_mouse()
-            self.post_message(KeyHeld(key))
-        else:
-            self.post_message(KeyLatched(key))
-
-    def on_mouse_up(self, event: events.MouseUp) -> None:
-        """Let go, wherever the mouse is."""
-        if self.app.mouse_captured is self:
-            self.release_mouse()
-            self.post_message(KeysLetGo())
-
-    def on_mouse_release(self, event: events.MouseRelease) -> None:
-        """The capture was taken away: the finger is off."""
-        self.post_message(KeysLetGo())

@@ -10,14 +10,12 @@ from dataclasses import dataclass
 
 from rich.segment import Segment
 from rich.style import Style
-from textual import events
-from textual.message import Message
 from textual.strip import Strip
-from textual.widget import Widget
 
 from trs80arm.drawing.readings import Readings
 from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.rig import Key
+from trs80arm.ui.panels.keys_by_mouse import KeysByMouse
 
 # fmt: off
 ROWS_OF_KEYS: tuple[tuple[Key, ...], ...] = (
@@ -60,27 +58,7 @@ class _Cap:
     label: str
 
 
-class KeyHeld(Message):
-    """The mouse went down on a key: to be held until `KeysLetGo`."""
-
-    def __init__(self, key: Key) -> None:
-        super().__init__()
-        self.key = key
-
-
-class KeysLetGo(Message):
-    """The mouse button was let go."""
-
-
-class KeyLatched(Message):
-    """A key was clicked with the right button: to be turned on, or off if it was."""
-
-    def __init__(self, key: Key) -> None:
-        super().__init__()
-        self.key = key
-
-
-class MatrixView(Widget):
+class MatrixView(KeysByMouse):
     """The clickable keyboard."""
 
     HELP = """
@@ -203,25 +181,3 @@ class MatrixView(Widget):
         minus = "".join(self._jog.negative)
         keys = f"@SET: {plus} forward, {minus} back, {self._jog.leave} ends."
         return f"{keys} {JOINTS}" if len(keys) + len(JOINTS) < width else keys
-
-    def on_mouse_down(self, event: events.MouseDown) -> None:
-        """Hold or latch the key under the mouse."""
-        key = self.key_at(event.x, event.y)
-        if key is None:
-            return
-        event.stop()
-        if event.button == 1:
-            self.capture_mouse()
-            self.post_message(KeyHeld(key))
-        else:
-            self.post_message(KeyLatched(key))
-
-    def on_mouse_up(self, event: events.MouseUp) -> None:
-        """Let go, wherever the mouse is."""
-        if self.app.mouse_captured is self:
-            self.release_mouse()
-            self.post_message(KeysLetGo())
-
-    def on_mouse_release(self, event: events.MouseRelease) -> None:
-        """The capture was taken away: the finger is off."""
-        self.post_message(KeysLetGo())

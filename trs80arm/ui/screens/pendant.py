@@ -24,7 +24,7 @@ from trs80arm.ui.keys.jog_keyboard import JogKeyboard
 from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.jog_pad import JogPad
 from trs80arm.ui.panels.key_line import KeyHint, KeyLine
-from trs80arm.ui.panels.matrix import KeyHeld, KeyLatched, KeysLetGo
+from trs80arm.ui.panels.keys_by_mouse import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.side_view import SideView
 from trs80arm.ui.panels.top_view import TopView
 from trs80arm.ui.screens.dialog import Dialog
