@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trs80arm.arm.contact.elimination import Eliminated, Six, order
+from trs80arm.arm.contact.elimination import Eliminated, order
+from trs80arm.arm.contact.sixes import Six
 
 CHAIN = {(0, 1), (1, 2), (2, 3)}
 RING = {(0, 1), (1, 2), (2, 3), (0, 3)}

@@ -13,10 +13,10 @@ from trs80arm.arm.contact.bodies import Body, Fixed, Shape
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK, TICK_STATES
 from trs80arm.arm.contact.driven import GRAVITY
 from trs80arm.arm.contact.manifold import between
+from trs80arm.arm.contact.patch import FASTEST_RECOVERY
 from trs80arm.arm.contact.rotations import apply_back, matrix, oriented
 from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import Solid, box, cylinder, prism
-from trs80arm.arm.contact.solver import FASTEST_RECOVERY
 
 SKIN = 0.01
 """Depth to which things may be found in each other, inches."""

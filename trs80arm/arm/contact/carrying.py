@@ -6,9 +6,11 @@ import math
 from collections.abc import Sequence
 
 from trs80arm.arm.contact.bodies import Body, Link
+from trs80arm.arm.contact.contacts import Contact
 from trs80arm.arm.contact.driven import DrivenArm
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.meeting import sliding
+from trs80arm.arm.contact.patch import CREEP
 from trs80arm.arm.contact.rotations import (
     apply,
     apply_back,
@@ -17,7 +19,6 @@ from trs80arm.arm.contact.rotations import (
     times,
     transposed,
 )
-from trs80arm.arm.contact.solver import CREEP, Contact
 from trs80arm.arm.shapes import Vector, dot, minus, plus
 
 TILT = 0.9962

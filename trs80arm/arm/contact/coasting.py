@@ -11,9 +11,10 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from trs80arm.arm.contact.contacts import Mobile
 from trs80arm.arm.contact.distance import boxes_apart, separation
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.contact.solver import CREEP, DRIFT, Mobile
+from trs80arm.arm.contact.patch import CREEP, DRIFT
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
 MOST_STEPS = 32

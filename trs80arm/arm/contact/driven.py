@@ -12,9 +12,9 @@ from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
 from trs80arm.arm.contact.clock import TICK
-from trs80arm.arm.contact.elimination import Six
+from trs80arm.arm.contact.contacts import Contact, Mobile
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.contact.solver import Contact, Mobile
+from trs80arm.arm.contact.sixes import Six
 
 GRAVITY = 386.09
 """Inches per second squared."""

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-Six = tuple[float, float, float, float, float, float]
+from trs80arm.arm.contact.sixes import Six
+
 Triangle = Sequence[float]
 """A symmetric 6 x 6 matrix: the 21 numbers on and below its diagonal, row by row."""
 Columns = Sequence[Six]
@@ -138,35 +139,13 @@ def _factor(block: Sequence[float]) -> Triangle:
 
 def _forward(factor: Triangle, right: Sequence[float]) -> Six:
     """Solve L x = right."""
-    (
-        _,
-        l10,
-        _,
-        l20,
-        l21,
-        _,
-        l30,
-        l31,
-        l32,
-        _,
-        l40,
-        l41,
-        l42,
-        l43,
-        _,
-        l50,
-        l51,
-        l52,
-        l53,
-        l54,
-        _,
-    ) = factor
+    _, b0, _, c0, c1, _, d0, d1, d2, _, e0, e1, e2, e3, _, f0, f1, f2, f3, f4, _ = factor
     a, b, c, d, e, f = right
-    b -= l10 * a
-    c -= l20 * a + l21 * b
-    d -= l30 * a + l31 * b + l32 * c
-    e -= l40 * a + l41 * b + l42 * c + l43 * d
-    f -= l50 * a + l51 * b + l52 * c + l53 * d + l54 * e
+    b -= b0 * a
+    c -= c0 * a + c1 * b
+    d -= d0 * a + d1 * b + d2 * c
+    e -= e0 * a + e1 * b + e2 * c + e3 * d
+    f -= f0 * a + f1 * b + f2 * c + f3 * d + f4 * e
     return a, b, c, d, e, f
 
 
@@ -185,35 +164,13 @@ def _scaled(factor: Triangle, right: Six) -> Six:
 
 def _backward(factor: Triangle, right: Six) -> Six:
     """Solve Lᵀ x = right."""
-    (
-        _,
-        l10,
-        _,
-        l20,
-        l21,
-        _,
-        l30,
-        l31,
-        l32,
-        _,
-        l40,
-        l41,
-        l42,
-        l43,
-        _,
-        l50,
-        l51,
-        l52,
-        l53,
-        l54,
-        _,
-    ) = factor
+    _, b0, _, c0, c1, _, d0, d1, d2, _, e0, e1, e2, e3, _, f0, f1, f2, f3, f4, _ = factor
     a, b, c, d, e, f = right
-    e -= l54 * f
-    d -= l43 * e + l53 * f
-    c -= l32 * d + l42 * e + l52 * f
-    b -= l21 * c + l31 * d + l41 * e + l51 * f
-    a -= l10 * b + l20 * c + l30 * d + l40 * e + l50 * f
+    e -= f4 * f
+    d -= e3 * e + f3 * f
+    c -= d2 * d + e2 * e + f2 * f
+    b -= c1 * c + d1 * d + e1 * e + f1 * f
+    a -= b0 * b + c0 * c + d0 * d + e0 * e + f0 * f
     return a, b, c, d, e, f
 
 

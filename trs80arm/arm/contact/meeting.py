@@ -11,12 +11,12 @@ from dataclasses import dataclass, field
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed
 from trs80arm.arm.contact.bounds import greatest_speed, met, spheres_within
+from trs80arm.arm.contact.contacts import Contact, Key, Mobile, Side, total
 from trs80arm.arm.contact.driven import DrivenArm
-from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.manifold import Manifold, on_table
 from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.roster import Roster
-from trs80arm.arm.contact.solver import Contact, Key, Mobile, Side, total
+from trs80arm.arm.contact.sixes import Six
 from trs80arm.arm.contact.table import TABLE, Plate, carried
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 

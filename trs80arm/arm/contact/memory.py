@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from trs80arm.arm.contact.bodies import Body
-from trs80arm.arm.contact.solver import Contact, Key
+from trs80arm.arm.contact.contacts import Contact, Key
 from trs80arm.arm.shapes import Vector, minus
 
 Pressures = list[tuple[Vector, float]]

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 from trs80arm.arm.contact.bodies import Body, Fixed
 from trs80arm.arm.contact.bounds import box_around
 from trs80arm.arm.contact.coasting import MOST_STEPS, Coast, Mover, apart, even, join, pace
+from trs80arm.arm.contact.contacts import Contact, Mobile, total
 from trs80arm.arm.contact.driven import DrivenArm
-from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.roster import Roster
-from trs80arm.arm.contact.solver import Contact, Mobile, Problem, total
+from trs80arm.arm.contact.sixes import Six
+from trs80arm.arm.contact.solver import Problem
 from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.shapes import cross, dot, plus
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from trs80arm.arm.contact.bodies import Body, Link
 from trs80arm.arm.contact.bounds import greatest_speed
+from trs80arm.arm.contact.contacts import Contact
 from trs80arm.arm.contact.rotations import Matrix, apply_back, times, transposed
-from trs80arm.arm.contact.solver import Contact
 from trs80arm.arm.shapes import Vector, minus
 
 STILL = 0.03

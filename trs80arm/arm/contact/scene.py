@@ -17,8 +17,8 @@ from trs80arm.arm.contact.bounds import box_around, greatest_speed, outside, wit
 from trs80arm.arm.contact.carrying import Carrying, carry
 from trs80arm.arm.contact.clock import TICK, TICK_STATES
 from trs80arm.arm.contact.coasting import Coast
+from trs80arm.arm.contact.contacts import Contact, Mobile
 from trs80arm.arm.contact.driven import GRAVITY, DrivenArm
-from trs80arm.arm.contact.elimination import Six
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.meeting import TOUCH, Meeting, islands, presses
 from trs80arm.arm.contact.memory import Memory
@@ -26,7 +26,8 @@ from trs80arm.arm.contact.prospect import Prospect
 from trs80arm.arm.contact.rest import CALM_TICKS, Group, calm, groups, leaning
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.rotations import spun, turned
-from trs80arm.arm.contact.solver import Contact, Mobile, Problem
+from trs80arm.arm.contact.sixes import Six
+from trs80arm.arm.contact.solver import Problem
 from trs80arm.arm.contact.table import TABLE, Plate
 from trs80arm.arm.shapes import Vector, plus
 

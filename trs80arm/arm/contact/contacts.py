@@ -1,0 +1,106 @@
+"""What touches what: things that move, the sides of a contact, its points and its normal."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from trs80arm.arm.contact.rotations import Matrix
+from trs80arm.arm.contact.sixes import Six
+from trs80arm.arm.shapes import Vector, plus
+
+Key = tuple[str, str, int]
+"""Of a contact: the two things' names, and which of their solids."""
+
+
+@dataclass(slots=True)
+class Mobile:
+    """What the solver knows of something that moves.
+
+    Attributes:
+        speed: six velocities, in the end those found: of a body, velocity and spin; of the arm, the
+            rates of its coordinates.
+        place: of a body's centre of mass; unused for the arm.
+        mass: of a body.
+        inertia: of a body, in the world's frame.
+        inertias: of each of the arm's coordinates; None for a body.
+        before: velocities from which to begin looking; those of `speed` unless given.
+    """
+
+    speed: list[float]
+    place: Vector
+    mass: float = 0.0
+    inertia: Matrix | None = None
+    inertias: Six | None = None
+    before: tuple[float, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """One side of a contact: what is touched there, and how it moves.
+
+    Attributes:
+        mobile: what moves, or None for what stands fast.
+        screws: of the arm's link.
+    """
+
+    mobile: Mobile | None
+    screws: tuple[tuple[Vector, Vector], ...] | None = None
+
+    @property
+    def spin(self) -> Vector:
+        """Radians a second."""
+        if self.mobile is None:
+            return (0.0, 0.0, 0.0)
+        if self.screws is None:
+            return self.mobile.speed[3], self.mobile.speed[4], self.mobile.speed[5]
+        return total(self.screws, self.mobile.speed)[0]
+
+
+def total(screws: Sequence[tuple[Vector, Vector]], rates: Sequence[float]) -> tuple[Vector, Vector]:
+    """Spin of a link, and velocity at the world's origin."""
+    spin = velocity = (0.0, 0.0, 0.0)
+    for (turning, going), rate in zip(screws, rates, strict=True):
+        spin, velocity = plus(spin, turning, rate), plus(velocity, going, rate)
+    return spin, velocity
+
+
+@dataclass(slots=True)
+class Contact:
+    """Where two things touch, or are about to: an area, an edge or a point, with one normal.
+
+    Attributes:
+        key: the two things' names, and which of their solids; for finding it again.
+        points: of contact, in the world, and the gap at each: inches, negative for an overlap.
+        normal: from the first side into the second.
+        first: side that the normal leaves.
+        second: side that it enters; it moves.
+        friction: coefficient.
+        surfaces: velocity of the first side at each point, if it stands fast but its surface moves.
+        pressures: impulse along the normal at each: as it was a tick before, then as found.
+        apart: inches by which the two are apart along the normal, whole solids and not points.
+    """
+
+    key: Key
+    points: list[tuple[Vector, float]]
+    normal: Vector
+    first: Side
+    second: Side
+    friction: float
+    surfaces: list[Vector] | None = None
+    pressures: list[float] = field(default_factory=list)
+    apart: float = -math.inf
+
+    @property
+    def gap(self) -> float:
+        """The least of all points."""
+        return min(gap for _, gap in self.points)
+
+    @property
+    def pressure(self) -> float:
+        """The whole of all points."""
+        total = 0.0
+        for pressure in self.pressures:
+            total += pressure
+        return total
