@@ -9,16 +9,14 @@ the time is sliced.
 from __future__ import annotations
 
 import copy
-import heapq
-import math
 from collections.abc import Callable, Iterable
-from dataclasses import astuple, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 from trs80arm import files, snapshots
-from trs80arm.arm.bench import Bench, BenchError
-from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, InTheWay, MiniMover, MotorsOn
+from trs80arm.arm.bench import Bench
+from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, MiniMover
 from trs80arm.arm.model import Pose
 from trs80arm.basic import cruncher
 from trs80arm.basic.activity import Waiting
@@ -27,9 +25,9 @@ from trs80arm.basic.interpreter import Interpreter
 from trs80arm.basic.outcome import Outcome
 from trs80arm.basic.state import Listener as StatementListener
 from trs80arm.machine.card import MOTORS, Card, Latch, Observer
-from trs80arm.machine.clock import END_OF_TIME, T_STATES_PER_SECOND, Clock
+from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.machine.console import Console
-from trs80arm.machine.driver import Counts, Driver, Mode
+from trs80arm.machine.driver import Counts, Driver
 from trs80arm.machine.keys import Key
 from trs80arm.machine.memory import Memory
 from trs80arm.machine.ports import LineListener
@@ -37,7 +35,12 @@ from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
 from trs80arm.snapshots import SnapshotError
-from trs80arm.works import Input, KeyEvent, Observers, RigSettings, Works, assemble
+from trs80arm.works.devices import RigSettings, Works, assemble
+from trs80arm.works.inputs import Input, ReplayError, replay
+from trs80arm.works.key_events import KeyEvents
+from trs80arm.works.observers import Observers, attach
+from trs80arm.works.running import Running
+from trs80arm.works.trial import try_out
 
 __all__ = [
     "TURNED_BY_HAND",
@@ -53,22 +56,12 @@ __all__ = [
     "Waiting",
 ]
 
-_TRIAL = 1 / 60
-"""Virtual seconds that a machine from a snapshot must be able to run for."""
-_BREAK = 1 / 10
-"""Virtual seconds for which BREAK is then held."""
 LONGEST_HOLD = 86_400.0
 """Seconds for which a key can be held, a day."""
-
-T = TypeVar("T")
 
 
 class ChangeError(ValueError):
     """What somebody wanted to change cannot be; the machine's error or one line that says why."""
-
-
-class ReplayError(Exception):
-    """What was recorded cannot be done on this machine; one line that says when and why."""
 
 
 class Rig:
@@ -90,6 +83,8 @@ class Rig:
 
     def _use(self, works: Works) -> None:
         self._works = works
+        self._keys = KeyEvents(works)
+        self._running = Running(works, self._keys, self._observers.stops)
         self._observers.connect(works)
 
     @property
@@ -126,9 +121,7 @@ class Rig:
         Raises:
             ValueError: that is no time, or after `END_OF_TIME`.
         """
-        if not 0 <= seconds <= END_OF_TIME / T_STATES_PER_SECOND:
-            raise ValueError(f"time cannot pass for {seconds} seconds")
-        return self.run_to(self._works.asked + round(seconds * T_STATES_PER_SECOND))
+        return self._running.run_for(seconds)
 
     def run_to(self, target: int) -> bool:
         """Run until the clock shows at least `target` T-states.
@@ -139,21 +132,7 @@ class Rig:
         Raises:
             ValueError: that is after `END_OF_TIME`.
         """
-        if target > END_OF_TIME:
-            raise ValueError("the clock does not go that far")
-        works = self._works
-        works.asked = max(works.asked, target)
-        stops = self._observers.stops
-        stops.heeded, stops.reached = True, False
-        try:
-            while works.clock.now < target:
-                self._turn(target, until_waiting=works.typist.looks_up)
-                if stops.reached:
-                    works.asked = works.clock.now
-                    return False
-        finally:
-            stops.heeded = False
-        return True
+        return self._running.run_to(target)
 
     def run_until(self, condition: Callable[[Rig], bool], seconds: float = 60.0) -> bool:
         """Run until `condition(rig)` holds, looking each time the machine begins to wait, too.
@@ -165,15 +144,7 @@ class Rig:
         Returns:
             Whether the condition holds.
         """
-        works = self._works
-        end = works.clock.now + round(seconds * T_STATES_PER_SECOND)
-        frame = T_STATES_PER_SECOND // 60
-        while not condition(self):
-            if works.clock.now >= end:
-                return False
-            self._turn(min(end, works.clock.now + frame), until_waiting=True)
-            works.asked = works.clock.now
-        return True
+        return self._running.run_until(lambda: condition(self), seconds)
 
     def run_until_waiting(self, seconds: float = 60.0) -> Waiting:
         """Run until everything typed is in and the machine waits for the operator again.
@@ -181,17 +152,7 @@ class Rig:
         Returns:
             What it waits for; NOTHING if it still works after that many virtual seconds.
         """
-        works = self._works
-        end = works.clock.now + round(seconds * T_STATES_PER_SECOND)
-        while works.clock.now < end:
-            self._move_keys()
-            if works.basic.waiting is not Waiting.NOTHING and not (
-                works.typist.pending or works.events
-            ):
-                break
-            self._turn(end, until_waiting=True)
-            works.asked = works.clock.now
-        return works.basic.waiting
+        return self._running.run_until_waiting(seconds)
 
     def step_statement(self) -> int | None:
         """Let the machine do one statement of BASIC, or of what it does instead.
@@ -203,46 +164,7 @@ class Rig:
             The number of the line that is next; None when no program runs.
         """
         self._record("step_statement")
-        works = self._works
-        clock = works.clock
-        before = clock.now
-        while clock.now == before or works.driver.mode in (Mode.STEP, Mode.CLOSE):
-            self._move_keys()
-            clock.limit = clock.now + T_STATES_PER_SECOND // 60
-            works.basic.step_statement()
-        works.arm.advance(clock.now)
-        works.asked = clock.now
-        return works.basic.next_line
-
-    def _turn(self, target: int, until_waiting: bool) -> None:
-        """Hand the machine one stretch of time in which no key changes."""
-        works = self._works
-        clock = works.clock
-        waiting = works.basic.waiting
-        for time, key, down in works.typist.due(clock.now, waiting is not Waiting.NOTHING):
-            self._at(time, key, down, typed=True)
-        self._move_keys()
-        limits = [target, *(event.time for event in works.events[:1])]
-        look = works.typist.next_look
-        if look is not None and look > clock.now:
-            limits.append(look)
-        clock.limit = min(limits)
-        # A machine that waits already is not asked to stop at the wait that it is in.
-        works.basic.advance(until_waiting=until_waiting and waiting is Waiting.NOTHING)
-        # What falls goes on falling while nobody steps a motor.
-        works.arm.advance(clock.now)
-
-    def _move_keys(self) -> None:
-        """Let the keys go down and up whose time has come."""
-        works = self._works
-        while works.events and works.events[0].time <= works.clock.now:
-            event = heapq.heappop(works.events)
-            (works.matrix.press if event.down else works.matrix.release)(event.key)
-
-    def _at(self, time: int, key: Key, down: bool, *, typed: bool = False) -> None:
-        works = self._works
-        works.order += 1
-        heapq.heappush(works.events, KeyEvent(time, works.order, key, down, typed))
+        return self._running.step_statement()
 
     # -- the operator's hands -----------------------------------------------------------------
 
@@ -258,7 +180,7 @@ class Rig:
         Returns:
             A function that ends the recording.
         """
-        return _attach(self._observers.inputs, recorder)
+        return attach(self._observers.inputs, recorder)
 
     def replay(self, inputs: Iterable[Input]) -> None:
         """Do again what was recorded, each thing at its own virtual time.
@@ -267,13 +189,7 @@ class Rig:
             ReplayError: something recorded cannot be done, as moving the arm by hand to where
                 something stands. What comes before it is done.
         """
-        for done in inputs:
-            self.run_to(done.time)
-            try:
-                getattr(self, done.action)(*done.arguments)
-            except (MotorsOn, InTheWay, BenchError, ValueError) as error:
-                when = done.time / T_STATES_PER_SECOND
-                raise ReplayError(f"{done.action} at {when:.3f} s: {error}") from None
+        replay(self, inputs)
 
     def press(self, key: Key | str) -> None:
         """Hold a key down from now on.
@@ -282,7 +198,7 @@ class Rig:
             ValueError: the TRS-80 has no such key.
         """
         self._record("press", str(Key(key)))
-        self._at(self.clock.now, Key(key), True)
+        self._keys.add(self.clock.now, Key(key), True)
 
     def release(self, key: Key | str) -> None:
         """Let a key go. A key that is not held is left alone.
@@ -291,14 +207,12 @@ class Rig:
             ValueError: the TRS-80 has no such key.
         """
         self._record("release", str(Key(key)))
-        self._at(self.clock.now, Key(key), False)
+        self._keys.add(self.clock.now, Key(key), False)
 
     def release_all(self) -> None:
         """Let every key go, also those that were still to be pressed."""
         self._record("release_all")
-        works = self._works
-        works.events.clear()
-        works.matrix.release_all()
+        self._keys.release_all()
 
     def hold(self, keys: Iterable[Key | str], seconds: float) -> None:
         """Press keys together now and let them go after `seconds` of virtual time.
@@ -310,10 +224,7 @@ class Rig:
             raise ValueError(f"keys can be held for 0 to {LONGEST_HOLD:.0f} seconds")
         held = [Key(key) for key in keys]
         self._record("hold", [str(key) for key in held], seconds)
-        end = self.clock.now + round(seconds * T_STATES_PER_SECOND)
-        for key in held:
-            self._at(self.clock.now, key, True)
-            self._at(end, key, False)
+        self._keys.hold(held, seconds)
 
     def type(self, text: str) -> None:
         r"""Type text on the keyboard, `\r` or `\n` for ENTER.
@@ -328,16 +239,7 @@ class Rig:
     def stop_typing(self) -> None:
         """Forget what is still to be typed, in the middle of a line too."""
         self._record("stop_typing")
-        works = self._works
-        works.typist.clear(works.clock.now)
-        to_come = {event.key for event in works.events if event.typed and not event.down}
-        # A key that is down already goes up once more; all else that was typed is void.
-        up = dict.fromkeys(to_come & works.matrix.held, True)
-        works.events = [
-            event
-            for event in sorted(works.events)
-            if not event.typed or (not event.down and up.pop(event.key, False))
-        ]
+        self._keys.stop_typing()
 
     def load_text(self, text: str) -> None:
         """Put the program of a listing into memory at once, as CLOAD would.
@@ -536,11 +438,7 @@ class Rig:
     @property
     def to_type(self) -> int:
         """How many characters of a text are still to be typed."""
-        works = self._works
-        given_out = sum(
-            event.typed and event.down and event.key is not Key.SHIFT for event in works.events
-        )
-        return works.typist.left + given_out
+        return self._works.typist.left + self._keys.typed
 
     @property
     def outcome(self) -> Outcome | None:
@@ -623,11 +521,7 @@ class Rig:
         The hand's compensation for the elbow is taken out, as the registers do not count it, so an
         arm that lost no step shows the registers' numbers.
         """
-        rotors = self._works.arm.state().rotors
-        j1, j2, j3, j4, j5, j6 = (
-            rotor - zero for rotor, zero in zip(rotors, self._works.zero, strict=True)
-        )
-        return j1, j2, j3, j4, j5, j6 - self._works.arm.model.hand_per_elbow * j3
+        return self._works.joints
 
     @property
     def state(self) -> ArmState:
@@ -650,7 +544,7 @@ class Rig:
         Returns:
             A function that ends the listening.
         """
-        return _attach(self._observers.codes, listener)
+        return attach(self._observers.codes, listener)
 
     def watch_statements(self, listener: StatementListener) -> Callable[[], None]:
         """Tell `listener` every statement before it is executed.
@@ -658,7 +552,7 @@ class Rig:
         Returns:
             A function that ends the watching.
         """
-        return _attach(self._observers.statements, listener)
+        return attach(self._observers.statements, listener)
 
     def stop_before(self, condition: Callable[[int], bool]) -> Callable[[], None]:
         """Stop the machine before each statement for which `condition` holds.
@@ -671,7 +565,7 @@ class Rig:
         Returns:
             A function that ends it.
         """
-        return _attach(self._observers.stops.conditions, condition)
+        return attach(self._observers.stops.conditions, condition)
 
     def watch_latches(self, observer: Observer) -> Callable[[], None]:
         """Clip a logic analyser on the card.
@@ -679,7 +573,7 @@ class Rig:
         Returns:
             A function that takes it off.
         """
-        return _attach(self._observers.latches, observer)
+        return attach(self._observers.latches, observer)
 
     def watch_line(self, listener: LineListener) -> Callable[[], None]:
         """Listen at the line to the recorder, on which programs make sound by OUT 255.
@@ -690,7 +584,7 @@ class Rig:
         Returns:
             A function that ends the listening.
         """
-        return _attach(self._observers.line, listener)
+        return attach(self._observers.line, listener)
 
     def watch_resets(self, observer: Callable[[], None]) -> Callable[[], None]:
         """Call `observer` after each `@RESET`, and when the machine is switched off.
@@ -698,7 +592,7 @@ class Rig:
         Returns:
             A function that ends the watching.
         """
-        return _attach(self._observers.resets, observer)
+        return attach(self._observers.resets, observer)
 
     # -- all of it ----------------------------------------------------------------------------
 
@@ -721,7 +615,7 @@ class Rig:
             SnapshotError: the bytes are no snapshot of this version, or of a machine that no
                 program could have brought about; the rig stays as it is.
         """
-        _try(snapshots.decode(snapshot))
+        try_out(snapshots.decode(snapshot))
         self.go_back(snapshot)
 
     def go_back(self, snapshot: bytes) -> None:
@@ -770,42 +664,3 @@ class Rig:
     def use_places(self) -> None:
         """Cassettes and paper are in the settings' folder and file from now on."""
         self._works.use_places(self.settings)
-
-
-def _try(works: Works) -> None:
-    """Let works that came from outside run for a moment, with nobody looking on.
-
-    Raises:
-        SnapshotError: they cannot.
-    """
-    rig = object.__new__(Rig)
-    rig._observers = Observers()
-    rig._use(works)
-    try:
-        rig.run_for(_TRIAL)
-        rig.screen()
-        rig.joints, rig.state, rig.waiting  # noqa: B018
-        # Whatever it does, its operator can break off.
-        rig.hold([Key.BREAK], _BREAK)
-        rig.run_for(_BREAK / 2)
-        rig.stop_typing()
-        rig.release_all()
-        rig.hold([Key.BREAK], _BREAK)
-        rig.run_for(2 * _BREAK)
-        if not all(-0x8000 <= count <= 0x7FFF for count in rig.registers):
-            raise ValueError("registers have 16 bits")
-        if not all(map(math.isfinite, astuple(rig.pose))):
-            raise ValueError("the hand is nowhere")
-    except Exception:
-        # Whatever the classes of the machine say to values that they never have.
-        raise SnapshotError("no snapshot: a machine in a state that cannot be") from None
-
-
-def _attach(attached: list[T], observer: T) -> Callable[[], None]:
-    """Put somebody among the others; the function that is returned ends it, once and for all."""
-    attached.append(observer)
-
-    def end() -> None:
-        attached[:] = [other for other in attached if other is not observer]
-
-    return end

@@ -32,7 +32,7 @@ from trs80arm.basic.variables import Array, Scalar, is_value
 from trs80arm.machine import card, coordination, driver
 from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.machine.keys import Key
-from trs80arm.works import KeyEvent, RigSettings
+from trs80arm.works.devices import KeyEvent, RigSettings
 
 
 def _by_name(classes: Iterable[type]) -> dict[str, type]:

@@ -41,7 +41,7 @@ from trs80arm.arm.minimover import MiniMover
 from trs80arm.machine.clock import END_OF_TIME
 from trs80arm.plain_values import SettingsError, Table, as_table, from_table
 from trs80arm.snapshot_classes import CHECKS, NAMED, OBJECTS, VALUES, parts_of
-from trs80arm.works import RigSettings, Works, assemble
+from trs80arm.works.devices import RigSettings, Works, assemble
 
 FORMAT = "trs80arm snapshot 1"
 LARGEST = 64 * 1024 * 1024

@@ -22,7 +22,7 @@ from trs80arm.arm import (
 from trs80arm.arm.bench import deep
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import PulseGenerator, delay_period
-from trs80arm.works import RigSettings
+from trs80arm.works.devices import RigSettings
 
 D50 = delay_period(50)
 EASY = delay_period(200)

@@ -20,7 +20,7 @@ from trs80arm.arm.models import MINIMOVER5, MODELS, TEACHMOVER
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 from trs80arm.basic.activity import Waiting
 from trs80arm.machine.driver import DriverSettings
-from trs80arm.works import RigSettings
+from trs80arm.works.devices import RigSettings
 
 SIX = st.tuples(*[st.integers(-3000, 3000)] * 6)
 PROGRAMS = Path(__file__).parents[2] / "programs"

@@ -22,7 +22,7 @@ from trs80arm.desk.taught_programs import Manner, written
 from trs80arm.desk.teach import Lesson
 from trs80arm.drawing.picture import FROM_ABOVE, FROM_THE_SIDE, IN_SPACE, Picture
 from trs80arm.drawing.readings import Readings
-from trs80arm.works import RigSettings
+from trs80arm.works.devices import RigSettings
 
 TOY = replace(
     MINIMOVER5,

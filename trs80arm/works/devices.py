@@ -1,4 +1,4 @@
-"""The works of a rig: all its devices, how they are wired, and who looks at them from outside.
+"""All devices of a rig and how they are wired.
 
 `Rig` builds them here, hands them to whoever looks, and takes and gives them back whole in a
 snapshot.
@@ -6,7 +6,6 @@ snapshot.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -15,17 +14,15 @@ from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic.host import Host
 from trs80arm.basic.interpreter import Interpreter
-from trs80arm.basic.state import Listener as StatementListener
-from trs80arm.basic.state import Stops
-from trs80arm.machine.card import Card, CardSettings, Observer
+from trs80arm.machine.card import Card, CardSettings
 from trs80arm.machine.clock import Clock
-from trs80arm.machine.console import Console, Listener
+from trs80arm.machine.console import Console
 from trs80arm.machine.display import Display
 from trs80arm.machine.driver import Counts, Driver, DriverSettings
 from trs80arm.machine.keyboard import KeyboardDriver, Matrix
 from trs80arm.machine.keys import KEYBOARD_START, KEYBOARD_STOP, Key
 from trs80arm.machine.memory import RAM_SIZES_KIB, Memory
-from trs80arm.machine.ports import LineListener, Ports, SystemPort
+from trs80arm.machine.ports import Ports, SystemPort
 from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer, PrinterDriver
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.typist import Typist, check_answer
@@ -72,54 +69,6 @@ class KeyEvent:
     """Whether it is the typist's, who may be told to stop."""
 
 
-@dataclass(frozen=True)
-class Input:
-    """One thing that the operator did: enough to do it again at the same virtual time."""
-
-    time: int
-    """T-states since power-on."""
-    action: str
-    """The name of the method of `Rig`."""
-    arguments: tuple[Any, ...]
-
-
-@dataclass(frozen=True)
-class Observers:
-    """Everybody who looks at a rig from outside, by what they look at.
-
-    They belong to the rig and not to its works: the machine may be switched off and on, another
-    state restored, another bench set up, and they go on looking. `connect` is the one place where
-    devices learn of them.
-    """
-
-    codes: list[Listener] = field(default_factory=list)
-    """Told every code sent to the display."""
-    statements: list[StatementListener] = field(default_factory=list)
-    """Told every statement before it is executed."""
-    latches: list[Observer] = field(default_factory=list)
-    """Told every write to the card's latches."""
-    resets: list[Callable[[], None]] = field(default_factory=list)
-    """Told every `@RESET`."""
-    line: list[LineListener] = field(default_factory=list)
-    """Told every change of the level on the recorder's line."""
-    inputs: list[Callable[[Input], None]] = field(default_factory=list)
-    """Told everything that the operator does; the rig itself tells them."""
-    stops: Stops = field(default_factory=Stops)
-    """Asked before every statement whether the machine is to stop there."""
-    replaced: list[tuple[str, bytes]] = field(default_factory=list)
-    """What was on cassettes of the tape folder before they were recorded on, in order."""
-
-    def connect(self, works: Works) -> None:
-        """Let the devices of other works be looked at from now on."""
-        works.console.listeners = self.codes
-        works.basic.listeners = self.statements
-        works.basic.stops = self.stops
-        works.tape.replaced = self.replaced
-        works.card.observers = self.latches
-        works.driver.reset_observers = self.resets
-        works.system_port.listeners = self.line
-
-
 @dataclass
 class Works:
     """All devices of a rig, and what is about to happen to its keys."""
@@ -151,6 +100,19 @@ class Works:
     def __getstate__(self) -> dict[str, Any]:
         nowhere = replace(self.settings, tape_folder=None, printer_file=None)
         return self.__dict__ | {"settings": nowhere}
+
+    @property
+    def joints(self) -> Counts:
+        """Where the joints truly are, in the registers' steps from the same zero.
+
+        The hand's compensation for the elbow is taken out, as the registers do not count it, so an
+        arm that lost no step shows the registers' numbers.
+        """
+        rotors = self.arm.state().rotors
+        j1, j2, j3, j4, j5, j6 = (
+            rotor - zero for rotor, zero in zip(rotors, self.zero, strict=True)
+        )
+        return j1, j2, j3, j4, j5, j6 - self.arm.model.hand_per_elbow * j3
 
     def use_places(self, own: RigSettings) -> None:
         """Take over where cassettes and paper are kept from other settings.

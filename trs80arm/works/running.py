@@ -1,0 +1,138 @@
+"""Virtual time passes for the works of a rig."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from trs80arm.basic.activity import Waiting
+from trs80arm.basic.state import Stops
+from trs80arm.machine.clock import END_OF_TIME, T_STATES_PER_SECOND
+from trs80arm.machine.driver import Mode
+from trs80arm.works.devices import Works
+from trs80arm.works.key_events import KeyEvents
+
+_FRAME = T_STATES_PER_SECOND // 60
+"""T-states after which whoever waits for something looks again."""
+
+
+class Running:
+    """Lets works run.
+
+    Args:
+        works: the devices.
+        keys: what is about to happen to their keys.
+        stops: before which statements `run_to` is to stop.
+    """
+
+    def __init__(self, works: Works, keys: KeyEvents, stops: Stops) -> None:
+        self._works = works
+        self._keys = keys
+        self._stops = stops
+
+    def run_for(self, seconds: float) -> bool:
+        """Let `seconds` of virtual time pass, counted from where the last run was to end.
+
+        Returns:
+            Whether they have passed: not if the machine was stopped.
+
+        Raises:
+            ValueError: that is no time, or after `END_OF_TIME`.
+        """
+        if not 0 <= seconds <= END_OF_TIME / T_STATES_PER_SECOND:
+            raise ValueError(f"time cannot pass for {seconds} seconds")
+        return self.run_to(self._works.asked + round(seconds * T_STATES_PER_SECOND))
+
+    def run_to(self, target: int) -> bool:
+        """Run until the clock shows at least `target` T-states.
+
+        Returns:
+            Whether it does: not if the machine was stopped before a statement.
+
+        Raises:
+            ValueError: that is after `END_OF_TIME`.
+        """
+        if target > END_OF_TIME:
+            raise ValueError("the clock does not go that far")
+        works = self._works
+        works.asked = max(works.asked, target)
+        stops = self._stops
+        stops.heeded, stops.reached = True, False
+        try:
+            while works.clock.now < target:
+                self._turn(target, until_waiting=works.typist.looks_up)
+                if stops.reached:
+                    works.asked = works.clock.now
+                    return False
+        finally:
+            stops.heeded = False
+        return True
+
+    def run_until(self, condition: Callable[[], bool], seconds: float) -> bool:
+        """Run until `condition()` holds; it is looked at each time a wait begins, too.
+
+        Returns:
+            Whether it holds, after at most `seconds` of virtual time.
+        """
+        works = self._works
+        end = works.clock.now + round(seconds * T_STATES_PER_SECOND)
+        while not condition():
+            if works.clock.now >= end:
+                return False
+            self._turn(min(end, works.clock.now + _FRAME), until_waiting=True)
+            works.asked = works.clock.now
+        return True
+
+    def run_until_waiting(self, seconds: float) -> Waiting:
+        """Run until everything typed is in and the machine waits for the operator again.
+
+        Returns:
+            What it waits for; NOTHING if it still works after that many virtual seconds.
+        """
+        works = self._works
+        end = works.clock.now + round(seconds * T_STATES_PER_SECOND)
+        while works.clock.now < end:
+            self._keys.move()
+            if works.basic.waiting is not Waiting.NOTHING and not (
+                works.typist.pending or works.events
+            ):
+                break
+            self._turn(end, until_waiting=True)
+            works.asked = works.clock.now
+        return works.basic.waiting
+
+    def step_statement(self) -> int | None:
+        """Do one statement of BASIC, or of what the machine does instead.
+
+        Returns:
+            The number of the line that is next; None when no program runs.
+        """
+        works = self._works
+        clock = works.clock
+        before = clock.now
+        while clock.now == before or works.driver.mode in (Mode.STEP, Mode.CLOSE):
+            self._keys.move()
+            clock.limit = clock.now + _FRAME
+            works.basic.step_statement()
+        works.arm.advance(clock.now)
+        works.asked = clock.now
+        return works.basic.next_line
+
+    def _turn(self, target: int, until_waiting: bool) -> None:
+        """Hand the machine one stretch of time in which no key changes."""
+        works, keys = self._works, self._keys
+        clock = works.clock
+        waiting = works.basic.waiting
+        for time, key, down in works.typist.due(clock.now, waiting is not Waiting.NOTHING):
+            keys.add(time, key, down, typed=True)
+        keys.move()
+        limits = [target]
+        if keys.next_time is not None:
+            limits.append(keys.next_time)
+        look = works.typist.next_look
+        if look is not None and look > clock.now:
+            limits.append(look)
+        clock.limit = min(limits)
+        # A machine that waits already is not asked to stop at the wait that it is in.
+        works.basic.advance(until_waiting=until_waiting and waiting is Waiting.NOTHING)
+        # What falls goes on falling while nobody steps a motor.
+        works.arm.advance(clock.now)
