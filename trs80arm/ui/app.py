@@ -530,18 +530,15 @@ class Trs80Arm(Themed[int]):
 
     def on_key_held(self, message: KeyHeld) -> None:
         """The mouse holds a key."""
-        self.keyboard.held.point(message.key)
-        self.keyboard.feed()
+        self.keyboard.point(message.key)
 
     def on_keys_let_go(self, message: KeysLetGo) -> None:
         """The mouse lets go."""
-        self.keyboard.held.unpoint()
-        self.keyboard.feed()
+        self.keyboard.unpoint()
 
     def on_key_latched(self, message: KeyLatched) -> None:
         """The mouse latches a key."""
-        self.keyboard.held.latch((message.key,))
-        self.keyboard.feed()
+        self.keyboard.latch(message.key)
 
     def on_paste(self, event: events.Paste) -> None:
         """A paste at the desk: a listing is entered at once, anything else typed."""

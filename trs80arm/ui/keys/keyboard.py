@@ -149,6 +149,21 @@ class Keyboard:
         self.held.tap(keys)
         self.feed()
 
+    def point(self, key: Key) -> None:
+        """The mouse holds a key."""
+        self.held.point(key)
+        self.feed()
+
+    def unpoint(self) -> None:
+        """The mouse lets go."""
+        self.held.unpoint()
+        self.feed()
+
+    def latch(self, key: Key) -> None:
+        """The mouse turns a key on, or off if it was."""
+        self.held.latch((key,))
+        self.feed()
+
     def let_go(self) -> None:
         """Take all hands off: the focus is gone."""
         self.held.release_all()

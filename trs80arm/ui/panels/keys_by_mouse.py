@@ -34,7 +34,7 @@ class KeysByMouse(Widget):
 
     def key_at(self, x: int, y: int) -> Key | None:
         """The key at a cell, None where there is none."""
-        raise NotImplementedError
+        raise TypeError(f"{type(self).__name__} does not say where its keys are")
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Hold or latch the key under the mouse."""

@@ -299,20 +299,17 @@ gets BREAK.
     def on_key_held(self, message: KeyHeld) -> None:
         """The mouse holds a button."""
         message.stop()
-        self._means.keyboard.keyboard.held.point(message.key)
-        self._means.keyboard.keyboard.feed()
+        self._means.keyboard.keyboard.point(message.key)
 
     def on_keys_let_go(self, message: KeysLetGo) -> None:
         """The mouse lets go."""
         message.stop()
-        self._means.keyboard.keyboard.held.unpoint()
-        self._means.keyboard.keyboard.feed()
+        self._means.keyboard.keyboard.unpoint()
 
     def on_key_latched(self, message: KeyLatched) -> None:
         """The mouse latches a button."""
         message.stop()
-        self._means.keyboard.keyboard.held.latch((message.key,))
-        self._means.keyboard.keyboard.feed()
+        self._means.keyboard.keyboard.latch(message.key)
 
     # -- points -----------------------------------------------------------------------------------
 
