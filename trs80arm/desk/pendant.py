@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from trs80arm.desk.jogging import STEP_SIZES, Coordinates, Jogger, Plan, Stance, StepSize
@@ -423,6 +423,14 @@ class Pendant:
         if self.place is not None:
             position = self.lesson.positions[self.place]
             self.lesson.set_grip(self.place, not position.grips, position.squeeze)
+
+    def switch_repeats(self) -> None:
+        """A run goes round and round, or once."""
+        self.manner = replace(self.manner, repeats=not self.manner.repeats)
+
+    def use_delay(self, speed: int) -> None:
+        """Another D for its `@STEP`s."""
+        self.manner = replace(self.manner, speed=speed)
 
     def mark(self, place: int) -> None:
         """Mark a point."""

@@ -72,7 +72,7 @@ def _through(sitting: Sitting, words: str) -> None:
 def _delay(sitting: Sitting, words: str) -> None:
     pendant = sitting.pendant
     if words.isdecimal() and int(words) <= MOST_DELAY:
-        pendant.manner = replace(pendant.manner, speed=int(words))
+        pendant.use_delay(int(words))
     elif words:
         sitting.tell(f"D is a number from 0 to {MOST_DELAY}.")
         return

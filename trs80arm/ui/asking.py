@@ -16,7 +16,7 @@ from trs80arm.desk.asking import (
     Question,
 )
 from trs80arm.desk.reach import Reach
-from trs80arm.ui.screens.dialog import Ask, AskPath, Choose, Dialog
+from trs80arm.ui.screens.dialog import Ask, AskPath, Choose, Dialog, show
 from trs80arm.ui.screens.open import OpenScreen
 from trs80arm.ui.screens.paste import PasteScreen
 
@@ -48,12 +48,7 @@ class Dialogs:
 
     def open(self, dialog: Dialog[Answer], then: Callable[[Answer], object] | None = None) -> None:
         """Show a dialog; `then` gets its answer, if it ends with one."""
-
-        def ended(answer: Answer | None) -> None:
-            if answer is not None and then is not None:
-                then(answer)
-
-        self._app.push_screen(dialog, ended)
+        show(self._app, dialog, then)
 
     @property
     def help_here(self) -> str:

@@ -358,7 +358,7 @@ on standing.
 
         hint = 'As I>10, A$="X" or B(2)<=C; nothing stops always.'
         text = now.text if isinstance(now, Condition) else ""
-        self.app.push_screen(AskLine(f"Stop before {line} if", hint, text, take))
+        self.open(AskLine(f"Stop before {line} if", hint, text, take))
 
     def action_clear(self) -> None:
         """No breakpoints any more."""
@@ -394,7 +394,7 @@ on standing.
             self.show_all()
 
         hint = 'An assignment, as A=5 or B$(2)="X"; checked as the machine does.'
-        self.app.push_screen(AskLine("Change", hint, proposal, take))
+        self.open(AskLine("Change", hint, proposal, take))
 
     def action_memory(self) -> None:
         """Memory instead of the variables, and back."""
@@ -415,7 +415,7 @@ on standing.
             self._memory.highlighted = 0
             self._memory.focus()
 
-        self.app.push_screen(AskLine("Address", "As 15360 or 3C00H.", "", take))
+        self.open(AskLine("Address", "As 15360 or 3C00H.", "", take))
 
     def action_poke(self) -> None:
         """Ask for an address and a value."""
@@ -426,7 +426,7 @@ on standing.
 
         address = self._address + ROW * (self._memory.highlighted or 0)
         hint = "An address and a value, as 3C00H,65."
-        self.app.push_screen(AskLine("POKE", hint, f"{address % 0x10000:04X}H,", take))
+        self.open(AskLine("POKE", hint, f"{address % 0x10000:04X}H,", take))
 
     # -- the rest ---------------------------------------------------------------------------------
 

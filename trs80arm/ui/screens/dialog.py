@@ -4,20 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import ClassVar, Generic, TypeVar
+from typing import Any, ClassVar, Generic, Literal, TypeVar
 
-from textual.app import ComposeResult
+from textual.app import App, ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
+from textual.markup import escape
 from textual.screen import ModalScreen
 from textual.widgets import Button, Input, OptionList, Static
 from textual.widgets.option_list import Option
 
 from trs80arm.desk.asking import FileQuestion, ListQuestion, Question
 from trs80arm.desk.reach import Reach, file_problem, proposed, replaces
+from trs80arm.shown import shown
 from trs80arm.ui.terminal.layers import SeenThrough
 
 Answer = TypeVar("Answer")
+Other = TypeVar("Other")
 
 
 class Dialog(ModalScreen[Answer | None], SeenThrough, Generic[Answer]):
@@ -51,6 +54,10 @@ class Dialog(ModalScreen[Answer | None], SeenThrough, Generic[Answer]):
         """Leave without an answer."""
         self.dismiss(None)
 
+    def open(self, dialog: Dialog[Other], then: Callable[[Other], object] | None = None) -> None:
+        """Show another dialog over this one; `then` gets its answer, if it ends with one."""
+        show(self.app, dialog, then)
+
     def went_down(self, base: str, name: str, text: str | None) -> None:
         """A key went down, where the terminal tells so; for who looks at keys themselves.
 
@@ -62,6 +69,18 @@ class Dialog(ModalScreen[Answer | None], SeenThrough, Generic[Answer]):
 
     def went_up(self, base: str) -> None:
         """The same key was let go."""
+
+
+def show(
+    app: App[Any], dialog: Dialog[Answer], then: Callable[[Answer], object] | None = None
+) -> None:
+    """Show a dialog of an application; `then` gets its answer, if it ends with one."""
+
+    def ended(answer: Answer | None) -> None:
+        if answer is not None and then is not None:
+            then(answer)
+
+    app.push_screen(dialog, ended)
 
 
 class Choose(Dialog[str]):
@@ -146,7 +165,53 @@ class Ask(Dialog[str]):
         self.dismiss(self.question.answers[number].value)
 
 
-class AskPath(Dialog[Path]):
+class LineDialog(Dialog[Answer]):
+    """Asks for one line, and says at once what is wrong with it; subclasses say what it means.
+
+    Args:
+        title: of the dialog.
+        hint: what is to be typed.
+        proposal: what stands there at first.
+        kind: what can be typed; a number that is proposed goes when another one is typed.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        hint: str,
+        proposal: str,
+        kind: Literal["text", "integer", "number"] = "text",
+    ) -> None:
+        super().__init__()
+        self._title = title
+        self._hint = hint
+        self._proposal = proposal
+        self._kind = kind
+
+    def compose(self) -> ComposeResult:
+        """The line."""
+        with Vertical(classes="dialog") as box:
+            box.border_title = escape(self._title)
+            box.border_subtitle = "Enter does it, Escape goes back"
+            yield Static(self._hint, classes="hint", markup=False)
+            yield Input(self._proposal, type=self._kind, select_on_focus=self._kind != "text")
+            yield Static("", classes="wrong", markup=False)
+
+    def answer(self, text: str) -> Answer:
+        """What was typed; a `ValueError` or `LookupError` is shown, and the question stays."""
+        raise TypeError(f"{type(self).__name__} does not say what a line means")
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Answer, or say why the line cannot be used."""
+        try:
+            answer = self.answer(event.value)
+        except (ValueError, LookupError) as error:
+            self.query_one(".wrong", Static).update(shown(str(error.args[0])))
+        else:
+            self.dismiss(answer)
+
+
+class AskPath(LineDialog[Path]):
     """Asks for the name of a file.
 
     Args:
@@ -155,30 +220,19 @@ class AskPath(Dialog[Path]):
     """
 
     def __init__(self, question: FileQuestion, reach: Reach) -> None:
-        super().__init__()
+        super().__init__(question.title, question.hint, proposed(reach, question))
         self.question = question
         self._reach = reach
         self._warned = ""
 
-    def compose(self) -> ComposeResult:
-        """The name."""
-        with Vertical(classes="dialog") as box:
-            box.border_title = self.question.title
-            box.border_subtitle = "Enter does it, Escape goes back"
-            yield Static(self.question.hint, classes="hint", markup=False)
-            proposal = proposed(self._reach, self.question)
-            yield Input(proposal, select_on_focus=False)
-            yield Static("", classes="wrong", markup=False)
-
-    def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Answer, if the name can be used."""
-        text = event.value.strip()
+    def answer(self, text: str) -> Path:
+        """The file, if the name can be used."""
+        text = text.strip()
         problem = file_problem(self._reach, self.question, text)
         path = self._reach.typed(text)
         if not problem and replaces(self.question, path) and text != self._warned:
             self._warned = text
             problem = f"{path.name} exists. Enter again replaces it."
         if problem:
-            self.query_one(".wrong", Static).update(problem)
-        else:
-            self.dismiss(path)
+            raise ValueError(problem)
+        return path

@@ -11,34 +11,25 @@ from textual.markup import escape
 from textual.widgets import Input, Static
 
 from trs80arm.desk.teach import MOST_DELAY, Lesson, Position
-from trs80arm.ui.screens.dialog import Dialog
+from trs80arm.ui.screens.dialog import Dialog, LineDialog
 
 MOST_SQUEEZE = 1000
 """Half-steps beyond the grip switch; more than any hand has."""
 
 
-class AskSpeed(Dialog[int]):
+class AskSpeed(LineDialog[int]):
     """Asks for a D."""
 
     def __init__(self, speed: int) -> None:
-        super().__init__()
-        self._speed = speed
+        super().__init__(
+            "Speed", "D of @STEP: a step takes 1.2 + 0.03 D ms.", str(speed), "integer"
+        )
 
-    def compose(self) -> ComposeResult:
-        """The number."""
-        with Vertical(classes="dialog") as box:
-            box.border_title = "Speed"
-            box.border_subtitle = "Enter does it, Escape goes back"
-            yield Static("D of @STEP: a step takes 1.2 + 0.03 D ms.", classes="hint", markup=False)
-            yield Input(str(self._speed), type="integer")
-            yield Static("", classes="wrong", markup=False)
-
-    def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Answer, if it is a number of the machine."""
-        if event.value.isdecimal() and int(event.value) <= MOST_DELAY:
-            self.dismiss(int(event.value))
-        else:
-            self.query_one(".wrong", Static).update(f"A number from 0 to {MOST_DELAY}.")
+    def answer(self, text: str) -> int:
+        """The number, if it is one of the machine."""
+        if not text.isdecimal() or int(text) > MOST_DELAY:
+            raise ValueError(f"A number from 0 to {MOST_DELAY}.")
+        return int(text)
 
 
 class EditPoint(Dialog[Position]):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import hypot
 from pathlib import Path
 from typing import ClassVar, Protocol
@@ -12,7 +12,7 @@ from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
-from textual.widgets import Input, OptionList, Static
+from textual.widgets import OptionList, Static
 
 from trs80arm.desk.jogging import Coordinates
 from trs80arm.desk.pendant import Pendant
@@ -27,7 +27,7 @@ from trs80arm.ui.panels.key_line import KeyHint, KeyLine
 from trs80arm.ui.panels.keys_by_mouse import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.side_view import SideView
 from trs80arm.ui.panels.top_view import TopView
-from trs80arm.ui.screens.dialog import Dialog
+from trs80arm.ui.screens.dialog import Dialog, LineDialog
 from trs80arm.ui.screens.edit_point import AskSpeed, EditPoint
 from trs80arm.ui.screens.taught_program import ProgramScreen, TeachResult
 
@@ -351,12 +351,12 @@ gets BREAK.
             return
         lesson = self._pendant.lesson
 
-        def edited(position: Position | None) -> None:
-            if position is not None and place < len(lesson):
+        def edited(position: Position) -> None:
+            if place < len(lesson):
                 lesson.put(place, position)
                 self.show()
 
-        self.app.push_screen(EditPoint(lesson.positions[place]), edited)
+        self.open(EditPoint(lesson.positions[place]), edited)
 
     # -- what moves -------------------------------------------------------------------------------
 
@@ -380,13 +380,11 @@ gets BREAK.
     def action_open_hand(self) -> None:
         """Open the hand to a width."""
 
-        def chosen(width: float | None) -> None:
-            if width is not None:
-                self._width = width
-                self._pendant.open_to(width)
+        def chosen(width: float) -> None:
+            self._width = width
+            self._pendant.open_to(width)
 
-        most = self._means.look().model.hand.range
-        self.app.push_screen(AskWidth(self._width, most), chosen)
+        self.open(AskWidth(self._width, self._means.look().model.hand.range), chosen)
 
     def action_stop(self) -> None:
         """Stop."""
@@ -425,19 +423,17 @@ gets BREAK.
 
     def action_round(self) -> None:
         """Once, or round and round."""
-        manner = self._pendant.manner
-        self._pendant.manner = replace(manner, repeats=not manner.repeats)
+        self._pendant.switch_repeats()
         self.show()
 
     def action_delay(self) -> None:
         """Ask for the D of the steps."""
 
-        def chosen(speed: int | None) -> None:
-            if speed is not None:
-                self._pendant.manner = replace(self._pendant.manner, speed=speed)
-                self.show()
+        def chosen(speed: int) -> None:
+            self._pendant.use_delay(speed)
+            self.show()
 
-        self.app.push_screen(AskSpeed(self._pendant.manner.speed), chosen)
+        self.open(AskSpeed(self._pendant.manner.speed), chosen)
 
     def action_parts(self) -> None:
         """Put the parts back to where they were at the start."""
@@ -447,17 +443,10 @@ gets BREAK.
 
     def action_program(self) -> None:
         """The program of the points."""
-
-        def ended(result: TeachResult | None) -> None:
-            if result is not None:
-                self.dismiss(result)
-
-        self.app.push_screen(
-            ProgramScreen(self._pendant, self._means.folder, self._means.reach), ended
-        )
+        self.open(ProgramScreen(self._pendant, self._means.folder, self._means.reach), self.dismiss)
 
 
-class AskWidth(Dialog[float]):
+class AskWidth(LineDialog[float]):
     """Asks how wide the hand shall be.
 
     Args:
@@ -466,29 +455,18 @@ class AskWidth(Dialog[float]):
     """
 
     def __init__(self, width: float, most: float) -> None:
-        super().__init__()
-        self._width = width
+        super().__init__("Open the hand", f"Inches, 0 to {most:g}.", f"{width:g}", "number")
         self._most = most
 
-    def compose(self) -> ComposeResult:
-        """The number."""
-        with Vertical(classes="dialog") as box:
-            box.border_title = "Open the hand"
-            box.border_subtitle = "Enter does it, Escape goes back"
-            yield Static(f"Inches, 0 to {self._most:g}.", classes="hint", markup=False)
-            yield Input(f"{self._width:g}", type="number", select_on_focus=True)
-            yield Static("", classes="wrong", markup=False)
-
-    def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Answer, if the hand opens so wide."""
+    def answer(self, text: str) -> float:
+        """The width, if the hand opens so wide."""
         try:
-            width = float(event.value)
+            width = float(text)
         except ValueError:
             width = -1.0
-        if 0 <= width <= self._most:
-            self.dismiss(width)
-        else:
-            self.query_one(".wrong", Static).update(f"A number from 0 to {self._most:g}.")
+        if not 0 <= width <= self._most:
+            raise ValueError(f"A number from 0 to {self._most:g}.")
+        return width
 
 
 def part_texts(readings: Readings) -> list[str]:

@@ -126,13 +126,12 @@ class SettingsScreen(Dialog[None]):
             dialog = Choose(ListQuestion(setting.name, choices, entry.value.strip('"')))
         else:
             dialog = AskValue(entry)
-        self.app.push_screen(dialog, partial(self._set, setting))
+        self.open(dialog, partial(self._set, setting))
 
-    def _set(self, setting: Setting, text: str | None) -> None:
-        if text is not None:
-            trouble = self._book.change(setting, text)
-            self._say(f"{setting.name}: {trouble}" if trouble else "Changed; Ctrl+S saves it.")
-            self._fill()
+    def _set(self, setting: Setting, text: str) -> None:
+        trouble = self._book.change(setting, text)
+        self._say(f"{setting.name}: {trouble}" if trouble else "Changed; Ctrl+S saves it.")
+        self._fill()
 
     def action_to_default(self) -> None:
         """The marked one is as it would be unless it were set."""

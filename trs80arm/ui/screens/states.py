@@ -95,7 +95,7 @@ class StatesScreen(Dialog[str]):
             self._fill()
 
         hint = "A name; a state that has it already is replaced."
-        self.app.push_screen(AskLine("Save the state", hint, self._marked or QUICK, save))
+        self.open(AskLine("Save the state", hint, self._marked or QUICK, save))
 
     def action_remove(self) -> None:
         """Remove the marked one."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar
 
@@ -118,19 +118,17 @@ class ProgramScreen(Dialog[TeachResult]):
 
     def action_repeat(self) -> None:
         """Round and round, or once."""
-        manner = self._pendant.manner
-        self._pendant.manner = replace(manner, repeats=not manner.repeats)
+        self._pendant.switch_repeats()
         self._show()
 
     def action_speed(self) -> None:
         """Ask for the D of the steps."""
 
-        def chosen(speed: int | None) -> None:
-            if speed is not None:
-                self._pendant.manner = replace(self._pendant.manner, speed=speed)
-                self._show()
+        def chosen(speed: int) -> None:
+            self._pendant.use_delay(speed)
+            self._show()
 
-        self.app.push_screen(AskSpeed(self._pendant.manner.speed), chosen)
+        self.open(AskSpeed(self._pendant.manner.speed), chosen)
 
     def action_write(self) -> None:
         """Write the program to a file."""
@@ -138,9 +136,7 @@ class ProgramScreen(Dialog[TeachResult]):
         if not program.listing:
             return
 
-        def chosen(path: Path | None) -> None:
-            if path is None:
-                return
+        def chosen(path: Path) -> None:
             try:
                 write_whole(path, program.listing.encode("ascii", errors="replace"))
             except OSError as error:
@@ -149,18 +145,8 @@ class ProgramScreen(Dialog[TeachResult]):
                 self._pendant.lesson.written()
                 self.notify(shown(f"Written to {path}"), markup=False)
 
-        self.app.push_screen(
-            AskPath(
-                FileQuestion(
-                    "Write the program",
-                    "A listing in plain text, which can be loaded here or typed in anywhere.",
-                    self._folder / "taught.bas",
-                    to_write=True,
-                ),
-                self._reach,
-            ),
-            chosen,
-        )
+        hint = "A listing in plain text, which can be loaded here or typed in anywhere."
+        self._ask_file("Write the program", hint, chosen, to_write=True)
 
     def action_load(self) -> None:
         """Leave, and put the program into the machine."""
@@ -171,33 +157,28 @@ class ProgramScreen(Dialog[TeachResult]):
     def action_read_file(self) -> None:
         """Read the points of a file's listing."""
 
-        def chosen(path: Path | None) -> None:
-            if path is not None:
-                self._replace(lambda: self._pendant.read_file(path))
+        def chosen(path: Path) -> None:
+            self._replace(lambda: self._pendant.read_file(path))
 
-        self.app.push_screen(
-            AskPath(
-                FileQuestion(
-                    "Read points back",
-                    "A listing as the pendant writes it, edited or not.",
-                    self._folder / "taught.bas",
-                    to_write=False,
-                ),
-                self._reach,
-            ),
-            chosen,
-        )
+        hint = "A listing as the pendant writes it, edited or not."
+        self._ask_file(REPLACE.title, hint, chosen, to_write=False)
+
+    def _ask_file(
+        self, title: str, hint: str, then: Callable[[Path], object], *, to_write: bool
+    ) -> None:
+        question = FileQuestion(title, hint, self._folder / "taught.bas", to_write=to_write)
+        self.open(AskPath(question, self._reach), then)
 
     def action_read_memory(self) -> None:
         """Read the points of the program in the machine's memory."""
         self._replace(self._pendant.read_memory)
 
     def _replace(self, read: Callable[[], str]) -> None:
-        def answered(answer: str | None) -> None:
+        def answered(answer: str) -> None:
             if answer == "replace":
                 self._show(read())
 
         if self._pendant.lesson.unwritten:
-            self.app.push_screen(Ask(REPLACE), answered)
+            self.open(Ask(REPLACE), answered)
         else:
             answered("replace")
