@@ -29,46 +29,24 @@ from trs80arm.operator import Operator, parse_holds
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from tests.arm.contact.hand import SlidingHand
+from tests.arm.writes import CELL, Recorder, Writes
 from tests.rig.test_teach import teach
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 ROUNDS = 5
 D50 = delay_period(50)
 
-CELL = """
-[[feeder]]
-at = [8, 0]
-size = [0.5, 0.5, 1.0]
-[[tray]]
-at = [6, 5]
-size = [2, 2]
-"""
 
-
-class Recorder(PulseGenerator):
-    """A pulse generator that keeps its writes instead of sending them."""
-
-    def __init__(self) -> None:
-        super().__init__(MiniMover(bench=Bench("empty")))
-        self.writes: list[tuple[int, int, int]] = []
-        self.arm.apply = self._keep  # type: ignore[method-assign, assignment]
-
-    def _keep(self, times: list[int], latches: list[int], nibbles: list[int], stop: object) -> int:
-        self.writes += zip(times, latches, nibbles, strict=True)
-        return len(times)
-
-
-def burst(
-    *moves: tuple[int, ...], after: list[tuple[int, int, int]] | None = None
-) -> list[tuple[int, int, int]]:
+def burst(*moves: tuple[int, ...], after: Writes | None = None) -> Writes:
     """Latch writes of some @STEPs at D = 50, following others."""
     recorder = Recorder()
+    generator = PulseGenerator(recorder)  # type: ignore[arg-type]
     if after:
-        recorder.time = after[-1][0]
+        generator.time = after[-1][0]
         for _, latch, nibble in after:
-            recorder._rows[latch] = PHASES.index(nibble)
+            generator._rows[latch] = PHASES.index(nibble)
     for counts in moves:
-        recorder.step(counts, D50)
+        generator.step(counts, D50)
     return recorder.writes
 
 
@@ -80,9 +58,7 @@ def loop() -> float:
     return (time.process_time() - begin) / 1_000_000
 
 
-def measure(
-    name: str, bench: str, writes: list[tuple[int, int, int]], piece: int, lead: int = 0
-) -> None:
+def measure(name: str, bench: str, writes: Writes, piece: int, lead: int = 0) -> None:
     """Time a sequence of writes, cut into pieces, on a fresh arm each round.
 
     Args:

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
+from tests.statements import done
 from trs80arm.inspection import MOST_ELEMENTS, Inspection, Variable, line_text
 from trs80arm.rig import Rig
 
 
 def typed(*lines: str) -> Rig:
-    rig = Rig()
-    for line in lines:
-        rig.type(line + "\r")
-        rig.run_until_waiting(60)
-    return rig
+    return done(Rig(), *lines)
 
 
 def test_a_machine_that_was_just_switched_on_has_nothing_in_memory() -> None:
@@ -26,8 +23,7 @@ def test_the_listing_is_as_list_shows_it() -> None:
 def test_the_line_that_is_executed_next_is_known_while_a_program_runs() -> None:
     rig = typed("10 GOTO 20", "20 INPUT A")
     assert Inspection.of(rig).next_line is None
-    rig.type("RUN\r")
-    rig.run_until_waiting(60)
+    done(rig, "RUN")
     assert Inspection.of(rig).next_line is not None
 
 

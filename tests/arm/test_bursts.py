@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.arm.writes import CELL, Recorder, Writes, picks_and_places
 from trs80arm.arm import Bench, MiniMover, benchfile
-from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import SWITCH_CLOSED, PulseGenerator, delay_period
 
@@ -33,21 +33,6 @@ bit = 1
 at = [6, 5, 0]
 range = 2
 """
-
-Writes = list[tuple[int, int, int]]
-
-
-class Recorder:
-    """Takes the place of an arm's cable and keeps what comes down it."""
-
-    def __init__(self) -> None:
-        self.writes: Writes = []
-        self.rotors = (0,) * 6
-        self.model = MINIMOVER5
-
-    def apply(self, times: list[int], latches: list[int], nibbles: list[int], stop: object) -> int:
-        self.writes += zip(times, latches, nibbles, strict=True)
-        return len(times)
 
 
 def motions(seed: int) -> Writes:
@@ -157,36 +142,6 @@ def test_an_arm_goes_on_after_pickling_as_if_nothing_had_happened() -> None:
     for each in (arm, copy):
         each.apply(*zip(*writes[half:], strict=True))
     assert signature(copy) == signature(arm)
-
-
-CELL = """
-[[feeder]]
-at = [8, 0]
-size = [0.5, 0.5, 1.0]
-[[tray]]
-at = [6, 5]
-size = [2, 2]
-"""
-
-
-def picks_and_places(cycles: int) -> Writes:
-    """Table 4's cycle: approach, grip, squeeze, lift, swing, press down, let go, back."""
-    recorder = Recorder()
-    generator = PulseGenerator(recorder)  # type: ignore[arg-type]
-    usual, slow = delay_period(50), delay_period(100)
-    generator.step((0, 0, 0, 0, 0, 370), usual)
-    generator.step((0, -207, 290), usual)
-    for cycle in range(cycles):
-        generator.step((0, 132, -36), usual)
-        generator.step((0, 0, 0, 0, 0, -268 if cycle else -62), usual)
-        generator.step((0, 0, 0, 0, 0, -30), slow)
-        generator.step((0, -132, 36), slow)
-        generator.step((651, -8, -13, -461, -462), usual)
-        generator.step((0, 135, -37), usual)
-        generator.step((0, 0, 0, 0, 0, 300), usual)
-        generator.step((0, -135, 37), usual)
-        generator.step((-651, 8, 13, 461, 462), usual)
-    return recorder.writes
 
 
 def test_picking_and_placing_is_the_same_cut_anyhow_and_saved_anywhere() -> None:

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from tests import statements
 from trs80arm import Rig
 from trs80arm.arm import EventKind, benchfile
 from trs80arm.arm.bench import deep
@@ -13,12 +14,9 @@ from trs80arm.arm.contact.rotations import matrix
 from trs80arm.arm.fixtures import Part
 
 
-def done(bench: str, *statements: str, after: float = 1.5) -> Rig:
+def done(bench: str, *lines: str, after: float = 1.5) -> Rig:
     """A machine at a bench, when it has done some statements and all has come to rest."""
-    rig = Rig(bench=benchfile.parse(bench))
-    for statement in statements:
-        rig.type(statement + "\r")
-        rig.run_until_waiting(120)
+    rig = statements.done(Rig(bench=benchfile.parse(bench)), *lines)
     rig.run_for(after)
     return rig
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tests.statements import done
 from trs80arm import Rig
 from trs80arm.arm import Bench, EventKind, JointAngles, MiniMover, Pose, Reason, benchfile
 from trs80arm.arm.motors import T_STATES_PER_SECOND
@@ -58,10 +59,7 @@ def test_a_sweep_through_a_stack_is_a_handful_of_lines() -> None:
 
 def story(bench: str, *statements: str) -> list[str]:
     """What is told while BASIC does some statements, and until all is at rest."""
-    rig = Rig(bench=benchfile.parse(bench))
-    for statement in statements:
-        rig.type(statement + "\r")
-        rig.run_until_waiting(120)
+    rig = done(Rig(bench=benchfile.parse(bench)), *statements)
     rig.run_for(2.0)
     return [event.text for event in rig.arm.events]
 
@@ -86,10 +84,7 @@ def test_taken_and_set_down_is_told_in_two_lines() -> None:
 
 def test_taken_and_let_fall_is_told_in_two_lines() -> None:
     # Its base is as high when the pads can carry it no more; squeezed, it stays where it is.
-    rig = Rig(bench=benchfile.parse(BLOCK))
-    for statement in TAKE:
-        rig.type(statement + "\r")
-        rig.run_until_waiting(120)
+    rig = done(Rig(bench=benchfile.parse(BLOCK)), *TAKE)
     rig.run_for(0.5)
     height = rig.arm.bench.parts["block"].bottom
     taken, fell = story(BLOCK, *TAKE, "@STEP 60,0,0,0,0,0,100")

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.arm.test_bursts import Recorder
+from tests.arm.writes import Recorder
 from trs80arm.arm import MiniMover, benchfile
 from trs80arm.arm.figures import NAMES, Chart, FigureError, Table, figure
 from trs80arm.arm.figures.chart import Figure, Series

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from tests.statements import done
 from trs80arm import Rig
 from trs80arm.arm import ArmSettings, benchfile
 from trs80arm.arm.geometry import inverse
@@ -61,10 +62,7 @@ def model(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Ar
 def machine(model: ArmModel, bench: str, *statements: str) -> Rig:
     """A machine with an arm, when it has done some statements."""
     rig = Rig(RigSettings(arm=ArmSettings(model=model.name)), benchfile.parse(bench))
-    for statement in statements:
-        rig.type(statement + "\r")
-        rig.run_until_waiting(60)
-    return rig
+    return done(rig, *statements)
 
 
 BLOCK = """
@@ -104,8 +102,7 @@ def test_it_goes_on_from_a_snapshot(model: ArmModel) -> None:
     other = Rig()
     other.restore(rig.snapshot())
     for each in (rig, other):
-        each.type(lift(model) + "\r")
-        each.run_until_waiting(60)
+        done(each, lift(model))
     assert other.snapshot() == rig.snapshot()
     assert other.arm.model is model
 
@@ -115,8 +112,7 @@ def test_it_is_drawn_as_it_stands(model: ArmModel, subject: object) -> None:
     rig = machine(model, BLOCK)
     drawn = []
     for statement in ("", lift(model)):
-        rig.type(statement + "\r")
-        rig.run_until_waiting(60)
+        done(rig, statement)
         picture = Picture(subject)  # type: ignore[arg-type]
         picture.labels = False
         drawn.append(picture.draw(Readings.of(rig), 80, 24))
@@ -129,8 +125,7 @@ def test_what_was_taught_on_it_takes_it_there(model: ArmModel, in_coordinates: b
     rig, lesson = machine(model, bench), Lesson()
     lesson.add(Readings.of(rig))
     for statement in (lift(model), "@STEP 150,30,0,40,20,10"):
-        rig.type(statement + "\r")
-        rig.run_until_waiting(60)
+        done(rig, statement)
         lesson.add(Readings.of(rig))
     program = written(lesson, Manner(), model, in_coordinates=in_coordinates)
     assert not program.problem

@@ -527,9 +527,8 @@ class MiniMover:
         if reason is Reason.CONTACT:
             name = self._world.met or "something"
             force = self._force(latch)
-            self._tell(
-                Happening(EventKind.CONTACT, self.model.motor_names[latch], name), latch, force
-            )
+            happening = Happening(EventKind.CONTACT, self.model.motor_names[latch], name)
+            self.log.tell(self._time, happening, latch, force)
         self.motors[latch].trouble = reason
 
     def _force(self, latch: int) -> float:
@@ -553,25 +552,15 @@ class MiniMover:
         way = "back" if steps < 0 else "on"
         happening = Happening(EventKind.SLIP, name, way, reason)
         goes_on = motor.losing is not None
-        motor.losing = self._tell(happening, latch, self._force(latch), steps, goes_on=goes_on)
+        motor.losing = self.log.tell(
+            self._time, happening, latch, self._force(latch), steps, goes_on=goes_on
+        )
 
     def _tell_news(self) -> None:
         """Turn what the bench has to tell into events."""
         for kind, text in self.bench.news:
-            self._tell(Happening(kind, text))
+            self.log.tell(self._time, Happening(kind, text))
         self.bench.news.clear()
-
-    def _tell(
-        self,
-        happening: Happening,
-        motor: int | None = None,
-        force: float = 0.0,
-        steps: int = 0,
-        *,
-        goes_on: bool = False,
-    ) -> int:
-        """Remember that something happens now; the event's number. Arguments as for the log."""
-        return self.log.tell(self._time, happening, motor, force, steps, goes_on=goes_on)
 
     # Looking at it
 
