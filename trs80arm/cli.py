@@ -457,8 +457,10 @@ def main() -> None:
         _give_up_output()
         sys.exit(BROKEN_PIPE)
     except OSError as error:
+        from trs80arm.reasons import reason
+
         _give_up_output()
-        fail(f"{error.filename or 'standard output'}: {error.strerror or error}")
+        fail(f"{error.filename or 'standard output'}: {reason(error)}")
     except Exception as error:
         from trs80arm.desk.last_resort import FAULT, last_words
         from trs80arm.desk.places import state_folder

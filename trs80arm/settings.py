@@ -23,6 +23,7 @@ from trs80arm.options import TerminalOptions, TerminalSettings
 from trs80arm.paths import open_to_read
 from trs80arm.plain_values import SettingsError as SettingsError
 from trs80arm.plain_values import fit, keys_of
+from trs80arm.reasons import reason
 from trs80arm.saving import write_whole
 
 if TYPE_CHECKING:
@@ -173,7 +174,7 @@ def _read(path: Path | None) -> tuple[str, Path]:
     except UnicodeDecodeError:
         raise SettingsError(f"{where}: not a text file") from None
     except OSError as error:
-        raise SettingsError(f"{where}: {error.strerror or error}") from None
+        raise SettingsError(f"{where}: {reason(error)}") from None
     except ValueError:
         raise SettingsError(f"{where}: no file can be called that") from None
 

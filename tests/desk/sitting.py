@@ -13,6 +13,7 @@ from trs80arm.desk.asking import (
     ListQuestion,
     ProgramQuestion,
     Question,
+    Take,
 )
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.leaving import Leaving
@@ -54,15 +55,10 @@ class Person:
         elif answer is not None:
             then(answer)
 
-    def ask(self, question: Question, then: Callable[[str], object]) -> None:
+    def ask(self, question: Question, then: Take) -> None:
         self._answer(question, then)
 
-    def choose(
-        self,
-        question: ListQuestion,
-        then: Callable[[str], object],
-        seen: Callable[[str], object] | None = None,
-    ) -> None:
+    def choose(self, question: ListQuestion, then: Take, seen: Take | None = None) -> None:
         for choice in question.choices if seen is not None else ():
             seen(choice.value)
         self._answer(question, then)

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.sixty_lines import LISTING
 from trs80arm import inspection
 from trs80arm.desk import recording
-from trs80arm.desk.debugger import Condition, Debugger, Reason
+from trs80arm.desk.debugger import Condition, Debugger, Reason, Stop
 from trs80arm.desk.session import Session
 from trs80arm.rig import ChangeError, RigSettings, Waiting
 
@@ -49,10 +49,14 @@ class Desk:
         return self
 
     @property
+    def stop(self) -> Stop:
+        """Why it stands; it has to."""
+        assert self.debugger.stop is not None
+        return self.debugger.stop
+
+    @property
     def line(self) -> int | None:
-        stop = self.debugger.stop
-        assert stop is not None
-        return None if stop.spot is None else stop.spot.line
+        return None if self.stop.spot is None else self.stop.spot.line
 
     def value(self, name: str) -> str:
         return inspection.value_text(self.session.rig, name)
@@ -71,8 +75,7 @@ def stopped(listing: str, line: int, settings: RigSettings | None = None) -> Des
 def test_a_breakpoint_stops_before_its_line() -> None:
     desk = stopped("10 A=1\n20 A=2\n30 A=3\n", 20)
     assert (desk.line, desk.value("A")) == (20, "1")
-    assert desk.debugger.stop is not None
-    assert desk.debugger.stop.reason is Reason.BREAKPOINT
+    assert desk.stop.reason is Reason.BREAKPOINT
 
 
 def test_no_time_passes_while_it_stands() -> None:
@@ -228,9 +231,8 @@ def test_an_error_stops_it_at_the_statement() -> None:
     desk = stopped("10 A=1\n20 B=1:A=1/0\n", 10)
     desk.debugger.go()
     desk.pass_time(1)
-    stop = desk.debugger.stop
-    assert stop is not None
-    assert (stop.text, stop.spot and stop.spot.text) == ("?/0 Error in 20", "A=1/0")
+    assert desk.stop.spot is not None
+    assert (desk.stop.text, desk.stop.spot.text) == ("?/0 Error in 20", "A=1/0")
     desk.debugger.back()
     assert str(desk.debugger.spot) == "20 (statement 2): A=1/0"
 
@@ -241,8 +243,7 @@ def test_break_stops_it_at_the_line() -> None:
     desk.pass_time(0.1)
     desk.session.rig.hold(["BREAK"], 0.2)
     desk.pass_time(1)
-    assert desk.debugger.stop is not None
-    assert (desk.debugger.stop.text, desk.line) == ("Break in 20", 20)
+    assert (desk.stop.text, desk.line) == ("Break in 20", 20)
 
 
 def test_who_only_runs_a_program_is_left_alone() -> None:
@@ -253,9 +254,7 @@ def test_who_only_runs_a_program_is_left_alone() -> None:
 def test_the_end_ends_a_step() -> None:
     desk = stopped("10 A=1\n", 10)
     desk.debugger.into()
-    stop = desk.debugger.stop
-    assert stop is not None
-    assert stop.text == "The program has ended"
+    assert desk.stop.text == "The program has ended"
 
 
 # -- looking and changing --------------------------------------------------------------------------

@@ -50,9 +50,9 @@ def test_silence_makes_no_samples() -> None:
 
 def test_what_comes_faster_than_it_is_heard_is_left_out() -> None:
     samples = Samples()
-    samples.play([(0.0, 1)], 10.0)
-    assert samples.dropped == 10 * RATE - MOST_AHEAD
-    assert len(levels(samples, MOST_AHEAD)) == MOST_AHEAD
+    samples.play([(0.0, 1), (10.0 - 5 / RATE, 2)], 10.0)
+    heard = [LOUDNESS] * (MOST_AHEAD - 5) + [-LOUDNESS] * 5
+    assert levels(samples, MOST_AHEAD + 1) == [*heard, 0]
 
 
 def test_a_program_is_heard_at_its_own_pitch(sitting: Sitting) -> None:

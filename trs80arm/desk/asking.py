@@ -115,18 +115,17 @@ class Listing:
     at_once: bool
 
 
+Take = Callable[[str], object]
+"""Is given the value of an answer."""
+
+
 class Asking(Protocol):
     """A way to ask."""
 
-    def ask(self, question: Question, then: Callable[[str], object]) -> None:
+    def ask(self, question: Question, then: Take) -> None:
         """Ask; `then` gets the value of the answer."""
 
-    def choose(
-        self,
-        question: ListQuestion,
-        then: Callable[[str], object],
-        seen: Callable[[str], object] | None = None,
-    ) -> None:
+    def choose(self, question: ListQuestion, then: Take, seen: Take | None = None) -> None:
         """Let one be chosen; `then` gets its value.
 
         `seen` gets the value of each that is looked at on the way, and at the end the present one

@@ -123,6 +123,14 @@ def _is_operand(text: str) -> bool:
     return bool(text.startswith('"') or _NUMBER.fullmatch(text) or re.match(r"[A-Z]", text))
 
 
+def _line_begun(rig: Rig, address: int) -> int | None:
+    """The number of the line that begins behind a separator; None if a later statement does."""
+    program = rig.basic.program
+    if rig.memory.ram[address] or address < program.start - 1:
+        return None
+    return program.number_at(address + 1)
+
+
 class Debugger:
     """Stops the machine of a sitting, and moves it on and back.
 
@@ -145,8 +153,7 @@ class Debugger:
         self._outcome: object = None
         self._runs = False
         self._used = False
-        self._unstop: Callable[[], None] = lambda: None
-        self._attached = False
+        self._unstop: Callable[[], None] | None = None
         session.watch_machine(self._start_afresh)
 
     def _start_afresh(self) -> None:
@@ -160,12 +167,11 @@ class Debugger:
     def _watch(self, *, anew: bool = False) -> None:
         """Be asked before each statement while there is something to stop for, and only then."""
         wanted = bool(self.breakpoints) or self._goal is not None
-        if self._attached and (anew or not wanted):
+        if self._unstop is not None and (anew or not wanted):
             self._unstop()
-            self._attached = False
-        if wanted and not self._attached:
+            self._unstop = None
+        if wanted and self._unstop is None:
             self._unstop = self.rig.stop_before(self._asked)
-            self._attached = True
 
     @property
     def rig(self) -> Rig:
@@ -209,11 +215,14 @@ class Debugger:
         Raises:
             ValueError: there is no such line, or that is no condition.
         """
-        if self.rig.basic.program.find(line) is None:
-            raise ValueError(f"there is no line {line}")
+        self._check(line)
         self.breakpoints[line] = Condition.parse(condition) if condition.strip() else None
         self.breakpoints = dict(sorted(self.breakpoints.items()))
         self._watch()
+
+    def _check(self, line: int) -> None:
+        if self.rig.basic.program.find(line) is None:
+            raise ValueError(f"there is no line {line}")
 
     def toggle(self, line: int) -> None:
         """Stop before a line from now on, or not any more.
@@ -242,13 +251,8 @@ class Debugger:
 
     def breakpoint_at(self, rig: Rig, address: int) -> bool:
         """Whether a machine that is about to do the statement at an address stops there."""
-        if not self.breakpoints or rig.memory.ram[address]:
-            return False
-        program = rig.basic.program
-        if address < program.start - 1:
-            return False
-        line = program.number_at(address + 1)
-        if line not in self.breakpoints:
+        line = _line_begun(rig, address) if self.breakpoints else None
+        if line is None or line not in self.breakpoints:
             return False
         condition = self.breakpoints[line]
         return condition is None or condition.holds(rig)
@@ -356,15 +360,10 @@ class Debugger:
         Raises:
             ValueError: there is no such line.
         """
-        if self.rig.basic.program.find(line) is None:
-            raise ValueError(f"there is no line {line}")
-
-        def at_line(rig: Rig, address: int) -> bool:
-            program = rig.basic.program
-            begins = address >= program.start - 1 and not rig.memory.ram[address]
-            return begins and program.number_at(address + 1) == line
-
-        self._walk(at_line, Reason.LINE, LONGEST_WALK)
+        self._check(line)
+        self._walk(
+            lambda rig, address: _line_begun(rig, address) == line, Reason.LINE, LONGEST_WALK
+        )
 
     def stand_here(self) -> None:
         """Stand where the machine is now, before the statement that is next or under way.

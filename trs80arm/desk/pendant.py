@@ -31,8 +31,8 @@ from trs80arm.desk.taught_programs import (
 )
 from trs80arm.desk.teach import MOST_DELAY, Lesson, Position
 from trs80arm.files import FileFormatError, load_program
+from trs80arm.inspection import line_text
 from trs80arm.machine.clock import T_STATES_PER_SECOND
-from trs80arm.program_text import spell
 from trs80arm.reasons import one_line
 from trs80arm.rig import Key, Rig, Waiting
 
@@ -231,14 +231,14 @@ class Pendant:
         self._typed(order.text)
         self._doing = order
         rig.type(order.text + "\r")
-        rig.run_until(lambda rig: _moves(rig) or not _works(rig), LONGEST_LINE)
+        rig.run_until(_moves_or_rests, LONGEST_LINE)
         self._finished()
 
     def _finished(self) -> bool:
         """Whether what was typed is done; READY and the prompt after it are not waited for."""
         rig = self._rig
         if not _moves(rig):
-            rig.run_until(lambda rig: _moves(rig) or not _works(rig), READY_SECONDS)
+            rig.run_until(_moves_or_rests, READY_SECONDS)
         if _works(rig):
             return False
         order, self._doing = self._doing, None
@@ -535,7 +535,7 @@ class Pendant:
 
     def _read(self, lines: Sequence[tuple[int, bytes]]) -> str:
         self._begin()
-        listing = "".join(f"{number} {spell(line)}\n" for number, line in lines)
+        listing = "".join(f"{line_text(line)}\n" for line in lines)
         try:
             points = read_points(listing, self.stance)
         except ListingError as error:
@@ -567,6 +567,11 @@ def _works(rig: Rig) -> bool:
 def _moves(rig: Rig) -> bool:
     """Whether a motion is under way."""
     return rig.driver.next_tick is not None
+
+
+def _moves_or_rests(rig: Rig) -> bool:
+    """Whether what was typed has led to a motion, or to its end."""
+    return _moves(rig) or not _works(rig)
 
 
 def _line_is_empty(rig: Rig) -> bool:

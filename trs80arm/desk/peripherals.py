@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from trs80arm.deck import Deck, cassettes_of, contents_text
@@ -102,21 +103,22 @@ class Peripherals:
 
     def rewind(self) -> None:
         """Rewind the cassette that is in."""
-        cassette = self._session.rig.tape.cassette
-        if cassette is None:
-            self._say("There is no cassette in the recorder.")
-            return
-        self._session.rig.rewind_cassette()
-        self._say(f"Cassette {cassette} is rewound.")
+        if (cassette := self._inserted()) is not None:
+            self._session.rig.rewind_cassette()
+            self._say(f"Cassette {cassette} is rewound.")
 
     def eject(self) -> None:
         """Take the cassette out."""
+        if (cassette := self._inserted()) is not None:
+            self._session.rig.eject_cassette()
+            self._say(f"Cassette {cassette} is out: CSAVE and CLOAD help themselves now.")
+
+    def _inserted(self) -> str | None:
+        """The cassette that is in; without one it is said that there is none."""
         cassette = self._session.rig.tape.cassette
         if cassette is None:
             self._say("There is no cassette in the recorder.")
-            return
-        self._session.rig.eject_cassette()
-        self._say(f"Cassette {cassette} is out: CSAVE and CLOAD help themselves now.")
+        return cassette
 
     # -- the printer ------------------------------------------------------------------------------
 
@@ -139,8 +141,11 @@ class Peripherals:
         if not self._paper:
             self._say("Nothing is printed: LPRINT and LLIST print.")
             return
+        self._ask_for_file(self.save_paper_as)
+
+    def _ask_for_file(self, then: Callable[[Path], object]) -> None:
         question = FileQuestion("Save the paper", "What is on it, as text.", PAPER, to_write=True)
-        self._ask.ask_file(question, self.save_paper_as)
+        self._ask.ask_file(question, then)
 
     def save_paper_as(self, path: Path) -> bool:
         """Save what is printed, or say why not.
@@ -178,8 +183,7 @@ class Peripherals:
                 self._tear_off()
 
         if answer == "save":
-            hint = "What is on it, as text."
-            self._ask.ask_file(FileQuestion("Save the paper", hint, PAPER, to_write=True), save)
+            self._ask_for_file(save)
         elif answer == "go":
             self._tear_off()
 

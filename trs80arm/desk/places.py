@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Sequence
+from datetime import datetime
 from pathlib import Path
 
 from platformdirs import user_state_path
@@ -27,6 +28,11 @@ def state_folder() -> Path:
     `TRS80ARM_STATE` names another one.
     """
     return Path(os.environ.get("TRS80ARM_STATE") or user_state_path(APP, appauthor=False))
+
+
+def sitting_name() -> str:
+    """A name that no other sitting has, now or later: the second at which it began, its process."""
+    return f"{datetime.now():%Y%m%d-%H%M%S}-{os.getpid()}"
 
 
 class RecentFiles:

@@ -29,6 +29,7 @@ from trs80arm.machine.tape import LONGEST as LONGEST_TAPE
 from trs80arm.machine.tape import is_cassette_name
 from trs80arm.paths import open_to_read
 from trs80arm.plain_values import Range, SettingsError, Table, as_table, fit, from_table
+from trs80arm.reasons import reason
 from trs80arm.rig import LONGEST_HOLD, TURNED_BY_HAND, Input, Key, Pose, Rig, RigSettings
 from trs80arm.saving import open_to_write, write_whole
 
@@ -139,7 +140,7 @@ class Journal:
             self._failed(error)
 
     def _failed(self, error: OSError) -> None:
-        self.fault = f"{self._path}: {error.strerror or error}; recording to it has ended"
+        self.fault = f"{self._path}: {reason(error)}; recording to it has ended"
         self._shut()
 
     def _shut(self) -> None:

@@ -70,8 +70,7 @@ class BellRinger:
 class Samples:
     """Turns the line's changes into samples, which whoever plays them takes when he likes.
 
-    Attributes:
-        dropped: how many samples were left out, for they came faster than they were heard.
+    Those that come faster than they are heard are left out, the oldest first.
     """
 
     def __init__(self) -> None:
@@ -80,7 +79,6 @@ class Samples:
         self._last = -LULL
         self._waiting = bytearray()
         self._lock = threading.Lock()
-        self.dropped = 0
 
     def play(self, changes: Sequence[Change], until: float) -> None:
         """Add the samples from the last call until then; none while the line is silent."""
@@ -104,7 +102,6 @@ class Samples:
             self._waiting += samples
             excess = len(self._waiting) - 2 * MOST_AHEAD
             if excess > 0:
-                self.dropped += excess // 2
                 del self._waiting[:excess]
 
     def take(self, count: int) -> bytes:

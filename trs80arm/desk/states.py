@@ -18,6 +18,7 @@ from trs80arm.desk.session import Session
 from trs80arm.inspection import next_spot
 from trs80arm.paths import is_file, read_beginning
 from trs80arm.plain_values import SettingsError, Table
+from trs80arm.reasons import reason
 from trs80arm.rig import SnapshotError
 from trs80arm.saving import write_whole
 from trs80arm.shown import shown
@@ -82,7 +83,7 @@ class States:
             write_whole(path, json.dumps(head).encode("ascii") + b"\n" + journal + snapshot)
             return State(path.stem, path.stat().st_mtime, line)
         except OSError as error:
-            raise StateError(f"{path}: {error.strerror or error}") from None
+            raise StateError(f"{path}: {reason(error)}") from None
 
     def load(self, name: str, session: Session) -> None:
         """Put the machine of a state on the desk, fittings and bench and all.
@@ -98,7 +99,7 @@ class States:
         try:
             data = read_beginning(path, LARGEST)
         except OSError as error:
-            raise StateError(f"{path}: {error.strerror or error}") from None
+            raise StateError(f"{path}: {reason(error)}") from None
         first, _, rest = data.partition(b"\n")
         try:
             _, length = _head(first)
@@ -125,7 +126,7 @@ class States:
         except FileNotFoundError:
             raise StateError(f"there is no state {name.strip()!r}") from None
         except OSError as error:
-            raise StateError(f"{path}: {error.strerror or error}") from None
+            raise StateError(f"{path}: {reason(error)}") from None
 
     def all(self) -> Sequence[State]:
         """The states that there are, the newest first; what is none is left out."""

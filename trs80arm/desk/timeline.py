@@ -92,7 +92,7 @@ class Timeline:
     def mark(self) -> None:
         """Keep the machine as it is now, unless that was done a moment ago."""
         now = self._rig.clock.now
-        place = bisect_right([mark.time for mark in self._marks], now)
+        place = self._place(now)
         if place and now - self._marks[place - 1].time < SHORTEST:
             return
         recordings = len(self._rig.recordings)
@@ -102,7 +102,7 @@ class Timeline:
     def _keep(self, mark: Mark) -> None:
         """Put a mark in its place; when there are too many, one goes that is missed least."""
         marks = self._marks
-        marks.insert(bisect_right([other.time for other in marks], mark.time), mark)
+        marks.insert(self._place(mark.time), mark)
         while len(marks) > 2 and (
             len(marks) > MOST or sum(len(other.snapshot) for other in marks) > LARGEST
         ):
@@ -198,9 +198,12 @@ class Timeline:
     def _inputs(self) -> list[Input]:
         return [*self._done, *self._future]
 
+    def _place(self, time: int) -> int:
+        """How many marks are not behind a T-state."""
+        return bisect_right(self._marks, time, key=lambda mark: mark.time)
+
     def _last_mark(self, time: int) -> Mark:
-        place = bisect_right([mark.time for mark in self._marks], time)
-        return self._marks[max(place - 1, 0)]
+        return self._marks[max(self._place(time) - 1, 0)]
 
     def _mark_past(self, past: _Past) -> None:
         """Keep a moment of the past that will be wanted again."""

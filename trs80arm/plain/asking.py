@@ -14,6 +14,7 @@ from trs80arm.desk.asking import (
     ProgramQuestion,
     Question,
     Say,
+    Take,
 )
 from trs80arm.desk.reach import Reach, file_problem, proposed, replaces
 
@@ -36,7 +37,7 @@ class LineAsking:
         self._reach = reach
         self._careful = careful
         self._question: object = None
-        self._take: Callable[[str], object] | None = None
+        self._take: Take | None = None
 
     @property
     def waits(self) -> bool:
@@ -57,33 +58,22 @@ class LineAsking:
             else:
                 take(line.strip())
 
-    def _stand(self, question: object, text: str, take: Callable[[str], object]) -> None:
+    def _stand(self, question: object, text: str, take: Take) -> None:
         self._question, self._take = question, take
         self._say(text)
 
-    def ask(self, question: Question, then: Callable[[str], object]) -> None:
+    def ask(self, question: Question, then: Take) -> None:
         """Ask; the answer is a number or the first letters of what it says."""
         if not self._careful and any(answer.value == "go" for answer in question.answers):
             then("go")
             return
         self._pick(question, question.text, question.answers, then)
 
-    def choose(
-        self,
-        question: ListQuestion,
-        then: Callable[[str], object],
-        seen: Callable[[str], object] | None = None,
-    ) -> None:
+    def choose(self, question: ListQuestion, then: Take, seen: Take | None = None) -> None:
         """Let one of a list be chosen; nobody looks at each on the way."""
         self._pick(question, question.title, question.choices, then)
 
-    def _pick(
-        self,
-        question: object,
-        text: str,
-        choices: tuple[Choice, ...],
-        then: Callable[[str], object],
-    ) -> None:
+    def _pick(self, question: object, text: str, choices: tuple[Choice, ...], then: Take) -> None:
         lines = [
             f"  {number} {choice.label}{f', {choice.note}' if choice.note else ''}"
             for number, choice in enumerate(choices, 1)

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import os
 import sys
 import time
 from collections.abc import Callable, Iterator
-from datetime import datetime
 from typing import TextIO
 
 from trs80arm.deck import Deck
@@ -18,7 +16,7 @@ from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.peripherals import Peripherals
-from trs80arm.desk.places import STATES, RecentFiles, state_folder
+from trs80arm.desk.places import STATES, RecentFiles, sitting_name, state_folder
 from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.session import Session
@@ -37,7 +35,7 @@ from trs80arm.plain.debugging import tell_stop
 from trs80arm.plain.table import do_command, is_command
 from trs80arm.plain.teaching import show_positions
 from trs80arm.reasons import one_line
-from trs80arm.rig import Waiting
+from trs80arm.rig import Rig, Waiting
 from trs80arm.shown import shown
 from trs80arm.teletype import Teletype
 
@@ -81,6 +79,7 @@ class PlainMode:
         self._sleep = sleep
         self._turbo = turbo
         self._teletype = Teletype(out)
+        self._heard: Rig | None = None
         self._listen()
         session.watch_machine(self._listen)
         self._happenings = Happenings(session)
@@ -93,7 +92,7 @@ class PlainMode:
 
     def _listen(self) -> None:
         """Print what the machine prints from now on; it may be another one."""
-        if getattr(self, "_heard", None) is not self.session.rig:
+        if self._heard is not self.session.rig:
             self._heard = self.session.rig
             self._heard.listen(self._printed)
 
@@ -101,8 +100,7 @@ class PlainMode:
         """The desk with everything on it."""
         session, lesson, say = self.session, Lesson(), self._say
         state = state_folder()
-        name = f"{datetime.now():%Y%m%d-%H%M%S}-{os.getpid()}"
-        self._recovery = Recovery(session, lesson, state, name, say)
+        self._recovery = Recovery(session, lesson, state, sitting_name(), say)
         ask = LineAsking(say, reach, careful=not self._echo)
         recent = RecentFiles(state / "recent.json")
         files = SessionFiles(session, self._recovery, recent, ask, say, reach, "RUN")

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from trs80arm.machine.clock import T_STATES_PER_SECOND
+from trs80arm.reasons import reason
 from trs80arm.saving import whole_file
 
 
@@ -38,7 +39,7 @@ def trace_file(path: Path) -> Iterator[BinaryIO]:
         with whole_file(path) as file:
             yield file
     except OSError as error:
-        raise TraceError(f"{path}: {error.strerror or error}") from None
+        raise TraceError(f"{path}: {reason(error)}") from None
 
 
 def seconds(time: int) -> str:

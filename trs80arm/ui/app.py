@@ -16,7 +16,6 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Sequence
-from datetime import datetime
 from pathlib import Path
 
 from textual import events
@@ -32,7 +31,7 @@ from trs80arm.desk.leaving import Leaving
 from trs80arm.desk.pacing import TICK, Pacer
 from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.peripherals import Peripherals
-from trs80arm.desk.places import STATES, RecentFiles
+from trs80arm.desk.places import STATES, RecentFiles, sitting_name
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.remembered import Remembered
@@ -169,8 +168,7 @@ class Trs80Arm(Themed[int]):
         bar = CommandBar(COMMANDS, id="commands")
         self.desk = DeskScreen(panels, bar, self.keyboard.let_go)
         self.desk.history = History(session.rig)
-        name = f"{datetime.now():%Y%m%d-%H%M%S}-{os.getpid()}"
-        self.recovery = Recovery(session, self.lesson, state, name, self.say)
+        self.recovery = Recovery(session, self.lesson, state, sitting_name(), self.say)
         self.remembered = Remembered(options.settings_file, self.say)
         self.stage = Stage(session, self.say)
         self.debugger = Debugger(session)

@@ -14,6 +14,7 @@ from trs80arm.desk.asking import (
     ListQuestion,
     ProgramQuestion,
     Question,
+    Take,
 )
 from trs80arm.desk.reach import Reach
 from trs80arm.ui.screens.dialog import Ask, AskPath, Choose, Dialog, show
@@ -55,16 +56,11 @@ class Dialogs:
         """What the screen in front says of itself, in Markdown; empty if it says nothing."""
         return self._app.screen.HELP or ""
 
-    def ask(self, question: Question, then: Callable[[str], object]) -> None:
+    def ask(self, question: Question, then: Take) -> None:
         """Ask by buttons."""
         self.open(Ask(question), then)
 
-    def choose(
-        self,
-        question: ListQuestion,
-        then: Callable[[str], object],
-        seen: Callable[[str], object] | None = None,
-    ) -> None:
+    def choose(self, question: ListQuestion, then: Take, seen: Take | None = None) -> None:
         """Let one of a list be chosen."""
         self.open(Choose(question, seen), then)
 

@@ -17,8 +17,8 @@ from trs80arm.desk.asking import ProgramQuestion, Shelf
 from trs80arm.desk.places import program_files
 from trs80arm.desk.reach import Reach
 from trs80arm.files import FileFormatError, parse_program
+from trs80arm.inspection import line_text
 from trs80arm.paths import is_file, read_beginning
-from trs80arm.program_text import spell
 from trs80arm.reasons import reason
 from trs80arm.shown import shown
 from trs80arm.ui.screens.dialog import Dialog
@@ -185,5 +185,5 @@ def preview(path: Path) -> str:
         return reason(error)
     except FileFormatError as error:
         return f"{path.name}: {error}"
-    listed = [f"{number} {spell(text)}" for number, text in lines[:PREVIEW_LINES]]
+    listed = [line_text(line) for line in lines[:PREVIEW_LINES]]
     return "\n".join(listed) or "An empty program."
