@@ -1,4 +1,4 @@
-"""What is loaded when: the core without Textual, the help without anything heavy."""
+"""What is loaded when: the core without Textual, the help with nothing heavy, no dialog early."""
 
 from __future__ import annotations
 
@@ -35,6 +35,12 @@ def test_help_answers_without_textual_or_numpy(arguments: list[str]) -> None:
         f"cli.main({arguments!r}, prog_name='trs80arm', standalone_mode=False)"
     )
     assert modules.isdisjoint({"textual", "numpy", "matplotlib"})
+
+
+def test_the_first_frame_waits_for_no_large_dialog() -> None:
+    modules = loaded_after("import trs80arm.ui.start")
+    screens = {name for name in modules if name.startswith("trs80arm.ui.screens.")}
+    assert screens == {f"trs80arm.ui.screens.{name}" for name in ("desk", "dialog", "palette")}
 
 
 def test_the_line_mode_starts_without_textual() -> None:

@@ -59,7 +59,7 @@ from trs80arm.ui.commands.table import COMMANDS, Commands, bindings, command, li
 from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ViewCommands
 from trs80arm.ui.heartbeat import Heartbeat
-from trs80arm.ui.help_topics import topics
+from trs80arm.ui.help_topics import Topic, topics
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.jog_keyboard import JogKeyboard
 from trs80arm.ui.keys.keyboard import Keyboard
@@ -67,7 +67,6 @@ from trs80arm.ui.panels.inspector import Asked
 from trs80arm.ui.panels.keys_by_mouse import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 from trs80arm.ui.panels.status import Pace
-from trs80arm.ui.screens.debugger import DebuggerScreen
 from trs80arm.ui.screens.desk import DeskScreen, Typed
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.palette import PaletteScreen
@@ -184,8 +183,6 @@ class Trs80Arm(Themed[int]):
         """The groups of commands, each with what it needs."""
         session, lesson, keyboard, desk = self.session, self.lesson, self.keyboard, self.desk
         reach = Reach(self.options.own_folder)
-        panels_help = [panel.HELP for panel in (*desk.panels.values(), desk.status)]
-        panels_help.append(DebuggerScreen.HELP)
         dialogs, say = Dialogs(self, reach), self.say
         recent = RecentFiles(state / "recent.json")
         files = SessionFiles(session, self.recovery, recent, dialogs, say, reach)
@@ -235,9 +232,16 @@ class Trs80Arm(Themed[int]):
                 self,
                 dialogs,
                 dialogs,
-                lambda: topics(keyboard.in_use, listed(), panels_help),
+                self._topics,
             ),
         )
+
+    def _topics(self) -> list[Topic]:
+        """What the help has words on, for the keys as they work now."""
+        from trs80arm.ui.screens.debugger import DebuggerScreen
+
+        panels = (*self.desk.panels.values(), self.desk.status, DebuggerScreen)
+        return topics(self.keyboard.in_use, listed(), [panel.HELP for panel in panels])
 
     def action_do(self, name: str) -> None:
         """Do the command of that name."""

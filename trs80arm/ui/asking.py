@@ -1,4 +1,7 @@
-"""Questions of the desk as dialogs, and dialogs of the screen for who knows no application."""
+"""Questions of the desk as dialogs, and dialogs of the screen for who knows no application.
+
+The larger dialogs are imported when they are opened: the first frame needs none.
+"""
 
 from __future__ import annotations
 
@@ -18,8 +21,6 @@ from trs80arm.desk.asking import (
 )
 from trs80arm.desk.reach import Reach
 from trs80arm.ui.screens.dialog import Ask, AskPath, Choose, Dialog, show
-from trs80arm.ui.screens.open import OpenScreen
-from trs80arm.ui.screens.paste import PasteScreen
 
 Answer = TypeVar("Answer")
 
@@ -70,10 +71,14 @@ class Dialogs:
 
     def ask_program(self, question: ProgramQuestion, then: Callable[[Path], object]) -> None:
         """Ask for a program, with a look into it."""
+        from trs80arm.ui.screens.open import OpenScreen
+
         self.open(OpenScreen(question, self._reach), then)
 
     def ask_listing(self, then: Callable[[Listing], object]) -> None:
         """Ask for a listing to be pasted."""
+        from trs80arm.ui.screens.paste import PasteScreen
+
         self.open(PasteScreen(), then)
 
     def is_asking(self, question: Question) -> bool:

@@ -1,8 +1,12 @@
-"""The commands of the debugger and of saved states: stop, step, back, save, load."""
+"""The commands of the debugger and of saved states: stop, step, back, save, load.
+
+Dialogs are imported when they are opened: the first frame needs none.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from trs80arm.desk.asking import Say
 from trs80arm.desk.debugger import Debugger
@@ -10,8 +14,9 @@ from trs80arm.desk.pacing import Pacer
 from trs80arm.desk.session import Session
 from trs80arm.desk.states import QUICK, StateError, States
 from trs80arm.ui.asking import Screens
-from trs80arm.ui.screens.debugger import DebuggerScreen, Leaving
-from trs80arm.ui.screens.states import StatesScreen
+
+if TYPE_CHECKING:
+    from trs80arm.ui.screens.debugger import Leaving
 
 STANDS = "Stopped: F7 does a statement, F6 goes on, Ctrl+X opens the debugger."
 
@@ -46,7 +51,7 @@ class DebugCommands:
         self._screens = screens
         self._say = say
         self._at_desk = at_desk
-        self._shown: DebuggerScreen | None = None
+        self._is_open = False
         self._was_paused = False
 
     def look(self) -> None:
@@ -62,15 +67,20 @@ class DebugCommands:
 
     def open(self) -> None:
         """Stop time, and open the debugger."""
+        from trs80arm.ui.screens.debugger import DebuggerScreen
+
         self._was_paused = self._pacer.paused
         self._pacer.pause(True)
         self._debugger.new_stop()
-        self._shown = DebuggerScreen(self._debugger, self._states, self.quick_save, self._load)
-        self._screens.open(self._shown, self._left)
+        self._is_open = True
+        screen = DebuggerScreen(self._debugger, self._states, self.quick_save, self._load)
+        self._screens.open(screen, self._left)
 
     def _left(self, leaving: Leaving) -> None:
         """The debugger was closed."""
-        self._shown = None
+        from trs80arm.ui.screens.debugger import Leaving
+
+        self._is_open = False
         if leaving is Leaving.GO:
             self._pacer.pause(False)
             if self._debugger.waits_to_stop:
@@ -118,6 +128,8 @@ class DebugCommands:
 
     def states(self) -> None:
         """The saved states."""
+        from trs80arm.ui.screens.states import StatesScreen
+
         self._screens.open(StatesScreen(self._states, self._session), self._load)
 
     def quick_save(self) -> None:
@@ -140,7 +152,7 @@ class DebugCommands:
         except StateError as error:
             self._say(str(error), error=True)
             return
-        if stood or self._shown is not None:
+        if stood or self._is_open:
             self._debugger.stand_here()
             self._debugger.new_stop()
         self._say(f"State {name} is loaded.")
