@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from trs80arm.drawing.cells import Cells, Samples
 from trs80arm.drawing.materials import INKS, SHADOW
-from trs80arm.drawing.rows import DARKEST, Ink
+from trs80arm.drawing.rows import DARKEST, LIGHT, Ink
 
 Triplet: TypeAlias = tuple[int, int, int]
 
@@ -35,8 +35,6 @@ class Colours:
 
 SHADES = 64
 """How many shades an ink has."""
-_LIGHT = 3 * 128
-"""Red, green and blue of a ground, together, from which on a shadow has more ink, and not less."""
 SHADOW_ON_LIGHT = 0.42
 """How much ink a shadow has on a light ground."""
 
@@ -82,7 +80,7 @@ class Pixels:
         shares = DARKEST + (1 - DARKEST) * np.arange(SHADES) / (SHADES - 1)
         table = np.zeros((len(inks), SHADES, 4))
         table[..., :3] = ground + inks[:, None] * shares[:, None]
-        if ground.sum() > _LIGHT:
+        if ground.sum() > LIGHT:
             table[SHADOW, :, :3] = ground + inks[SHADOW] * SHADOW_ON_LIGHT
         # Looked up as one number, which is much quicker than as three.
         numbers = np.rint(table).astype(np.uint8).view(np.uint32).ravel()

@@ -153,8 +153,9 @@ def _sorted(solids: Solids, seen: Projected) -> tuple[Ints, list[tuple[int, int,
     The three numbers of a solid are where its faces begin, where those turned away begin, and
     where they end. Every closed solid has faces of both kinds.
     """
-    last = np.append(solids.first_face[1:], len(solids.offsets))
-    solid = np.repeat(np.arange(len(last)), last - solids.first_face)
+    counts = solids.face_counts
+    last = solids.first_face + counts
+    solid = np.repeat(np.arange(len(counts)), counts)
     order = np.lexsort((~seen.facing, solid))
     turned = solids.first_face + np.add.reduceat(seen.facing.astype(np.int64), solids.first_face)
     parts = zip(solids.first_face.tolist(), turned.tolist(), last.tolist(), strict=True)

@@ -43,6 +43,8 @@ LEVELS = 12
 """How many steps of brightness a shaded ink has."""
 DARKEST = 0.12
 """How much of an ink there is in its darkest shade; the rest is the ground behind it."""
+LIGHT = 3 * 128
+"""Red, green and blue of a ground, together, from which on a shadow has more ink, and not less."""
 
 
 class Paint(NamedTuple):

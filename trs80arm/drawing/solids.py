@@ -96,6 +96,16 @@ class Solids:
             np.concatenate([group.bodies for group in all_of]),
         )
 
+    @property
+    def corner_counts(self) -> Ints:
+        """How many corners each solid has."""
+        return np.diff(self.first_corner, append=len(self.corners))
+
+    @property
+    def face_counts(self) -> Ints:
+        """How many faces each solid has."""
+        return np.diff(self.first_face, append=len(self.offsets))
+
     def placed(self, origin: npt.ArrayLike, axes: npt.ArrayLike) -> Solids:
         """The same in a frame.
 
@@ -105,14 +115,11 @@ class Solids:
         """
         turn, place = np.asarray(axes, dtype=np.float64), np.asarray(origin, dtype=np.float64)
         normals = self.normals @ turn
-        return Solids(
-            self.corners @ turn + place,
-            self.first_corner,
-            normals,
-            self.offsets + normals @ place,
-            self.first_face,
-            self.materials,
-            self.bodies,
+        return replace(
+            self,
+            corners=self.corners @ turn + place,
+            normals=normals,
+            offsets=self.offsets + normals @ place,
         )
 
     def some(self, chosen: Iterable[int]) -> Solids:
@@ -136,27 +143,18 @@ class Solids:
     def thickened(self, bodies: Iterable[int], by: float) -> Solids:
         """The same with some bodies so many inches larger on all sides."""
         chosen = np.isin(self.bodies, list(bodies))
-        count = np.diff([*self.first_corner.tolist(), len(self.corners)])
+        count = self.corner_counts
         middles = np.add.reduceat(self.corners, self.first_corner) / count[:, None]
         outwards = np.sign(self.corners - np.repeat(middles, count, axis=0))
-        faces = np.diff([*self.first_face.tolist(), len(self.offsets)])
         return replace(
             self,
             corners=self.corners + by * outwards * np.repeat(chosen, count)[:, None],
-            offsets=self.offsets + by * np.repeat(chosen, faces),
+            offsets=self.offsets + by * np.repeat(chosen, self.face_counts),
         )
 
     def made_of(self, material: int) -> Solids:
         """The same of another material."""
-        return Solids(
-            self.corners,
-            self.first_corner,
-            self.normals,
-            self.offsets,
-            self.first_face,
-            np.full_like(self.materials, material),
-            self.bodies,
-        )
+        return replace(self, materials=np.full_like(self.materials, material))
 
 
 NOTHING = Solids.joined(())

@@ -324,7 +324,7 @@ def take(shot: Shot, width: int, height: int, samples: tuple[int, int], window: 
         shot = replace(shot, solids=shot.solids.thickened(_FINGERS, (wide - BAR) / 2))
     raster.draw(shot.solids, camera.sees(shot.solids), chosen)
     solids = Solids.joined((shot.table, shot.ghost, shot.solids))
-    faces = np.diff([*solids.first_face.tolist(), len(solids.offsets)])
+    faces = solids.face_counts
     material = np.repeat(solids.materials, faces)
     shade = AMBIENT + (1 - AMBIENT) * np.maximum(0.0, solids.normals @ np.array(shot.sun))
     light_of = np.append(BRIGHT[material] * shade, 0.0).astype(np.float32)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 from textual.geometry import Region
 
@@ -166,25 +166,23 @@ def plan(
 
 def _columns(room: Region, *widths: int) -> list[Region]:
     """The room in columns of these widths; the last one has the rest."""
-    edges = [0]
-    for width in widths:
-        edges.append(min(room.width, edges[-1] + width))
-    edges.append(room.width)
     return [
-        Region(room.x + left, room.y, right - left, room.height) for left, right in pairwise(edges)
+        Region(room.x + left, room.y, right - left, room.height)
+        for left, right in pairwise(_edges(room.width, widths))
     ]
 
 
 def _rows(room: Region, *heights: int) -> list[Region]:
     """The room in rows of these heights; the last one has the rest."""
-    edges = [0]
-    for height in heights:
-        edges.append(min(room.height, edges[-1] + height))
-    edges.append(room.height)
     return [
         Region(room.x, room.y + upper, room.width, lower - upper)
-        for upper, lower in pairwise(edges)
+        for upper, lower in pairwise(_edges(room.height, heights))
     ]
+
+
+def _edges(whole: int, parts: Iterable[int]) -> list[int]:
+    """Where parts of these lengths begin, and where the rest of the whole does, and ends."""
+    return [*(min(whole, edge) for edge in accumulate(parts, initial=0)), whole]
 
 
 def _placed(groups: Groups, places: Iterable[tuple[str, Region]]) -> Plan:

@@ -20,13 +20,11 @@ from textual.strip import Strip
 
 from trs80arm.drawing.pixels import Colours
 from trs80arm.drawing.readings import Readings
-from trs80arm.drawing.rows import DARKEST, LEVELS, Ink, Paint, Row, fitted
+from trs80arm.drawing.rows import DARKEST, LEVELS, LIGHT, Ink, Paint, Row, fitted
 from trs80arm.ui.terminal.components import LateComponents
 from trs80arm.ui.terminal.no_codes import NoControlCodes, printable
 
 _BLANK: Row = ()
-_LIGHT = 3 * 128
-"""Red, green and blue of a ground, together, from which on a shadow has more ink, and not less."""
 
 
 def _component(ink: Ink) -> str:
@@ -174,7 +172,7 @@ class Panel(LateComponents, can_focus=False):
         if ground is None or ground.triplet is None or ink is None or ink.triplet is None:
             return self._plain(paint.ink)
         level, under_level = paint.level, paint.under_level
-        if sum(ground.triplet) > _LIGHT:
+        if sum(ground.triplet) > LIGHT:
             level = LEVELS // 3 if paint.ink is Ink.SHADOW else level
             under_level = LEVELS // 3 if paint.under is Ink.SHADOW else under_level
         style = Style(color=_mixed(ground.triplet, ink.triplet, level), bgcolor=ground)
