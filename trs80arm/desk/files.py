@@ -224,23 +224,28 @@ class SessionFiles:
 
     def if_program_may_go(self, title: str, do: Callable[[], object]) -> None:
         """Do something that clears the program, asking first if it is unsaved."""
-        if not self._session.unsaved:
+        if self._session.unsaved:
+            self._ask_first(title, "The program in memory is not saved.", self.save, do)
+        else:
             do()
-            return
+
+    def _ask_first(
+        self,
+        title: str,
+        text: str,
+        save: Callable[[Callable[[], object]], object],
+        do: Callable[[], object],
+    ) -> None:
+        """Ask about what is unsaved; then `do`, or first `save`, which does it afterwards."""
 
         def answered(answer: str) -> None:
             if answer == "save":
-                self.save(do)
+                save(do)
             elif answer == "go":
                 do()
 
-        answers = (
-            Choice("save", "Save"),
-            Choice("go", "Do not save"),
-            Choice("stay", "Back"),
-        )
-        question = Question(title, "The program in memory is not saved.", answers)
-        self._ask.ask(question, answered)
+        answers = (Choice("save", "Save"), Choice("go", "Do not save"), Choice("stay", "Back"))
+        self._ask.ask(Question(title, text, answers), answered)
 
     # -- cassettes and paper ----------------------------------------------------------------------
 
@@ -270,18 +275,10 @@ class SessionFiles:
     def _if_keepsakes_may_go(self, title: str, do: Callable[[], object]) -> None:
         """Do something that puts the machine away, asking first about its cassettes and paper."""
         keepsakes = self._session.keepsakes
-        if not keepsakes.unsaved:
+        if keepsakes.unsaved:
+            self._ask_first(title, f"Only in memory: {keepsakes}.", self.save_keepsakes, do)
+        else:
             do()
-            return
-
-        def answered(answer: str) -> None:
-            if answer == "save":
-                self.save_keepsakes(do)
-            elif answer == "go":
-                do()
-
-        answers = (Choice("save", "Save"), Choice("go", "Do not save"), Choice("stay", "Back"))
-        self._ask.ask(Question(title, f"Only in memory: {keepsakes}.", answers), answered)
 
     # -- listings ---------------------------------------------------------------------------------
 

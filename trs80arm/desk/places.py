@@ -35,6 +35,28 @@ def sitting_name() -> str:
     return f"{datetime.now():%Y%m%d-%H%M%S}-{os.getpid()}"
 
 
+def read_memo(path: Path, largest: int) -> object:
+    """What a file of the state folder remembers; None if it cannot be read.
+
+    Args:
+        path: the file, JSON.
+        largest: bytes of it that are read.
+    """
+    try:
+        return json.loads(read_beginning(path, largest))
+    except (OSError, ValueError, RecursionError):
+        return None
+
+
+def write_memo(path: Path, what: object) -> None:
+    """Have a file of the state folder remember something; one that cannot is no trouble."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(path, json.dumps(what).encode())
+    except OSError:
+        return
+
+
 class RecentFiles:
     """The program files opened lately, newest first.
 
@@ -47,10 +69,7 @@ class RecentFiles:
 
     def all(self) -> list[Path]:
         """Those that still exist."""
-        try:
-            names = json.loads(read_beginning(self._path, _LARGEST_LIST))
-        except (OSError, ValueError, RecursionError):
-            return []
+        names = read_memo(self._path, _LARGEST_LIST)
         if not isinstance(names, list):
             return []
         return [path for path in map(Path, filter(_is_text, names)) if is_file(path)]
@@ -59,11 +78,7 @@ class RecentFiles:
         """Put a file in front; a state folder that cannot be written is no trouble."""
         newest = path.resolve()
         paths = [newest, *(other for other in self.all() if other != newest)][:MOST_RECENT]
-        try:
-            self._path.parent.mkdir(parents=True, exist_ok=True)
-            write_whole(self._path, json.dumps([str(path) for path in paths]).encode())
-        except OSError:
-            return
+        write_memo(self._path, [str(path) for path in paths])
 
 
 def _is_text(value: object) -> bool:

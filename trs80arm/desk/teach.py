@@ -251,12 +251,16 @@ def _zero(standing: Standing) -> tuple[float, ...]:
 
 def listing_name(text: str) -> str:
     """A name as a listing of the machine can hold it: capitals, figures and plain signs."""
-    return re.sub(r"[^ -!#-9;-Z]", "", text.upper()).strip()[:MOST_NAME]
+    return _in_listing(text, MOST_NAME)
 
 
 def listing_comment(text: str) -> str:
     """A comment as a listing can hold it: as a name, but longer."""
-    return re.sub(r"[^ -!#-9;-Z]", "", text.upper()).strip()[:MOST_COMMENT]
+    return _in_listing(text, MOST_COMMENT)
+
+
+def _in_listing(text: str, most: int) -> str:
+    return re.sub(r"[^ -!#-9;-Z]", "", text.upper()).strip()[:most]
 
 
 def _letters(count: int) -> str:

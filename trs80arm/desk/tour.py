@@ -7,7 +7,6 @@ backticks are what is to be typed or pressed, just as it stands: the tour's test
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,13 +15,12 @@ from trs80arm.arm.bench import BenchError
 from trs80arm.bundled import programs_folder
 from trs80arm.desk.asking import Asking, Choice, ListQuestion, Say
 from trs80arm.desk.files import SessionFiles
+from trs80arm.desk.places import read_memo, write_memo
 from trs80arm.desk.session import Session
 from trs80arm.desk.teach import Lesson
 from trs80arm.files import FileFormatError
-from trs80arm.paths import read_beginning
 from trs80arm.reasons import one_line
 from trs80arm.rig import Counts, Waiting
-from trs80arm.saving import write_whole
 
 FILE = "tour.json"
 """The file of the state folder in which the step is remembered."""
@@ -415,18 +413,10 @@ class Tour:
 
     def _remembered(self) -> int:
         """The step at which it was left; the first one if that is not known."""
-        try:
-            content = json.loads(read_beginning(self._place, _LARGEST))
-        except (OSError, ValueError, RecursionError):
-            return 0
+        content = read_memo(self._place, _LARGEST)
         step = content.get("step") if isinstance(content, dict) else None
         return step if isinstance(step, int) and 0 <= step < len(STEPS) else 0
 
     def _remember(self) -> None:
         """A state folder that cannot be written is no trouble: the tour begins at its start."""
-        step = self._number if self.under_way else 0
-        try:
-            self._place.parent.mkdir(parents=True, exist_ok=True)
-            write_whole(self._place, json.dumps({"step": step}).encode())
-        except OSError:
-            return
+        write_memo(self._place, {"step": self._number if self.under_way else 0})
