@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trs80arm.arm import Bench, InTheWay, MiniMover, MotorsOn, OutOfReach, Pose
-from trs80arm.arm.bench import deep, placed
+from trs80arm.arm.bench import deep
 from trs80arm.arm.fixtures import Feeder, Obstacle, Tray, Turntable
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.shapes import upright
@@ -27,14 +27,15 @@ def random_bench(chance: random.Random) -> Bench:
         size = tuple(chance.uniform(0.2, 4) for _ in range(3))
         x, y, turn = chance.uniform(3, 14), chance.uniform(-10, 10), chance.uniform(0, 3)
         box = upright(x, y, 0.0, (size[0], size[1], size[2]), turn)
-        if bench.room_for([placed(box)]):
-            bench.obstacles.append(Obstacle(f"obstacle {k}", box))
+        obstacle = Obstacle(f"obstacle {k}", box)
+        if bench.room_for(obstacle.placed):
+            bench.obstacles.append(obstacle)
     for k in range(chance.randrange(9)):
         x, y, turn = chance.uniform(4, 10), chance.uniform(-4, 4), chance.uniform(0, 3)
         bottom = chance.choice([0.0, 0.0, 1.0, 3.0])
         size = tuple(chance.uniform(0.2, 1.8) for _ in range(3))
         sizes = (size[0], size[1], size[2])
-        if bench.room_for([placed(upright(x, y, bottom, sizes, turn))]):
+        if bench.room_for(Obstacle("part", upright(x, y, bottom, sizes, turn)).placed):
             weight = chance.choice([0.5, 2.0, 8.0, 30.0, 200.0])
             bench.add_part(f"part {k}", sizes, weight, x, y, bottom, turn)
     feeder = Feeder("feeder", 8.0, 0.0, 0.0, (0.5, 0.5, 1.0), 2.0)
@@ -58,7 +59,8 @@ def assert_possible(arm: MiniMover) -> None:
             depth = RESTING if part.asleep and other.asleep else TUMBLING
             assert not any(deep(a, b, depth) for a in part.placed for b in other.placed)
         for obstacle in arm.bench.obstacles:
-            assert not any(deep(solid, placed(obstacle.box), TUMBLING) for solid in part.placed)
+            (box,) = obstacle.placed
+            assert not any(deep(solid, box, TUMBLING) for solid in part.placed)
     state = arm.state()
     assert state.pose.z > -0.2
     assert 0 <= state.pose.opening <= 3
@@ -158,7 +160,7 @@ def test_rummaging_in_a_heap_leaves_every_part_where_a_part_can_be(seed: int) ->
         )
         x, y = 8 + chance.uniform(-0.6, 0.6), chance.uniform(-0.6, 0.6)
         bottom, turn = chance.uniform(0, 5), chance.choice([0.0, chance.uniform(0, 3)])
-        if bench.room_for([placed(upright(x, y, bottom, size, turn))]):
+        if bench.room_for(Obstacle("part", upright(x, y, bottom, size, turn)).placed):
             bench.add_part(f"part {k}", size, chance.choice([1.0, 4.0, 10.0]), x, y, bottom, turn)
     generator = PulseGenerator(MiniMover(bench=bench))
     operator = Operator(chance, generator)

@@ -11,11 +11,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import cast
 
-from trs80arm.arm.contact.bodies import NOWHERE, Fixed, Shape
+from trs80arm.arm.contact.bodies import Fixed, Shape
 from trs80arm.arm.contact.forms import standing
 from trs80arm.arm.contact.manifold import Placed, between
 from trs80arm.arm.contact.rotations import (
-    IDENTITY,
     STRAIGHT,
     Quaternion,
     apply,
@@ -26,7 +25,7 @@ from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import Solid, box
 from trs80arm.arm.contact.table import TABLE, Plate
 from trs80arm.arm.events import EventKind
-from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Sensor, Tray, Turntable, box_at
+from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Sensor, Tray, Turntable
 from trs80arm.arm.linkage import fixed_name, link_name
 from trs80arm.arm.model import Pose
 from trs80arm.arm.settings import ArmSettings
@@ -284,11 +283,6 @@ def deep(one: Placed, other: Placed, depth: float = SKIN) -> bool:
         return False
     met = between(one, other, 0.0)
     return met is not None and min(gap for _, gap in met.points) < -depth
-
-
-def placed(place: Box) -> Placed:
-    """A box as a solid where it stands."""
-    return Placed(box_at(place), NOWHERE, IDENTITY)
 
 
 _OWN = ("base", "body")

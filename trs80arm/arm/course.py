@@ -126,3 +126,9 @@ def beyond(corners: Floats, other: Sequence[Vector], way: Vector) -> Floats:
     most = max(x * a + y * b + z * c for a, b, c in other)
     least: Floats = (x * corners[0] + y * corners[1] + z * corners[2]).min(axis=1)
     return least - most
+
+
+def in_a_row(good: npt.NDArray[np.bool_]) -> int:
+    """How many places come before the first that is not good."""
+    bad = int(np.argmin(good)) if len(good) else 0
+    return len(good) if good[bad : bad + 1].all() else bad

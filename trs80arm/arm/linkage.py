@@ -6,11 +6,13 @@ hangs on its end; the wrist gears turn the hand about two axes at once.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from trs80arm.arm.contact.bodies import NOWHERE, Link, Screw
+from trs80arm.arm.contact.bodies import NOWHERE, Body, Link, Screw
+from trs80arm.arm.contact.carrying import load_at
+from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.solids import Solid, box
 from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.model import ArmModel
@@ -135,6 +137,24 @@ class ArmLinkage:
             u = cross(a, b)
             out.append(Link(place, (a[0], b[0], u[0], a[1], b[1], u[1], a[2], b[2], u[2]), screws))
         return out
+
+    def standing(
+        self, joints: Sequence[float], carried: Iterable[Body] = ()
+    ) -> list[tuple[str, Placed]]:
+        """The links' solids with their names, and those of a load with none.
+
+        Args:
+            joints: of an arm that stands there.
+            carried: what rests in its hand.
+        """
+        links = self.links(joints)
+        found = [
+            (name, Placed(solid, link.place, link.turn))
+            for name, solid, link in zip(self.names, self.solids, links, strict=True)
+        ]
+        for load in carried:
+            found += [("", solid) for solid in load_at(load, links[self.hand])]
+        return found
 
 
 def _about(point: Vector, axis: Vector) -> Screw:

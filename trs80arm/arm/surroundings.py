@@ -10,20 +10,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from trs80arm.arm.bench import Bench
-from trs80arm.arm.contact.carrying import load_at
 from trs80arm.arm.contact.distance import boxes_apart, distance, separation
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import apply
-from trs80arm.arm.course import Course, Floats, beyond
-from trs80arm.arm.fixtures import Feeder
-from trs80arm.arm.geometry import CableDrive, forward
+from trs80arm.arm.course import Course, Floats, beyond, in_a_row
 from trs80arm.arm.linkage import FINGERS, ArmLinkage
 from trs80arm.arm.model import Link, Motor
 from trs80arm.arm.rings import Ring, around, link_slices, rolled_slices
-from trs80arm.arm.shapes import Box, Vector, length, plus
+from trs80arm.arm.shapes import Vector, length, plus
 from trs80arm.arm.trigonometry import sin_cos
 
 FAR = 100.0
@@ -36,8 +32,6 @@ SPARE = 1e-6
 """Inches by which bounds are taken too narrow."""
 AXES = 6
 """Ways along which two solids are seen apart in turn, at most."""
-FEED_CLEARANCE = 2.5
-"""A feeder gives its next part when the fingertip is this far from its middle, inches."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,10 +55,9 @@ class Room:
 class Surroundings:
     """What is around an arm, and how far."""
 
-    def __init__(self, bench: Bench, linkage: ArmLinkage, drive: CableDrive) -> None:
+    def __init__(self, bench: Bench, linkage: ArmLinkage) -> None:
         self._bench = bench
         self._linkage = linkage
-        self._drive = drive
         self._levers: tuple[float, ...] = ()
         self._load: list[object] = []
 
@@ -147,14 +140,8 @@ class Surroundings:
         Args:
             joints: the arm's six coordinates.
         """
-        scene, linkage = self._bench.scene, self._linkage
-        links = linkage.links(joints)
-        mine = [
-            (name, Placed(solid, link.place, link.turn))
-            for name, solid, link in zip(linkage.names, linkage.solids, links, strict=True)
-        ]
-        for load in scene.carried:
-            mine += [("", solid) for solid in load_at(load, links[linkage.hand])]
+        scene = self._bench.scene
+        mine = self._linkage.standing(joints, scene.carried)
         least = FAR
         for thing in scene.fixed.values():
             for other in thing.placed:
@@ -185,7 +172,7 @@ class Surroundings:
         for k in range(len(course)):
             low, high = course.box(k)
             if low[2] < -HAIR / 2:
-                count = _first(course.corners(k)[2, :count].min(axis=1) >= -HAIR / 2)
+                count = in_a_row(course.corners(k)[2, :count].min(axis=1) >= -HAIR / 2)
             (a, b, c), (d, e, f) = low.tolist(), high.tolist()
             reach = (a - NEAR, b - NEAR, c - NEAR), (d + NEAR, e + NEAR, f + NEAR)
             for other in self._near(reach, names[k] if k < len(names) else ""):
@@ -210,35 +197,6 @@ class Surroundings:
             (u, v, w), (x, y, z) = solid.low, solid.high
             if a <= x and u <= d and b <= y and v <= e and c <= z and w <= f:
                 yield solid
-
-    def places_unfed(self, joints: Floats, vacant: Sequence[Feeder]) -> int:
-        """At how many of some places in a row no feeder can give its next part.
-
-        Args:
-            joints: the arm's six coordinates, 6 x places.
-            vacant: feeders at whose place nothing stands.
-        """
-        x, y, _ = Course(self._linkage, joints, ()).fingertip
-        count = len(x)
-        for feeder in vacant:
-            far = FEED_CLEARANCE + feeder.place.radius - SPARE
-            out = (x - feeder.x) ** 2 + (y - feeder.y) ** 2
-            count = min(count, _first(out < far * far))
-        return count
-
-    def until_fed(self, vacant: Sequence[Feeder], rotors: Sequence[int]) -> float:
-        """Inches that the fingertip may go until a feeder can give; 0 where one can.
-
-        Args:
-            vacant: feeders at whose place nothing stands.
-            rotors: positions.
-        """
-        tip = self.fingertip(rotors)
-        return max(0.0, min((too_near(feeder, tip) for feeder in vacant), default=FAR))
-
-    def fingertip(self, rotors: Sequence[int]) -> Vector:
-        """Where the fingertip is with the rotors somewhere."""
-        return forward(self._linkage.model, self._drive.angles(rotors)).fingertip
 
     def over_rings(self, opening: float) -> float:
         """How far all is from the arm wherever the base turns, as it was on the last tick.
@@ -283,21 +241,6 @@ class Surroundings:
         way = (frame.turn[0], frame.turn[3], frame.turn[6])
         return rolled_slices(frame.place, way, ahead, aside, c, s)
 
-    def boxes(self) -> list[tuple[Box, bool]]:
-        """Boxes around everything that the arm could touch, and whether it is the arm's own."""
-        own = len(self._bench.obstacles[:2])
-        found = [
-            (obstacle.box, number < own) for number, obstacle in enumerate(self._bench.obstacles)
-        ]
-        parts = self._bench.parts.values()
-        return found + [(part.box, False) for part in parts if part.carried is None]
-
-
-def too_near(feeder: Feeder, tip: Vector) -> float:
-    """Inches by which a fingertip is too near to a feeder for its next part."""
-    out = length(tip[0] - feeder.x, tip[1] - feeder.y)
-    return FEED_CLEARANCE + feeder.place.radius - out
-
 
 def _clear_of(corners: Floats, other: Placed) -> int:
     """At how many places in a row a solid is clear of another that stands.
@@ -311,7 +254,7 @@ def _clear_of(corners: Floats, other: Placed) -> int:
         axis=0
     )
     clear = gaps >= NEAR + SPARE
-    count = _first(clear)
+    count = in_a_row(clear)
     for _ in range(AXES):
         if count == len(clear):
             break
@@ -322,14 +265,8 @@ def _clear_of(corners: Floats, other: Placed) -> int:
         clear[count:] |= beyond(corners[:, count:], other.vertices, way) >= NEAR + SPARE
         if not clear[count]:
             break
-        count = _first(clear)
+        count = in_a_row(clear)
     return count
-
-
-def _first(good: npt.NDArray[np.bool_]) -> int:
-    """How many come before the first that is not good."""
-    bad = int(np.argmin(good)) if len(good) else 0
-    return len(good) if good[bad : bad + 1].all() else bad
 
 
 def _nearer(solid: Placed, other: Placed, least: float) -> float:

@@ -17,12 +17,10 @@ import numpy.typing as npt
 
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.body import Body
-from trs80arm.arm.contact.carrying import load_at
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK_STATES
 from trs80arm.arm.contact.driven import EASE
-from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.table import TABLE
-from trs80arm.arm.fixtures import Feeder
+from trs80arm.arm.feeding import Feeding
 from trs80arm.arm.forces import Burden
 from trs80arm.arm.geometry import CableDrive, JointAngles
 from trs80arm.arm.grasp import Grasp
@@ -30,7 +28,7 @@ from trs80arm.arm.grip import Grip
 from trs80arm.arm.linkage import ArmLinkage, said
 from trs80arm.arm.model import Motor
 from trs80arm.arm.settings import ArmSettings
-from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings, too_near
+from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings
 from trs80arm.arm.telling import Telling
 
 Six = tuple[float, float, float, float, float, float]
@@ -53,7 +51,6 @@ class World:
 
     Attributes:
         grip: the hand's hold.
-        vacant: feeders at whose place nothing stands.
         around: how far everything is.
     """
 
@@ -63,8 +60,6 @@ class World:
         self.drive = drive
         self.model = drive.model
         self.grip = Grip(self.model, drive.home_cable)
-        self.vacant: list[Feeder] = []
-        self._standing: dict[int, tuple[object, ...]] = {}
         self._rotors = [0] * 6
         self._ticked = [0] * 6
         self._looked: tuple[list[float], Room] | None = None
@@ -77,7 +72,8 @@ class World:
         self._linkage = ArmLinkage(self.model, settings)
         self._telling = Telling(bench)
         self._grasp = Grasp(bench, self._linkage, self.grip, self._telling)
-        self.around = Surroundings(bench, self._linkage, drive)
+        self.around = Surroundings(bench, self._linkage)
+        self._feeding = Feeding(bench, self._linkage, drive)
         bench.lay()
         bench.scene.arm = self._linkage
         bench.scene.put_arm(self._commands(self._rotors))
@@ -90,7 +86,6 @@ class World:
             "_looked": None,
             "_ringed": None,
             "_easing": [],
-            "_standing": {},
         }
 
     def start(self) -> None:
@@ -103,9 +98,7 @@ class World:
         bench.remember()
         if not any(bench.scene.torques):
             bench.scene.put_arm(commands)
-        for feeder in bench.waiting_feeders():
-            if not self._touches(feeder.placed):
-                bench.feed(feeder)
+        self._feeding.begin()
         self._grasp.clear()
         self._changed()
         # Some may have come to lie on the hand.
@@ -123,7 +116,7 @@ class World:
         Returns:
             Name of a part in whose place the arm stands, and nothing is done; or None.
         """
-        solids = [solid for _, solid in self._links_at(self._commands(self._rotors))]
+        solids = [solid for _, solid in self._linkage.standing(self._commands(self._rotors))]
         for part in self.bench.beginning:
             if any(deep(mine, other, SUNK) for mine in solids for other in part.placed):
                 return part.name
@@ -173,7 +166,7 @@ class World:
             self._ticked[:] = self._rotors
             self._let_alone()
             self._busy = self._strained and not self.gripped
-            if self.vacant and not self.around.until_fed(self.vacant, self._rotors):
+            if self._feeding.vacant and not self._feeding.room(self._rotors):
                 self.show()
                 self._feed()
             return
@@ -456,8 +449,8 @@ class World:
         elif self._loaded:
             joints[5] = scene.joints[5]
         count = len(rotors)
-        if self.vacant:
-            count = self.around.places_unfed(joints, self.vacant)
+        if self._feeding.vacant:
+            count = self._feeding.places_unfed(joints)
         return self.around.places_clear(joints[:, :count]) if count else 0
 
     def _ticks_gripping(self, commands: Sequence[list[float]]) -> int:
@@ -504,7 +497,7 @@ class World:
         if self._strained or self.gripped:
             return False
         way = sum(self.around.ways(gone))
-        if self.vacant and self.around.until_fed(self.vacant, self._rotors) <= way + SPARE:
+        if self._feeding.vacant and self._feeding.room(self._rotors) <= way + SPARE:
             return False
         here = self._led_to(self._commands(self._rotors))
         if self._surely_clear(here, gone, pitched):
@@ -601,24 +594,10 @@ class World:
             self._contact()
         scene.time = time
 
-    def _links_at(self, joints: Sequence[float]) -> list[tuple[str, Placed]]:
-        """The arm's links, with their names, where joints would have them."""
-        linkage = self._linkage
-        return [
-            (name, Placed(solid, link.place, link.turn))
-            for name, solid, link in zip(
-                linkage.names, linkage.solids, linkage.links(joints), strict=True
-            )
-        ]
-
     def _found_at(self, joints: Sequence[float]) -> str | None:
         """Name of what the arm and its load would be in with its joints there."""
-        scene, linkage = self.bench.scene, self._linkage
-        mine = self._links_at(joints)
-        hand = linkage.links(joints)[linkage.hand]
-        for load in scene.carried:
-            mine += [("", solid) for solid in load_at(load, hand)]
-        for name, solid in mine:
+        scene = self.bench.scene
+        for name, solid in self._linkage.standing(joints, scene.carried):
             if solid.low[2] < -SUNK:
                 return TABLE
             for thing in scene.fixed.values():
@@ -660,39 +639,12 @@ class World:
     def _changed(self) -> None:
         """Parts have moved: see which feeders have room, and whether the hand has a load."""
         self._loaded = bool(self.bench.scene.carried)
-        bench = self.bench
-        self.vacant = []
-        for number, feeder in enumerate(bench.feeders):
-            name, *stood = self._standing.get(number, ("",))
-            part = bench.parts.get(str(name))
-            if feeder.empty or (
-                part is not None and not part.held and [part.place, part.turn] == stood
-            ):
-                # What stood at its place still does.
-                continue
-            found = bench.found_at(feeder.placed)
-            if found is None:
-                self.vacant.append(feeder)
-            elif found in bench.parts:
-                part = bench.parts[found]
-                self._standing[number] = (found, part.place, part.turn)
-
-    def _touches(self, solids: Sequence[Placed]) -> bool:
-        """Whether a link or finger is in some solids."""
-        return any(deep(mine, other) for mine in self.bench.scene.link_solids for other in solids)
+        self._feeding.look()
 
     def _feed(self) -> None:
         """Feeders whose place is free, and clear of the hand, give their next part."""
-        if not self.vacant:
+        if not self._feeding.vacant:
             return
-        tip = self.around.fingertip(self._rotors)
-        for feeder in self.vacant:
-            placed = feeder.placed
-            if (
-                too_near(feeder, tip) <= 0.0
-                and self.bench.room_for(placed)
-                and not self._touches(placed)
-            ):
-                self.bench.feed(feeder)
-                self._looked = self._ringed = None
+        if self._feeding.give(self._rotors):
+            self._looked = self._ringed = None
         self._changed()
