@@ -29,6 +29,11 @@ def programs_folder(module: Path = Path(__file__)) -> Path | None:
     return next((place for place in places if (place / "table4.bas").is_file()), None)
 
 
+def along(name: str) -> Path:
+    """A file that comes along, by its whole name; no file where they were not installed."""
+    return (programs_folder() or Path("programs")) / name
+
+
 def named(path: Path, suffix: str) -> Path:
     """The file that somebody means by a name.
 

@@ -238,10 +238,8 @@ def _plain(rig: Rig, kind: Kind, value: Any) -> Any:
 
 def elements(rig: Rig, most: int) -> Iterator[Variable]:
     """All variables one by one, arrays element by element, each as it is named in a program."""
-    variables = rig.basic.state.variables
-    for scalar in variables.order:
-        yield Variable(_name(scalar.name, scalar.kind), _value(rig, scalar.kind, scalar.value))
-    for array in variables.arrays.values():
+    yield from _scalars(rig)
+    for array in rig.basic.state.variables.arrays.values():
         name = _name(array.name, array.kind)
         for index, value in enumerate(islice(array.data, most)):
             subscripts = []
@@ -258,11 +256,14 @@ def line_text(line: Line) -> str:
     return f"{number} {spell(crunched)}"
 
 
-def _variables(rig: Rig) -> Iterator[Variable]:
-    variables = rig.basic.state.variables
-    for scalar in variables.order:
+def _scalars(rig: Rig) -> Iterator[Variable]:
+    for scalar in rig.basic.state.variables.order:
         yield Variable(_name(scalar.name, scalar.kind), _value(rig, scalar.kind, scalar.value))
-    for array in variables.arrays.values():
+
+
+def _variables(rig: Rig) -> Iterator[Variable]:
+    yield from _scalars(rig)
+    for array in rig.basic.state.variables.arrays.values():
         dims = ",".join(str(dim - 1) for dim in array.dims)
         values = " ".join(
             _value(rig, array.kind, value).strip() for value in islice(array.data, MOST_ELEMENTS)

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -654,11 +653,7 @@ class Rig:
         in the other rig until `use_places`.
         """
         works = other._works
-        works.settings = replace(
-            works.settings,
-            tape_folder=self.settings.tape_folder,
-            printer_file=self.settings.printer_file,
-        )
+        works.name_places(self.settings)
         self._use(works)
 
     def use_places(self) -> None:

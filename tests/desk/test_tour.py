@@ -96,7 +96,7 @@ def test_it_is_offered_once(sitting: Sitting, tour: Tour) -> None:
 def test_without_its_bench_it_says_so(
     sitting: Sitting, tour: Tour, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("trs80arm.desk.tour.programs_folder", lambda: tmp_path)
+    monkeypatch.setattr("trs80arm.bundled.programs_folder", lambda: tmp_path)
     to(tour, 3)
     assert "The tour lacks something" in sitting.person.errors[0]
 

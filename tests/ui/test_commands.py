@@ -301,7 +301,7 @@ def test_the_demonstration_asks_plays_and_ends_at_a_key(desk: Desk) -> None:
 def test_without_its_program_there_is_no_demonstration(
     desk: Desk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("trs80arm.desk.demo.programs_folder", lambda: None)
+    monkeypatch.setattr("trs80arm.bundled.programs_folder", lambda: None)
     desk.machine.demo()
     desk.stage.go_on()
     assert desk.person.errors[0].startswith("No demonstration: ")

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
-from trs80arm.bundled import programs_folder
+from trs80arm.bundled import along
 from trs80arm.desk.session import Session
 from trs80arm.rig import Key, Waiting
 
@@ -99,9 +98,9 @@ class Demo:
     """
 
     def __init__(self, session: Session) -> None:
-        folder = programs_folder() or Path("programs")
-        session.set_bench((folder / PROGRAM).with_suffix(".toml"))
-        session.load(folder / PROGRAM)
+        program = along(PROGRAM)
+        session.set_bench(program.with_suffix(".toml"))
+        session.load(program)
         self._session = session
         self._next = 0
         self._began = session.time

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from trs80arm.arm.bench import BenchError
-from trs80arm.bundled import programs_folder
+from trs80arm.bundled import along
 from trs80arm.desk.asking import Asking, Choice, ListQuestion, Say
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.places import read_memo, write_memo
@@ -115,10 +115,6 @@ def _never(session: Session, lesson: Lesson, before: Before) -> bool:
     return False
 
 
-def _along(name: str) -> Path:
-    return (programs_folder() or Path("programs")) / name
-
-
 def _at_the_prompt(session: Session) -> None:
     # Half a line that an earlier step was typing would stand before whatever is typed next.
     session.rig.run_until(lambda rig: not rig.typing, TYPED_IN)
@@ -134,7 +130,7 @@ def _in_manual_mode(session: Session) -> None:
 
 def _around_a_part(session: Session) -> None:
     _at_the_prompt(session)
-    session.set_bench(_along(PICK_BENCH + ".toml"))
+    session.set_bench(along(PICK_BENCH + ".toml"))
 
 
 def _with_a_part(session: Session) -> None:
@@ -146,8 +142,8 @@ def _with_a_part(session: Session) -> None:
 def _with_the_program(session: Session) -> None:
     # What somebody typed in the meantime is not to go without a question.
     if not session.unsaved and (session.path is None or session.path.stem != PROGRAM):
-        session.load(_along(PROGRAM + ".bas"))
-        session.set_bench(_along(PROGRAM + ".toml"))
+        session.load(along(PROGRAM + ".bas"))
+        session.set_bench(along(PROGRAM + ".toml"))
 
 
 STEPS: tuple[Step, ...] = (

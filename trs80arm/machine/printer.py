@@ -10,6 +10,7 @@ from typing import Any
 
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.memory import Memory
+from trs80arm.reasons import reason
 from trs80arm.saving import open_to_write
 
 PRINTER_START = 0x37E8
@@ -93,7 +94,7 @@ class Printer:
             with open_to_write(self.path, append=True) as paper:
                 paper.write(text.encode("latin-1"))
         except OSError as error:
-            self.fault = f"{self.path}: {error.strerror or error}"
+            self.fault = f"{self.path}: {reason(error)}"
         else:
             self.fault = None
 

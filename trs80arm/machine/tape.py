@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from trs80arm.machine import cassette
+from trs80arm.reasons import reason
 from trs80arm.saving import write_whole
 
 SUFFIX = ".cas"
@@ -88,12 +89,13 @@ class FolderShelf:
             found = sorted(self._folder.iterdir())
         except OSError:
             return []
+        folder = os.path.realpath(self._folder)
         stems = [
             path.stem
             for path in found
             if path.suffix in (SUFFIX, SUFFIX.upper())
             and is_cassette_name(path.stem)
-            and self._is_inside(path)
+            and _is_inside(path, folder)
         ]
         return list(dict.fromkeys(stems))
 
@@ -129,20 +131,21 @@ class FolderShelf:
         capital = path.with_suffix(SUFFIX.upper())
         if not path.exists() and capital.exists():
             path = capital
-        if not self._is_inside(path):
+        if not _is_inside(path, os.path.realpath(self._folder)):
             raise OSError(f"{path} is no file, or a link that leads out of the tape folder")
         return path
 
-    def _is_inside(self, path: Path) -> bool:
-        """Whether it is a file of the folder, or could become one; nothing that would block."""
-        try:
-            if not stat.S_ISREG(os.stat(path).st_mode):
-                return False
-        except FileNotFoundError:
-            pass
-        except OSError:
-            return False  # A loop of links.
-        return os.path.dirname(os.path.realpath(path)) == os.path.realpath(self._folder)
+
+def _is_inside(path: Path, folder: str) -> bool:
+    """Whether it is a file of a real folder, or could become one; nothing that would block."""
+    try:
+        if not stat.S_ISREG(os.stat(path).st_mode):
+            return False
+    except FileNotFoundError:
+        pass
+    except OSError:
+        return False  # A loop of links.
+    return os.path.dirname(os.path.realpath(path)) == folder
 
 
 class PastShelf:
@@ -445,7 +448,7 @@ class Tape:
 
     def _report(self, error: OSError) -> None:
         where = f"{error.filename}: " if error.filename else ""
-        self.fault = f"{where}{error.strerror or error}"
+        self.fault = f"{where}{reason(error)}"
 
 
 def is_cassette_name(name: str) -> bool:

@@ -114,14 +114,18 @@ class Works:
         )
         return j1, j2, j3, j4, j5, j6 - self.arm.model.hand_per_elbow * j3
 
+    def name_places(self, own: RigSettings) -> None:
+        """Have the folder and the file of other settings in the own ones, and not use them yet."""
+        self.settings = replace(
+            self.settings, tape_folder=own.tape_folder, printer_file=own.printer_file
+        )
+
     def use_places(self, own: RigSettings) -> None:
         """Take over where cassettes and paper are kept from other settings.
 
         These are folders and files of the computer that the rig runs on. A snapshot names none.
         """
-        self.settings = replace(
-            self.settings, tape_folder=own.tape_folder, printer_file=own.printer_file
-        )
+        self.name_places(own)
         self.printer.path = own.printer_file
         if own.tape_folder is not None:
             self.tape.use_folder(own.tape_folder)
