@@ -19,11 +19,11 @@ import numpy as np
 from trs80arm import Rig
 from trs80arm.arm import Bench, MiniMover, benchfile
 from trs80arm.arm.contact.bodies import Body, Shape
-from trs80arm.arm.contact.clock import TICK, TICK_STATES
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK, TICK_STATES
 from trs80arm.arm.contact.rotations import oriented
 from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import box
-from trs80arm.arm.motors import PHASES, T_STATES_PER_SECOND
+from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 from trs80arm.operator import Operator, parse_holds
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tests.statements import done
 from trs80arm import Rig
 from trs80arm.arm import Bench, EventKind, JointAngles, MiniMover, Pose, Reason, benchfile
-from trs80arm.arm.motors import T_STATES_PER_SECOND
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 
 

@@ -13,12 +13,12 @@ from hypothesis import strategies as st
 
 from trs80arm import Rig
 from trs80arm.arm import Bench, EventKind, JointAngles, MiniMover, Pose, Reason, benchfile
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.experiments import Row, Verdict, table1
 from trs80arm.arm.forces import Burden, Strength, cosine, cosines, torques
 from trs80arm.arm.geometry import forward
 from trs80arm.arm.model import Link, Motor
 from trs80arm.arm.models import MINIMOVER5
-from trs80arm.arm.motors import T_STATES_PER_SECOND
 from trs80arm.arm.shapes import Vector, cross, plus
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 from trs80arm.operator import Operator, parse_holds

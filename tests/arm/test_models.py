@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from trs80arm import Rig
 from trs80arm.arm import ArmSettings, Bench, BenchError, MiniMover, Motor, benchfile
-from trs80arm.arm.forces import T_STATES_PER_SECOND, Strength
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
+from trs80arm.arm.forces import Strength
 from trs80arm.arm.geometry import CableDrive, inverse
 from trs80arm.arm.model import ArmModel
 from trs80arm.arm.models import MINIMOVER5, MODELS, TEACHMOVER

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.events import ArmEvent, Happening
-from trs80arm.arm.motors import T_STATES_PER_SECOND
 
 LULL = T_STATES_PER_SECOND // 2
 """T-states after which what happens again is another event."""

@@ -14,11 +14,11 @@ from dataclasses import dataclass
 from enum import Enum
 
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.model import Motor, Pose
-from trs80arm.arm.motors import T_STATES_PER_SECOND
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.stepping import PulseGenerator
 
@@ -231,11 +231,17 @@ def _gripping_force() -> float:
     return most
 
 
-def _reach() -> float:
-    """From the shoulder's axis to the fingertip of the stretched arm, inches."""
+def _stretched() -> PulseGenerator:
+    """The arm stretched out level."""
     generator = _bare()
     _set(generator, 0, 30, -10, 0, 0)
     generator.go(JointAngles(0.0, 0.0, 0.0, 0.0, 0.0), SLOW)
+    return generator
+
+
+def _reach() -> float:
+    """From the shoulder's axis to the fingertip of the stretched arm, inches."""
+    generator = _stretched()
     pose = generator.arm.state().pose
     return math.hypot(pose.x, pose.z - generator.arm.model.shoulder_height)
 
@@ -244,9 +250,7 @@ def _static_force() -> float:
     """Pounds that can be hung on the hand of the stretched arm before it loses steps."""
 
     def holds(force: float) -> bool:
-        generator = _bare()
-        _set(generator, 0, 30, -10, 0, 0)
-        generator.go(JointAngles(0.0, 0.0, 0.0, 0.0, 0.0), SLOW)
+        generator = _stretched()
         generator.arm.pull((0.0, 0.0, -16 * force))
         return not _lost(generator)
 

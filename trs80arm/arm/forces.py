@@ -19,12 +19,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.model import ArmModel, Link, Motor
 from trs80arm.arm.trigonometry import sin_cos
-
-T_STATES_PER_SECOND = 1_774_080
-"""The unit of the times on latch writes."""
 
 NEVER = 1 << 40
 """Period, in T-states, of a motor whose load is more than it can move."""

@@ -9,9 +9,9 @@ rotor, and tells it how far the rotor got.
 from __future__ import annotations
 
 from trs80arm.arm.events import Reason
-from trs80arm.arm.forces import NEVER, T_STATES_PER_SECOND
+from trs80arm.arm.forces import NEVER
 
-__all__ = ["PHASES", "RING", "ROWS", "T_STATES_PER_SECOND", "StepperMotor"]
+__all__ = ["PHASES", "RING", "ROWS", "StepperMotor"]
 
 PHASES = (0b0101, 0b0100, 0b0110, 0b0010, 0b1010, 0b1000, 0b1001, 0b0001)
 """Figure 8 from top to bottom, phi1 the high bit; downwards is clockwise, a positive count."""

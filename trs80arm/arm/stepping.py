@@ -12,10 +12,11 @@ from itertools import zip_longest
 import numpy as np
 import numpy.typing as npt
 
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.model import Motor
-from trs80arm.arm.motors import PHASES, T_STATES_PER_SECOND
+from trs80arm.arm.motors import PHASES
 
 SWITCH_CLOSED = (1, 0)
 """Stop condition for a burst: the grip switch closes."""

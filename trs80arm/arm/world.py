@@ -19,6 +19,7 @@ from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.body import Body
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK_STATES
 from trs80arm.arm.contact.driven import EASE
+from trs80arm.arm.contact.sixes import STILL, Six
 from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.feeding import Feeding
 from trs80arm.arm.forces import Burden
@@ -31,9 +32,6 @@ from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings
 from trs80arm.arm.telling import Telling
 
-Six = tuple[float, float, float, float, float, float]
-NONE: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-_NO_WAY = (0.0,) * 6
 GIVEN = 30
 """Ticks after which an arm that presses and stands has given all that it gives."""
 TURNED_FAST = 0.01
@@ -213,7 +211,7 @@ class World:
         return [*commands[:5], driven.joints[5] if self._loaded else commands[5]]
 
     def _surely_clear(
-        self, joints: Sequence[float], gone: Sequence[float] = _NO_WAY, pitched: float = 0.0
+        self, joints: Sequence[float], gone: Sequence[float] = STILL, pitched: float = 0.0
     ) -> bool:
         """Whether there must be room about somewhere, by the room there was where it was measured.
 
@@ -225,7 +223,7 @@ class World:
             gone: how far each coordinate goes on from there at most.
             pitched: how far both gears do together.
         """
-        ways = self.around.ways(gone) if any(gone) else _NO_WAY
+        ways = self.around.ways(gone) if any(gone) else STILL
         base, left, right = Motor.BASE, Motor.LEFT_WRIST, Motor.RIGHT_WRIST
         on = sum(ways)
         if self._looked is not None and self._looked[1].enough:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 T_STATES_PER_SECOND = 1_774_080
+"""The unit of all times of the arm, and of those on latch writes."""
 TICK_STATES = 8192
 """T-states from tick to tick."""
 TICK = TICK_STATES / T_STATES_PER_SECOND

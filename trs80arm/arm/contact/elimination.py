@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from trs80arm.arm.contact.sixes import Six
+from trs80arm.arm.contact.sixes import STILL, Six
 
 Triangle = Sequence[float]
 """A symmetric 6 x 6 matrix: the 21 numbers on and below its diagonal, row by row."""
@@ -91,7 +91,7 @@ class Eliminated:
                 for p, (u, v, w, x, y, z) in enumerate(whole):
                     theirs[p] -= a * u + b * v + c * w + d * x + e * y + f * z
             scaled.append(_scaled(factor, half))
-        out: list[Six] = [(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)] * len(rest)
+        out: list[Six] = [STILL] * len(rest)
         for (body, factor, ahead), known in zip(
             reversed(self._steps), reversed(scaled), strict=True
         ):
@@ -188,7 +188,7 @@ def _less(between: Columns | None, half: Columns, whole: Columns) -> list[Six]:
     a, b, c, d, e, f = half
     out: list[Six] = []
     for q, (u, v, w, x, y, z) in enumerate(whole):
-        g, h, i, j, k, m = between[q] if between is not None else (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        g, h, i, j, k, m = between[q] if between is not None else STILL
         out.append(
             (
                 g - (a[0] * u + a[1] * v + a[2] * w + a[3] * x + a[4] * y + a[5] * z),

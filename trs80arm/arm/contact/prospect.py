@@ -12,12 +12,10 @@ from trs80arm.arm.contact.coasting import MOST_STEPS, Coast, Mover, apart, even,
 from trs80arm.arm.contact.contacts import Contact, Mobile, total
 from trs80arm.arm.contact.driven import DrivenArm
 from trs80arm.arm.contact.roster import Roster
-from trs80arm.arm.contact.sixes import Six
+from trs80arm.arm.contact.sixes import STILL, Six
 from trs80arm.arm.contact.solver import Problem
 from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.shapes import cross, dot, plus
-
-_STILL: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @dataclass(slots=True)
@@ -73,7 +71,7 @@ class Prospect:
         links, bodies = self._movers(awake)
         join(links, bodies, touching := {contact.key[:2] for contact in self.contacts})
         moves = [body.move(body.name in driven) for body in bodies]
-        speeds: dict[int, Six] = dict.fromkeys(map(id, mobiles.values()), _STILL)
+        speeds: dict[int, Six] = dict.fromkeys(map(id, mobiles.values()), STILL)
         for move in moves:
             speeds[id(mobiles[move.name])] = (*move.velocity, *move.spin)
         if self.arm_mobile is not None:

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.figures.chart import Chart, Figure, FigureError, Series, Style, Table
 from trs80arm.arm.figures.measured import envelope, grip_curves, phase_table, table1_rows
 from trs80arm.arm.minimover import ArmState
-from trs80arm.arm.motors import T_STATES_PER_SECOND
 from trs80arm.arm.settings import ArmSettings
 
 __all__ = ["NAMES", "Chart", "Figure", "FigureError", "Series", "Style", "Table", "figure"]
