@@ -12,6 +12,7 @@ import pytest
 from tests.own_places import PROGRAMS, own_places
 from trs80arm.desk.opening import open_session
 from trs80arm.options import ArmStyle, TerminalOptions
+from trs80arm.rig import Waiting
 from trs80arm.ui.app import Trs80Arm
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 
@@ -67,6 +68,18 @@ class Sitting:
         self.app.session.rig.run_until_waiting(60)
         self.app.pacer.forgive()
         await self.settle()
+
+    async def begin_manual_mode(self) -> None:
+        """Type @SET, and see what comes of it."""
+        await self.type_line("@SET")
+        assert self.app.session.rig.waiting is Waiting.SET
+        await self.settle()
+
+    async def run_program(self, listing: str, seconds: float) -> None:
+        """Put a program into the machine, run it by its key, and let time pass."""
+        self.app.session.rig.load_text(listing)
+        await self.press("f5")
+        await self.pass_time(seconds)
 
     @property
     def tube(self) -> str:

@@ -21,11 +21,6 @@ from trs80arm.ui.screens.open import OpenScreen
 from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
 
 
-async def in_manual_mode(sitting: Sitting) -> None:
-    await sitting.type_line("@SET")
-    assert sitting.app.session.rig.waiting is Waiting.SET
-
-
 async def terminal_says(sitting: Sitting, *messages: Any) -> None:
     for message in messages:
         sitting.app.post_message(message)
@@ -117,7 +112,7 @@ async def test_a_paste_is_typed_without_losing_a_character(sit_down: Opener) -> 
 async def test_two_joints_move_while_two_keys_are_really_held(sit_down: Opener) -> None:
     async with sit_down() as sitting:
         rig = sitting.app.session.rig
-        await in_manual_mode(sitting)
+        await sitting.begin_manual_mode()
         await terminal_says(sitting, KeyReport(True), down("1"), down("w"))
         await sitting.pass_time(0.5)
         assert rig.held == {Key.N1, Key.W}
@@ -139,7 +134,7 @@ async def test_two_joints_move_while_two_keys_are_really_held(sit_down: Opener) 
 async def test_a_tap_without_releases_jogs_a_tenth_of_a_second(sit_down: Opener) -> None:
     async with sit_down() as sitting:
         rig = sitting.app.session.rig
-        await in_manual_mode(sitting)
+        await sitting.begin_manual_mode()
         sitting.app.desk.tube.post_message(events.Key("1", "1"))
         await sitting.pilot.pause()
         await sitting.pass_time(1)
@@ -150,7 +145,7 @@ async def test_a_tap_without_releases_jogs_a_tenth_of_a_second(sit_down: Opener)
 async def test_latch_mode_holds_two_joints_until_space(sit_down: Opener) -> None:
     async with sit_down(keys=KeyMode.LATCH) as sitting:
         rig = sitting.app.session.rig
-        await in_manual_mode(sitting)
+        await sitting.begin_manual_mode()
         for key in ("1", "w"):
             sitting.app.desk.tube.post_message(events.Key(key, key))
         await sitting.pilot.pause()
@@ -169,7 +164,7 @@ async def test_every_key_is_let_go_when_the_keyboard_goes_elsewhere(
 ) -> None:
     async with sit_down() as sitting:
         rig = sitting.app.session.rig
-        await in_manual_mode(sitting)
+        await sitting.begin_manual_mode()
         await terminal_says(sitting, KeyReport(True), down("1"), down("w"))
         await sitting.pass_time(0.1)
         assert len(rig.held) == 2
@@ -190,7 +185,7 @@ async def test_every_key_is_let_go_when_the_keyboard_goes_elsewhere(
 async def test_the_mouse_holds_a_key_until_it_is_let_go_anywhere(sit_down: Opener) -> None:
     async with sit_down() as sitting:
         rig = sitting.app.session.rig
-        await in_manual_mode(sitting)
+        await sitting.begin_manual_mode()
         await sitting.press("ctrl+k")
         await sitting.settle()
         assert sitting.app.desk.panels["matrix"].key_at(3, 0) is Key.N1
@@ -497,7 +492,7 @@ async def test_the_arm_is_jogged_and_stopped_whatever_is_shown(
 ) -> None:
     async with sit_down() as sitting:
         rig = sitting.app.session.rig
-        await in_manual_mode(sitting)
+        await sitting.begin_manual_mode()
         await hide_the_tube(sitting, how)
         if releases:
             await terminal_says(sitting, KeyReport(True), down("1"))

@@ -266,9 +266,7 @@ async def test_a_bad_state_is_told_in_a_line(sit_down: Opener, tmp_path: Path) -
 @piloted
 async def test_back_from_the_desk_takes_the_arm_with_it(sit_down: Opener) -> None:
     async with sit_down() as sitting:
-        sitting.app.session.rig.load_text("10 @STEP 9,300\n20 GOTO 20\n")
-        await sitting.press("f5")
-        await sitting.pass_time(2.5)
+        await sitting.run_program("10 @STEP 9,300\n20 GOTO 20\n", 2.5)
         assert sitting.app.session.rig.registers[0] == 300
         sitting.app.debugger.set(10)
         await sitting.press("ctrl+x", "r")

@@ -17,11 +17,6 @@ def rows(sitting: Sitting) -> tuple[int, int]:
     return desk.tube.size.height, desk.side.size.height
 
 
-async def in_manual_mode(sitting: Sitting) -> None:
-    await sitting.type_line("@SET")
-    await sitting.settle()
-
-
 @piloted
 async def test_at_the_prompt_the_tube_has_all_its_lines(sit_down: Opener) -> None:
     async with sit_down(80, 24) as sitting:
@@ -34,7 +29,7 @@ async def test_in_manual_mode_the_arm_has_the_room_and_the_prompt_is_seen(
     sit_down: Opener, size: tuple[int, int]
 ) -> None:
     async with sit_down(*size) as sitting:
-        await in_manual_mode(sitting)
+        await sitting.begin_manual_mode()
         tube, arm = rows(sitting)
         assert arm >= 14
         assert tube >= 6
@@ -55,14 +50,14 @@ async def test_when_the_arm_has_stood_for_a_while_the_tube_is_whole_again(sit_do
 async def test_a_program_that_draws_keeps_the_tube(sit_down: Opener) -> None:
     async with sit_down(80, 24) as sitting:
         await sitting.type_line("CLS: SET(10,10)")
-        await in_manual_mode(sitting)
+        await sitting.begin_manual_mode()
         assert rows(sitting)[0] == 16
 
 
 @piloted
 async def test_what_is_printed_elsewhere_while_the_arm_moves_is_seen(sit_down: Opener) -> None:
     async with sit_down(80, 24) as sitting:
-        await in_manual_mode(sitting)
+        await sitting.begin_manual_mode()
         assert rows(sitting)[0] < 16
         for cell, letter in enumerate("UP HERE"):
             sitting.app.session.rig.memory.poke(0x3C00 + cell, ord(letter))

@@ -19,6 +19,11 @@ TAP = 0.2
 """Seconds of the wall after which the keyboard's timer has let a key go."""
 
 
+async def open_pendant(sitting: Sitting) -> None:
+    await sitting.press("f12")
+    await sitting.settle()
+
+
 async def tap(sitting: Sitting, key: str, times: int = 1) -> None:
     """Tap a key, each time until its step is done."""
     for _ in range(times):
@@ -88,8 +93,7 @@ async def test_a_task_is_taught_from_nothing_and_runs_at_the_first_try(
     async with sit_down(width, height) as sitting:
         rig = sitting.app.session.rig
         began = rig.time
-        await sitting.press("f12")
-        await sitting.settle()
+        await open_pendant(sitting)
         await teach_the_task(sitting)
         assert rig.time - began < 180
         await shown(sitting)
@@ -126,8 +130,7 @@ def assert_runs_without_a_pendant(listing: str) -> None:
 async def test_the_program_goes_into_the_machine_and_runs_there(sit_down: Opener) -> None:
     async with sit_down() as sitting:
         rig = sitting.app.session.rig
-        await sitting.press("f12")
-        await sitting.settle()
+        await open_pendant(sitting)
         await tap(sitting, "3", 2)
         await sitting.press("a")
         await tap(sitting, "2", 2)
@@ -146,8 +149,7 @@ async def test_the_program_goes_into_the_machine_and_runs_there(sit_down: Opener
 async def test_a_tap_is_one_step_and_a_held_key_goes_on(sit_down: Opener) -> None:
     async with sit_down() as sitting:
         rig = sitting.app.session.rig
-        await sitting.press("f12")
-        await sitting.settle()
+        await open_pendant(sitting)
         await tap(sitting, "3")
         assert rig.pose.z == pytest.approx(0.5, abs=0.02)
         # Auto-repeat holds it.
@@ -169,8 +171,7 @@ async def test_a_terminal_that_tells_of_releases_holds_as_long_as_the_finger(
     async with sit_down() as sitting:
         app = sitting.app
         app.keyboard.told(True)
-        await sitting.press("f12")
-        await sitting.settle()
+        await open_pendant(sitting)
         screen = app.screen
         assert isinstance(screen, PendantScreen)
         screen.went_down("3", "3", "3")
@@ -187,8 +188,7 @@ async def test_a_terminal_that_tells_of_releases_holds_as_long_as_the_finger(
 @piloted
 async def test_the_mouse_holds_a_button(sit_down: Opener) -> None:
     async with sit_down() as sitting:
-        await sitting.press("f12")
-        await sitting.settle()
+        await open_pendant(sitting)
         await shown(sitting)
         rig = sitting.app.session.rig
         await sitting.pilot.mouse_down(JogPad, offset=(32, 2))
@@ -206,8 +206,7 @@ async def test_the_mouse_holds_a_button(sit_down: Opener) -> None:
 @piloted
 async def test_the_keys_below_are_clicked(sit_down: Opener) -> None:
     async with sit_down() as sitting:
-        await sitting.press("f12")
-        await sitting.settle()
+        await open_pendant(sitting)
         await sitting.pilot.click("KeyLine", offset=(2, 0))
         assert len(sitting.app.lesson) == 1
 
@@ -215,8 +214,7 @@ async def test_the_keys_below_are_clicked(sit_down: Opener) -> None:
 @piloted
 async def test_the_override_goes_from_slow_motion_to_flat_out(sit_down: Opener) -> None:
     async with sit_down() as sitting:
-        await sitting.press("f12")
-        await sitting.settle()
+        await open_pendant(sitting)
         await sitting.press(*["minus"] * 9)
         assert "Speed 5 %" in await shown(sitting)
         rig = sitting.app.session.rig
@@ -234,8 +232,7 @@ async def test_the_override_goes_from_slow_motion_to_flat_out(sit_down: Opener) 
 @piloted
 async def test_axes_and_step_sizes_are_chosen(sit_down: Opener) -> None:
     async with sit_down() as sitting:
-        await sitting.press("f12")
-        await sitting.settle()
+        await open_pendant(sitting)
         await sitting.press("j")
         assert "TOOL   along" in await shown(sitting)
         await sitting.press("j", "comma")
@@ -250,8 +247,7 @@ async def test_axes_and_step_sizes_are_chosen(sit_down: Opener) -> None:
 async def test_points_are_marked_gone_to_put_in_order_and_removed(sit_down: Opener) -> None:
     async with sit_down() as sitting:
         rig, pendant = sitting.app.session.rig, sitting.app.pendant
-        await sitting.press("f12")
-        await sitting.settle()
+        await open_pendant(sitting)
         for _ in range(3):
             await tap(sitting, "3")
             await sitting.press("a")
@@ -279,11 +275,8 @@ async def test_points_are_marked_gone_to_put_in_order_and_removed(sit_down: Open
 @piloted
 async def test_a_program_that_runs_is_stopped_by_space(sit_down: Opener) -> None:
     async with sit_down() as sitting:
-        sitting.app.session.rig.load_text("10 GOTO 10\n")
-        await sitting.press("f5")
-        await sitting.pass_time(1.0)
-        await sitting.press("f12")
-        await sitting.settle()
+        await sitting.run_program("10 GOTO 10\n", 1.0)
+        await open_pendant(sitting)
         assert "A program runs: stop it first." in await shown(sitting)
         await sitting.press("space")
         await sitting.pass_time(0.5)
@@ -295,8 +288,7 @@ async def test_a_program_that_runs_is_stopped_by_space(sit_down: Opener) -> None
 @piloted
 async def test_escape_stops_the_arm_first_and_leaves_then(sit_down: Opener) -> None:
     async with sit_down() as sitting:
-        await sitting.press("f12")
-        await sitting.settle()
+        await open_pendant(sitting)
         await sitting.press("3")
         await sitting.pass_time(0.05)
         await sitting.press("escape")

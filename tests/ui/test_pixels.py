@@ -22,7 +22,7 @@ from textual.strip import Strip
 from textual.widgets._toast import Toast
 from textual_image.renderable import SixelImage, TGPImage
 
-from tests.ui.conftest import Opener
+from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
 from trs80arm.drawing.picture import FROM_THE_SIDE, Picture
@@ -243,21 +243,23 @@ def test_the_terminal_is_asked_and_not_waited_for(answers: dict[bytes, bytes], f
     assert b"Traceback" not in output
 
 
+async def show_pixels(sitting: Sitting, renderable: type) -> None:
+    sitting.app.desk.use_pixels(PixelScreen(renderable))
+    sitting.app.desk.use_arm_style(ArmStyle.PIXELS)
+    await sitting.settle()
+
+
 @piloted
 async def test_the_panels_show_the_arm_in_pixels(sit_down: Opener) -> None:
     async with sit_down(120, 40) as sitting:
-        sitting.app.desk.use_pixels(PixelScreen(SixelImage))
-        sitting.app.desk.use_arm_style(ArmStyle.PIXELS)
-        await sitting.settle()
+        await show_pixels(sitting, SixelImage)
         assert screen_text(sitting.app).count("\x1bP") == 2
 
 
 @piloted
 async def test_nothing_lies_over_pixels(sit_down: Opener) -> None:
     async with sit_down(120, 40) as sitting:
-        sitting.app.desk.use_pixels(PixelScreen(TGPImage))
-        sitting.app.desk.use_arm_style(ArmStyle.PIXELS)
-        await sitting.settle()
+        await show_pixels(sitting, TGPImage)
         assert "\U0010eeee" in screen_text(sitting.app)
         await sitting.press("f8")
         await sitting.settle()
@@ -293,8 +295,7 @@ async def test_pixels_leave_time_for_the_machine(
 
     monkeypatch.setattr(under_test.PixelScreen, "picture", counted)
     async with sit_down(120, 40) as sitting:
-        sitting.app.desk.use_pixels(PixelScreen(SixelImage))
-        sitting.app.desk.use_arm_style(ArmStyle.PIXELS)
+        await show_pixels(sitting, SixelImage)
         sitting.app.session.rig.type("@STEP 50,2000\r")
         sitting.app.session.rig.run_for(1.5)
         await sitting.pass_time(0.3)

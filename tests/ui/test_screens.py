@@ -59,8 +59,7 @@ async def test_the_arm_after_a_motion(sit_down: Opener, width: int, height: int)
 @piloted
 async def test_manual_mode(sit_down: Opener, width: int, height: int) -> None:
     async with sit_down(width, height) as sitting:
-        await sitting.type_line("@SET")
-        await sitting.settle()
+        await sitting.begin_manual_mode()
         check_golden(f"manual-{shape(width, height)}", screen_text(sitting.app))
 
 
