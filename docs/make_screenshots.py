@@ -17,21 +17,11 @@ from typing import Any
 from PIL.Image import Image
 
 from trs80arm.arm.geometry import Pose
+from trs80arm.ui.filming import Wall, picture
 
 FOLDER = Path(__file__).parent / "screenshots"
 PROGRAMS = Path(__file__).parents[1] / "programs"
 TICK = 1 / 60
-
-
-class Wall:
-    """A clock that stands until it is moved."""
-
-    def __init__(self) -> None:
-        self.now = 1000.0
-
-    def __call__(self) -> float:
-        """What it shows, in seconds."""
-        return self.now
 
 
 class Sitting:
@@ -199,7 +189,6 @@ def drawn(app: Any) -> str:
     """The window with blocks drawn as shapes, which few fonts have without gaps."""
     from trs80arm.film.frames import Film
     from trs80arm.film.svg import svg
-    from trs80arm.ui.filming import picture
 
     still = Film(app.size.width, app.size.height, "trs80arm")
     still.add(0.0, picture(app))
@@ -238,11 +227,11 @@ async def shoot(
         async with app.run_test(size=size) as pilot:
             await pilot.pause()
             await scene(Sitting(app, pilot, wall))
-            picture = take(app)
-    if isinstance(picture, str):
-        (FOLDER / f"{name}.svg").write_text(picture, encoding="utf-8")
+            taken = take(app)
+    if isinstance(taken, str):
+        (FOLDER / f"{name}.svg").write_text(taken, encoding="utf-8")
     else:
-        picture.quantize(128).save(FOLDER / f"{name}.png", optimize=True)
+        taken.quantize(128).save(FOLDER / f"{name}.png", optimize=True)
     print(name)
 
 

@@ -72,13 +72,14 @@ class Shooting:
     font: Path | None = None
 
 
-class _Wall:
+class Wall:
     """A clock that stands until it is moved."""
 
     def __init__(self) -> None:
         self.now = 1000.0
 
     def __call__(self) -> float:
+        """What it shows, in seconds."""
         return self.now
 
 
@@ -132,7 +133,7 @@ def make_film(options: TerminalOptions, shooting: Shooting, path: Path) -> None:
 async def _shoot(
     session: Session, options: TerminalOptions, shooting: Shooting, operator: Operator
 ) -> Film:
-    wall = _Wall()
+    wall = Wall()
     name = options.program.name if options.program else "trs80arm"
     made = Film(shooting.columns, shooting.rows, f"{name} on a TRS-80 with a MiniMover 5")
     with tempfile.TemporaryDirectory() as state:
@@ -164,7 +165,7 @@ async def _shoot(
                     _let_pass(app, wall, min(STRIDE, target - rig.time))
 
 
-def _let_pass(app: Trs80Arm, wall: _Wall, seconds: float) -> None:
+def _let_pass(app: Trs80Arm, wall: Wall, seconds: float) -> None:
     wall.now += seconds
     app.tick()
 
