@@ -94,6 +94,8 @@ def _run(options: BatchOptions, stream: TextIO) -> int:
         pose = rig.pose
         values = (pose.x, pose.y, pose.z, pose.pitch, pose.roll, pose.opening)
         print(*(f"{value + 0.0:.4f}" for value in values), file=stream)
+    if rig.arm.bench.goals:
+        print(rig.score().text(), file=stream)
     stream.flush()
     return _verdict(rig, options, waiting)
 

@@ -15,6 +15,7 @@ from typing import Any
 
 from trs80arm import files, snapshots
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.goals import Score
 from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, MiniMover
 from trs80arm.arm.model import Pose
 from trs80arm.basic import cruncher
@@ -51,6 +52,7 @@ __all__ = [
     "ReplayError",
     "Rig",
     "RigSettings",
+    "Score",
     "SnapshotError",
     "Waiting",
 ]
@@ -531,6 +533,13 @@ class Rig:
     def pose(self) -> Pose:
         """Where the fingertips truly are."""
         return self._works.arm.state().pose
+
+    def score(self) -> Score:
+        """How well the goals of the bench are done at this moment, from where its parts truly are.
+
+        A bench without goals has a score without marks.
+        """
+        return self._works.arm.bench.score()
 
     # -- who looks on -------------------------------------------------------------------------
     #

@@ -14,7 +14,7 @@ from enum import Enum
 from math import prod
 from typing import Any
 
-from trs80arm.arm import events, fixtures, forces, geometry, shapes
+from trs80arm.arm import events, fixtures, forces, geometry, goals, shapes
 from trs80arm.arm.contact import bodies, coasting, solids, table
 from trs80arm.arm.model import ArmModel, Motor, Pose
 from trs80arm.arm.models import MODELS
@@ -76,6 +76,8 @@ VALUES: dict[str, type] = _by_name(
         fixtures.Proximity,
         fixtures.Tactile,
         fixtures.LightBeam,
+        goals.PartGoal,
+        goals.TrayGoal,
         Double,
         GosubFrame,
         errors.BasicError,

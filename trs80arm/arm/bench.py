@@ -26,6 +26,7 @@ from trs80arm.arm.contact.solids import Solid, box
 from trs80arm.arm.contact.table import TABLE, Plate
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Sensor, Tray, Turntable
+from trs80arm.arm.goals import Goal, Score, score
 from trs80arm.arm.linkage import fixed_name, link_name
 from trs80arm.arm.model import Pose
 from trs80arm.arm.settings import ArmSettings
@@ -49,6 +50,7 @@ class Bench:
         scene: the parts in contact.
         feeders, trays, obstacles, sensors: as the file lists them.
         turntable: on the auxiliary latch, or None.
+        goals: what shall be where at the end.
         beginning: the parts as they stand at the beginning, all at rest.
         news: what happened since the arm last asked, as (kind, text).
     """
@@ -63,6 +65,7 @@ class Bench:
         self.obstacles: list[Obstacle] = list(_own_base(self.settings))
         self.sensors: list[Sensor] = []
         self.turntable: Turntable | None = None
+        self.goals: list[Goal] = []
         self.news: list[tuple[EventKind, str]] = []
         self.beginning: list[Part] = []
 
@@ -160,6 +163,10 @@ class Bench:
             feeder.given = 0
         for tray in self.trays:
             tray.taken = 0
+
+    def score(self) -> Score:
+        """How well the goals are done as the parts are now."""
+        return score(self.goals, self.parts, self.trays)
 
     # What is where
 

@@ -15,6 +15,8 @@ from trs80arm.arm.contact.solids import Solid, box, cylinder, prism
 from trs80arm.arm.shapes import Vector
 from trs80arm.plain_values import Table
 
+FAR = 60.0
+"""Farthest that anything may be from the base axis, inches."""
 SMALLEST = 0.1
 """Inches that anything is long, wide and high at least."""
 LARGEST = 60.0

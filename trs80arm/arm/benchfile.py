@@ -12,7 +12,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from trs80arm.arm.bench import Bench, BenchError, around, deep, obstacle
-from trs80arm.arm.bench_forms import KEYS, read_shape, read_solids, read_turn
+from trs80arm.arm.bench_forms import FAR, KEYS, read_shape, read_solids, read_turn
+from trs80arm.arm.bench_goals import read_goal
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.fixtures import Feeder, LightBeam, Proximity, Tactile, Tray, Turntable
 from trs80arm.arm.geometry import CableDrive, OutOfReach
@@ -24,8 +25,6 @@ from trs80arm.plain_values import SettingsError, Table
 
 LARGEST = 1024 * 1024
 """Bytes of a bench file that is read."""
-FAR = 60.0
-"""Farthest that anything may be from the base axis, inches."""
 
 
 def load(path: str | Path) -> Bench:
@@ -111,7 +110,8 @@ def _bench(top: Table, name: str) -> Bench:
         radius = table.number("radius", 0.1, FAR)
         bench.turntable = Turntable(x, y, radius, table.integer("steps", 8, 1_000_000, 96))
         table.done("at, radius, steps")
-    top.done("name, arm, part, feeder, tray, obstacle, proximity, tactile, beam, turntable")
+    bench.goals += [read_goal(bench, item) for item in top.tables("goal")]
+    top.done("name, arm, part, feeder, tray, obstacle, proximity, tactile, beam, turntable, goal")
     there = World(bench, bench.settings, drive).occupied()
     if there is not None:
         raise top.fail("arm.at", f"a free place for the hand; {there} is in the way")
