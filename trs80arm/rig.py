@@ -15,6 +15,7 @@ from typing import Any
 
 from trs80arm import files, snapshots
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.cell.inputs import Answer
 from trs80arm.arm.goals import Score
 from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, MiniMover
 from trs80arm.arm.model import Pose
@@ -533,6 +534,11 @@ class Rig:
     def pose(self) -> Pose:
         """Where the fingertips truly are."""
         return self._works.arm.state().pose
+
+    @property
+    def sensors(self) -> dict[str, Answer]:
+        """What the bench's sensors say at this moment, by name, in whatever bank they are."""
+        return {answer.name: answer for answer in self._works.arm.answers(self.clock.now)}
 
     def score(self) -> Score:
         """How well the goals of the bench are done at this moment, from where its parts truly are.

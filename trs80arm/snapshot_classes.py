@@ -15,6 +15,7 @@ from math import prod
 from typing import Any
 
 from trs80arm.arm import events, fixtures, forces, geometry, goals, shapes
+from trs80arm.arm.cell import inputs, sensors
 from trs80arm.arm.contact import bodies, coasting, solids, table
 from trs80arm.arm.model import ArmModel, Motor, Pose
 from trs80arm.arm.models import MODELS
@@ -73,9 +74,10 @@ VALUES: dict[str, type] = _by_name(
         forces.Strength,
         forces.Curve,
         fixtures.Obstacle,
-        fixtures.Proximity,
-        fixtures.Tactile,
-        fixtures.LightBeam,
+        inputs.Selector,
+        sensors.Proximity,
+        sensors.Tactile,
+        sensors.LightBeam,
         goals.PartGoal,
         goals.TrayGoal,
         Double,

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import cast
 
+from trs80arm.arm.cell.inputs import Answering, Selector
 from trs80arm.arm.contact.bodies import Fixed, Shape
 from trs80arm.arm.contact.forms import standing
 from trs80arm.arm.contact.manifold import Placed, between
@@ -25,7 +26,7 @@ from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import Solid, box
 from trs80arm.arm.contact.table import TABLE, Plate
 from trs80arm.arm.events import EventKind
-from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Sensor, Tray, Turntable
+from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Tray, Turntable
 from trs80arm.arm.goals import Goal, Score, score
 from trs80arm.arm.linkage import fixed_name, link_name
 from trs80arm.arm.model import Pose
@@ -48,7 +49,9 @@ class Bench:
         settings: of the arm that works here.
         start: pose in which the arm is switched on, or None for the arm's own.
         scene: the parts in contact.
-        feeders, trays, obstacles, sensors: as the file lists them.
+        feeders, trays, obstacles: as the file lists them.
+        sensors: what is on the free bits of the input nibble.
+        selector: of the banks in which they are seen, or None.
         turntable: on the auxiliary latch, or None.
         goals: what shall be where at the end.
         beginning: the parts as they stand at the beginning, all at rest.
@@ -63,7 +66,8 @@ class Bench:
         self.feeders: list[Feeder] = []
         self.trays: list[Tray] = []
         self.obstacles: list[Obstacle] = list(_own_base(self.settings))
-        self.sensors: list[Sensor] = []
+        self.sensors: list[Answering] = []
+        self.selector: Selector | None = None
         self.turntable: Turntable | None = None
         self.goals: list[Goal] = []
         self.news: list[tuple[EventKind, str]] = []

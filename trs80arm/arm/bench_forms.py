@@ -21,6 +21,8 @@ SMALLEST = 0.1
 """Inches that anything is long, wide and high at least."""
 LARGEST = 60.0
 """And at most."""
+FAR = 60.0
+"""Farthest that anything may be from the base axis, inches."""
 THINNEST = 0.02
 """Inches that a wall is thick at least."""
 MOST_CORNERS, MOST_PEGS = 24, 32

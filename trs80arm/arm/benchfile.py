@@ -14,12 +14,12 @@ from pathlib import Path
 from trs80arm.arm.bench import Bench, BenchError, around, deep, obstacle
 from trs80arm.arm.bench_forms import FAR, KEYS, read_shape, read_solids, read_turn
 from trs80arm.arm.bench_goals import read_goal
+from trs80arm.arm.bench_sensors import SENSORS, read_sensors
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.fixtures import Feeder, LightBeam, Proximity, Tactile, Tray, Turntable
+from trs80arm.arm.fixtures import Feeder, Tray, Turntable
 from trs80arm.arm.geometry import CableDrive, OutOfReach
 from trs80arm.arm.limits import beyond_any_stop
 from trs80arm.arm.model import ArmModel, Pose
-from trs80arm.arm.shapes import Vector, upright
 from trs80arm.arm.world import World
 from trs80arm.plain_values import SettingsError, Table
 
@@ -90,36 +90,19 @@ def _bench(top: Table, name: str) -> Bench:
         _feeder(bench, item)
     for item in top.tables("tray"):
         _tray(bench, item)
-    for item in top.tables("proximity"):
-        place = _vector(item.vector("at", 3, -FAR, FAR))
-        sensor = Proximity(_bit(bench, item), place, item.number("range", 0.05, FAR))
-        bench.sensors.append(sensor)
-        item.done("at, range, bit")
-    for item in top.tables("tactile"):
-        _tactile(bench, item)
-    for item in top.tables("beam"):
-        start = _vector(item.vector("from", 3, -FAR, FAR))
-        end = _vector(item.vector("to", 3, -FAR, FAR))
-        if math.dist(start, end) < 0.01:
-            raise item.fail("to", "another place than from")
-        bench.sensors.append(LightBeam(_bit(bench, item), start, end))
-        item.done("from, to, bit")
     table = top.table("turntable")
     if table is not None:
         x, y = table.vector("at", 2, -FAR, FAR)
         radius = table.number("radius", 0.1, FAR)
         bench.turntable = Turntable(x, y, radius, table.integer("steps", 8, 1_000_000, 96))
         table.done("at, radius, steps")
+    read_sensors(bench, top)
     bench.goals += [read_goal(bench, item) for item in top.tables("goal")]
-    top.done("name, arm, part, feeder, tray, obstacle, proximity, tactile, beam, turntable, goal")
+    top.done(f"name, arm, part, feeder, tray, obstacle, turntable, selector, {SENSORS}, goal")
     there = World(bench, bench.settings, drive).occupied()
     if there is not None:
         raise top.fail("arm.at", f"a free place for the hand; {there} is in the way")
     return bench
-
-
-def _vector(values: tuple[float, ...]) -> Vector:
-    return values[0], values[1], values[2]
 
 
 def _arm(bench: Bench, model: ArmModel, item: Table | None) -> None:
@@ -144,13 +127,6 @@ def _arm(bench: Bench, model: ArmModel, item: Table | None) -> None:
     if stop is not None:
         raise item.fail("at", f"a pose within the stops; it is beyond {stop}")
     bench.start = pose
-
-
-def _bit(bench: Bench, item: Table) -> int:
-    bit = item.integer("bit", 1, 3)
-    if any(sensor.bit == bit for sensor in bench.sensors):
-        raise item.fail("bit", "an input bit that no other sensor uses")
-    return bit
 
 
 def _standing(bench: Bench, item: Table, key: str, solids: Sequence[Placed]) -> None:
@@ -219,13 +195,3 @@ def _tray(bench: Bench, item: Table) -> None:
     width, depth = item.vector("size", 2, 0.1, FAR)
     item.done("name, at, size")
     bench.trays.append(Tray(name, x, y, width, depth))
-
-
-def _tactile(bench: Bench, item: Table) -> None:
-    """[[tactile]]."""
-    x, y = item.vector("at", 2, -FAR, FAR)
-    width, depth = item.vector("size", 2, 0.1, FAR)
-    height = item.number("height", 0, FAR, 0.0)
-    pad = upright(x, y, height - 0.05, (width, depth, 0.1), 0.0)
-    bench.sensors.append(Tactile(_bit(bench, item), pad))
-    item.done("at, size, height, bit")

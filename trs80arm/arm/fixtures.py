@@ -1,4 +1,4 @@
-"""What can stand on the bench besides the table: parts, feeders, trays, obstacles, sensors.
+"""What can stand on the bench besides the table: parts, feeders, trays, obstacles, turntable.
 
 Plain values and small counters; `bench` gives them their physics and `benchfile` reads them
 from a file. Inches, ounces; turns in radians counter-clockwise from above.
@@ -13,16 +13,13 @@ from functools import cached_property
 from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body
-from trs80arm.arm.contact.distance import distance, distance_to
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import IDENTITY, about, apply, matrix, quaternion
 from trs80arm.arm.contact.solids import Solid, box
-from trs80arm.arm.shapes import SKIN, Box, Vector, interval, plus, upright
+from trs80arm.arm.shapes import SKIN, Box, Vector, plus, upright
 
 ON_THE_TABLE = 0.02
 """Height of its lowest corner up to which something stands on the table, inches."""
-TOUCHED = 0.005
-"""A pad feels what is within this of it, inches."""
 
 
 Polyhedron = tuple[tuple[Vector, ...], tuple[tuple[int, ...], ...]]
@@ -206,74 +203,6 @@ class Obstacle:
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
 
-@dataclass(frozen=True)
-class Proximity:
-    """A sensor that answers when a part or the hand comes near it.
-
-    Attributes:
-        bit: of the input nibble, 1 to 3.
-        place: of the sensor, inches.
-        range: distance at which it answers, inches.
-    """
-
-    bit: int
-    place: Vector
-    range: float
-
-    def answers(self, solids: list[Placed], segments: list[tuple[Vector, Vector]]) -> bool:
-        """Whether anything of a part, or a segment, is within range."""
-        return any(
-            _outside(self.place, solid) <= self.range
-            and distance_to(solid, self.place) <= self.range
-            for solid in solids
-        ) or any(_to_segment(self.place, a, b) <= self.range**2 for a, b in segments)
-
-
-@dataclass(frozen=True)
-class Tactile:
-    """A pad that answers when something rests or presses on it.
-
-    Attributes:
-        bit: of the input nibble, 1 to 3.
-        pad: the pad as a box of no great height.
-    """
-
-    bit: int
-    pad: Box
-
-    def answers(self, solids: list[Placed], segments: list[tuple[Vector, Vector]]) -> bool:
-        """Whether a part stands on the pad or the arm touches it."""
-        size = (2 * self.pad.half[0], 2 * self.pad.half[1], 2 * self.pad.half[2])
-        pad = Placed(box(size), self.pad.center, IDENTITY)
-        return any(
-            solid.near(pad, TOUCHED) and distance(solid, pad) <= TOUCHED for solid in solids
-        ) or any(interval(self.pad, a, b) is not None for a, b in segments)
-
-
-@dataclass(frozen=True)
-class LightBeam:
-    """A beam that answers when something is in it.
-
-    Attributes:
-        bit: of the input nibble, 1 to 3.
-        start: of the beam, inches.
-        end: of the beam, inches.
-    """
-
-    bit: int
-    start: Vector
-    end: Vector
-
-    def answers(self, solids: list[Placed], segments: list[tuple[Vector, Vector]]) -> bool:
-        """Whether a part, or a link or finger half an inch thick, is in the beam."""
-        return any(distance_to(solid, self.start, self.end) == 0 for solid in solids) or any(
-            _apart(self.start, self.end, a, b) < 0.25**2 for a, b in segments
-        )
-
-
-Sensor = Proximity | Tactile | LightBeam
-
-
 @dataclass
 class Turntable:
     """A round plate let into the table, turned by a stepper motor on the auxiliary latch.
@@ -310,39 +239,3 @@ def box_at(place: Box) -> Solid:
     turn = quaternion((a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]))
     h = place.half
     return box((2 * h[0], 2 * h[1], 2 * h[2])).moved(place.center, turn)
-
-
-def _outside(point: Vector, solid: Placed) -> float:
-    """Inches from a point to the upright box around a solid."""
-    total = 0.0
-    for p, low, high in zip(point, solid.low, solid.high, strict=True):
-        out = max(low - p, p - high)
-        if out > 0:
-            total += out * out
-    return math.sqrt(total)
-
-
-def _to_segment(point: Vector, a: Vector, b: Vector) -> float:
-    """Squared distance from a point to a segment."""
-    along = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
-    length = sum(v * v for v in along)
-    t = 0.0
-    if length > 0:
-        t = sum((p - q) * v for p, q, v in zip(point, a, along, strict=True)) / length
-        t = min(1.0, max(0.0, t))
-    nearest = plus(a, along, t)
-    return sum((p - q) ** 2 for p, q in zip(point, nearest, strict=True))
-
-
-def _apart(a: Vector, b: Vector, c: Vector, d: Vector) -> float:
-    """Squared distance between two segments, to well under their thickness."""
-    # The distance to a segment is convex along the other one, so halving thirds finds it.
-    low, high = 0.0, 1.0
-    along = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
-    for _ in range(40):
-        one, two = low + (high - low) / 3, high - (high - low) / 3
-        if _to_segment(plus(a, along, one), c, d) < _to_segment(plus(a, along, two), c, d):
-            high = two
-        else:
-            low = one
-    return _to_segment(plus(a, along, (low + high) / 2), c, d)

@@ -18,6 +18,7 @@ import numpy.typing as npt
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.body import Body
 from trs80arm.arm.burst import LONGEST, run_free
+from trs80arm.arm.cell.inputs import Answer
 from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.events import ArmEvent, EventKind, Happening, Reason
 from trs80arm.arm.forces import Burden, Strength, Vector, cosine, torques
@@ -320,7 +321,14 @@ class MiniMover:
         All idle at 1 and answer with 0.
         """
         self.advance(time)
-        return (0 if self._world.grip.switch_closed else 1) | self._world.sensed()
+        switch = 0 if self._world.grip.switch_closed else 1
+        return switch | self._world.sensed(time, self.motors[AUXILIARY].coils)
+
+    def answers(self, time: int) -> tuple[Answer, ...]:
+        """What each sensor of the bench says at a T-state, in whatever bank it is."""
+        self.advance(time)
+        seen = self._world.seen(time)
+        return tuple(Answer.of(sensor, seen) for sensor in self.bench.sensors)
 
     def _write(self, time: int, latch: int, nibble: int) -> None:
         """One latch write."""

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.body import Body
+from trs80arm.arm.cell.inputs import IDLE, Seen, nibble
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK_STATES
 from trs80arm.arm.contact.driven import EASE
 from trs80arm.arm.contact.sixes import STILL, Six
@@ -622,17 +623,22 @@ class World:
 
     # What else looks at the bench
 
-    def sensed(self) -> int:
-        """Bits 1 to 3 of the input nibble: 1 idle, 0 where a sensor answers."""
-        bits = 0b1110
-        if self.bench.sensors:
-            self.show()
-            solids = [solid for part in self.bench.parts.values() for solid in part.placed]
-            segments = list(self.body.segments[1:])
-            for sensor in self.bench.sensors:
-                if bits >> sensor.bit & 1 and sensor.answers(solids, segments):
-                    bits &= ~(1 << sensor.bit)
-        return bits
+    def sensed(self, time: int, output: int) -> int:
+        """Bits 1 to 3 of the input nibble: 1 idle, 0 where a sensor answers.
+
+        Args:
+            time: T-state, up to which all has passed.
+            output: nibble on the auxiliary output.
+        """
+        bench = self.bench
+        if not bench.sensors:
+            return IDLE
+        return nibble(bench.sensors, bench.selector, output, self.seen(time))
+
+    def seen(self, time: int) -> Seen:
+        """What there is to sense at a T-state, up to which all has passed."""
+        self.show()
+        return Seen(self, time)
 
     def _changed(self) -> None:
         """Parts have moved: see which feeders have room, and whether the hand has a load."""

@@ -12,8 +12,9 @@ from math import tau
 from zlib import crc32
 
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.cell.inputs import Answer
 from trs80arm.arm.events import ArmEvent
-from trs80arm.arm.fixtures import LightBeam, Polyhedron, Proximity, Sensor
+from trs80arm.arm.fixtures import Polyhedron
 from trs80arm.arm.geometry import ArmPoints, JointAngles, forward, inverse
 from trs80arm.arm.model import ArmModel, Pose
 from trs80arm.arm.settings import ArmSettings
@@ -107,6 +108,7 @@ class Readings:
         slipped: how far each rotor is from where its field should have taken it, half-steps.
         coils: the seven latches' nibbles, phi1 as bit 3; the last is the auxiliary output.
         inputs: the input nibble: bit 0 the grip switch, 0 closed; the others free.
+        answers: of the sensors on the free bits, whichever the selector shows.
         motors_on: whether any motor carries current.
         posture: how the arm truly stands.
         believed: how it would stand had no motor slipped; None while none has.
@@ -132,6 +134,7 @@ class Readings:
     coils: tuple[int, ...] = (0,) * 7
     inputs: int = 0b1111
     motors_on: bool = False
+    answers: tuple[Answer, ...] = ()
     believed: Posture | None = None
     pose: Pose = field(default_factory=lambda: ArmSettings().arm_model.start)
     force: float = 0.0
@@ -163,6 +166,7 @@ class Readings:
         """Read the rig, and hand on what is known of its past."""
         state = rig.state
         arm = rig.arm
+        answers = arm.answers(rig.clock.now)
         believed = None
         if any(abs(steps) >= RING for steps in state.slipped):
             cable = arm.drive.cable(state.fields) / arm.model.hand_steps
@@ -184,7 +188,8 @@ class Readings:
             pose=state.pose,
             force=state.force,
             held=state.held,
-            things=tuple(things_of(arm.bench)),
+            things=(*things_of(arm.bench), *map(_sensor, answers)),
+            answers=answers,
             events=arm.events,
             fittings=arm.settings,
             keys_down=rig.held,
@@ -194,7 +199,7 @@ class Readings:
 
 
 def things_of(bench: Bench) -> Iterator[Thing]:
-    """Everything on a bench that is drawn, the arm's own base and body left out."""
+    """Everything on a bench that is drawn, sensors and the arm's own base and body left out."""
     for tray in bench.trays:
         yield Thing(
             Kind.TRAY, tray.name, upright(tray.x, tray.y, 0.0, (tray.width, tray.depth, _FLAT), 0.0)
@@ -215,12 +220,14 @@ def things_of(bench: Bench) -> Iterator[Thing]:
         if obstacle.name not in ("base", "body"):
             shape = obstacle.polyhedra
             yield Thing(Kind.OBSTACLE, obstacle.name, obstacle.box, solids=shape)
-    for sensor in bench.sensors:
-        yield Thing(Kind.SENSOR, f"sensor {sensor.bit}", _sensor_box(sensor))
     colours = _colours(bench)
     for part in bench.parts.values():
         colour = colours[_batch(part.name)]
         yield Thing(Kind.PART, part.name, part.box, part.held, colour, part.polyhedra)
+
+
+def _sensor(answer: Answer) -> Thing:
+    return Thing(Kind.SENSOR, answer.name, answer.box)
 
 
 def _batch(name: str) -> str:
@@ -244,14 +251,3 @@ def _colours(bench: Bench) -> dict[str, int]:
             colour = (colour + 1) % COLOURS
         colours[name] = colour
     return colours
-
-
-def _sensor_box(sensor: Sensor) -> Box:
-    if isinstance(sensor, Proximity):
-        x, y, z = sensor.place
-        return upright(x, y, z - _FLAT / 2, (_FLAT, _FLAT, _FLAT), 0.0)
-    if isinstance(sensor, LightBeam):
-        (x0, y0, z0), (x1, y1, z1) = sensor.start, sensor.end
-        size = (abs(x1 - x0) + _FLAT, abs(y1 - y0) + _FLAT, abs(z1 - z0) + _FLAT)
-        return upright((x0 + x1) / 2, (y0 + y1) / 2, min(z0, z1) - _FLAT / 2, size, 0.0)
-    return sensor.pad

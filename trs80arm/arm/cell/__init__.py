@@ -1,0 +1,1 @@
+"""The work cell: sensors, and what else hangs on the auxiliary output and the free inputs."""
