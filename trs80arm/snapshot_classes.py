@@ -14,8 +14,8 @@ from enum import Enum
 from math import prod
 from typing import Any
 
-from trs80arm.arm import events, fixtures, forces, geometry, goals, shapes
-from trs80arm.arm.cell import inputs, sensors
+from trs80arm.arm import events, fixtures, forces, geometry, goals, motors, shapes
+from trs80arm.arm.cell import inputs, sensors, turntable
 from trs80arm.arm.contact import bodies, coasting, solids, table
 from trs80arm.arm.model import ArmModel, Motor, Pose
 from trs80arm.arm.models import MODELS
@@ -114,7 +114,8 @@ OBJECTS: dict[str, type] = _by_name(
         fixtures.Part,
         fixtures.Feeder,
         fixtures.Tray,
-        fixtures.Turntable,
+        motors.StepperMotor,
+        turntable.Turntable,
         bodies.Fixed,
         table.Plate,
         coasting.Coast,

@@ -20,6 +20,7 @@ from trs80arm.arm import (
     benchfile,
 )
 from trs80arm.arm.bench import deep
+from trs80arm.arm.cell.turntable import Turntable
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 from trs80arm.works.devices import RigSettings
@@ -322,8 +323,9 @@ def test_what_stands_in_the_way_of_a_part_on_the_turntable_lets_it_slide() -> No
     )
     turn_table(PulseGenerator(MiniMover(bench=bench)), 40)
     (part,) = bench.parts.values()
-    assert bench.turntable is not None
-    assert bench.turntable.rotor == 40
+    (table,) = bench.cell.devices
+    assert isinstance(table, Turntable)
+    assert table.rotor == 40
     assert part.place[0] > 6.2, "the obstacle holds it back"
     assert math.dist(part.place[:2], (6, 4)) > 0.5
 

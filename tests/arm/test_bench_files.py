@@ -27,7 +27,7 @@ def test_the_example_of_the_manual_is_a_bench() -> None:
     assert bench.feeders
     assert bench.trays
     assert len(bench.sensors) == 3
-    assert bench.turntable is not None
+    assert [device.title for device in bench.cell.devices] == ["turntable"]
     assert bench.start is not None
     MiniMover(bench=bench)
 
@@ -63,7 +63,10 @@ def test_the_example_of_the_manual_is_a_bench() -> None:
             "b.toml: beam[1].bit: expected a whole number from 1 to 3",
         ),
         ("[part]\nat=[1,2]", "b.toml: part: expected tables, written [[part]]"),
-        ("[[turntable]]\nat=[1,2]", "b.toml: turntable: expected a table, written [turntable]"),
+        (
+            "[[turntable]]\nat=[1,2]",
+            "b.toml: turntable[1].radius: expected a number from 0.1 to 60",
+        ),
         (
             "colour='red'",
             "b.toml: colour: expected nothing by that name; the keys here are name, "

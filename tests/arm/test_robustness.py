@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 
 from trs80arm.arm import Bench, InTheWay, MiniMover, MotorsOn, OutOfReach, Pose
 from trs80arm.arm.bench import deep
-from trs80arm.arm.fixtures import Feeder, Obstacle, Tray, Turntable
+from trs80arm.arm.cell.turntable import Turntable
+from trs80arm.arm.contact.table import Plate
+from trs80arm.arm.fixtures import Feeder, Obstacle, Tray
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.shapes import upright
 from trs80arm.arm.stepping import PulseGenerator
@@ -44,7 +46,7 @@ def random_bench(chance: random.Random) -> Bench:
     if chance.random() < 0.5:
         bench.trays.append(Tray("tray", 6.0, 5.0, 2.0, 2.0))
     if chance.random() < 0.5:
-        bench.turntable = Turntable(6.0, -2.0, 3.0, 96)
+        bench.cell.devices.append(Turntable("turntable", Plate(6.0, -2.0, 3.0)))
     return bench
 
 

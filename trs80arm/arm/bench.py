@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import cast
 
 from trs80arm.arm.cell.inputs import Answering, Selector
+from trs80arm.arm.cell.work_cell import WorkCell
 from trs80arm.arm.contact.bodies import Fixed, Shape
 from trs80arm.arm.contact.forms import standing
 from trs80arm.arm.contact.manifold import Placed, between
@@ -24,9 +25,9 @@ from trs80arm.arm.contact.rotations import (
 )
 from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import Solid, box
-from trs80arm.arm.contact.table import TABLE, Plate
+from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.events import EventKind
-from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Tray, Turntable
+from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Tray
 from trs80arm.arm.goals import Goal, Score, score
 from trs80arm.arm.linkage import fixed_name, link_name
 from trs80arm.arm.model import Pose
@@ -52,7 +53,7 @@ class Bench:
         feeders, trays, obstacles: as the file lists them.
         sensors: what is on the free bits of the input nibble.
         selector: of the banks in which they are seen, or None.
-        turntable: on the auxiliary latch, or None.
+        cell: the devices on the auxiliary latch.
         goals: what shall be where at the end.
         beginning: the parts as they stand at the beginning, all at rest.
         news: what happened since the arm last asked, as (kind, text).
@@ -68,7 +69,7 @@ class Bench:
         self.obstacles: list[Obstacle] = list(_own_base(self.settings))
         self.sensors: list[Answering] = []
         self.selector: Selector | None = None
-        self.turntable: Turntable | None = None
+        self.cell = WorkCell()
         self.goals: list[Goal] = []
         self.news: list[tuple[EventKind, str]] = []
         self.beginning: list[Part] = []
@@ -175,7 +176,7 @@ class Bench:
     # What is where
 
     def lay(self) -> None:
-        """Have the obstacles and the turntable stand where they are."""
+        """Have the obstacles and the devices stand where they are."""
         own = tuple(link_name(solid.name) for solid in self.settings.arm_model.solids[:2])
         self.scene.fixed = {}
         for number, obstacle in enumerate(self.obstacles):
@@ -189,8 +190,8 @@ class Bench:
                 # Upper arm and forearm are joined to base and body.
                 passes=own if number < len(_OWN) else (),
             )
-        table = self.turntable
-        self.scene.plate = None if table is None else Plate(table.x, table.y, table.radius)
+        self.scene.plates = []
+        self.cell.lay(self.scene)
 
     def room_for(self, solids: Sequence[Placed]) -> bool:
         """Whether solids are in neither the table nor anything that stands there."""

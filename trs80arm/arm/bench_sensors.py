@@ -16,21 +16,29 @@ from trs80arm.arm.shapes import Vector, upright
 from trs80arm.plain_values import Table
 
 
+def read_selector(bench: Bench, top: Table) -> None:
+    """Take the selector's table out of a bench file's, before all that may be in a bank.
+
+    Raises:
+        SettingsError: one line, if it cannot be.
+    """
+    selector = top.table("selector")
+    if selector is not None:
+        bench.selector = _selector(selector)
+
+
 def read_sensors(bench: Bench, top: Table) -> None:
     """Take the sensors' tables out of a bench file's.
 
     Raises:
         SettingsError: one line, if one of them cannot be.
     """
-    selector = top.table("selector")
-    if selector is not None:
-        bench.selector = _selector(bench, selector)
     for head, read in _READERS.items():
         for item in top.tables(head):
             bench.sensors.append(read(bench, item))
 
 
-def _selector(bench: Bench, item: Table) -> Selector:
+def _selector(item: Table) -> Selector:
     """[selector]."""
     expected = "1 to 4 different bits of the auxiliary output, each from 0 to 3"
     bits = item.data.pop("bits", None)

@@ -12,11 +12,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from trs80arm.arm.bench import Bench, BenchError, around, deep, obstacle
+from trs80arm.arm.bench_devices import DEVICES, read_devices
 from trs80arm.arm.bench_forms import FAR, KEYS, read_shape, read_solids, read_turn
 from trs80arm.arm.bench_goals import read_goal
-from trs80arm.arm.bench_sensors import SENSORS, read_sensors
+from trs80arm.arm.bench_sensors import SENSORS, read_selector, read_sensors
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.fixtures import Feeder, Tray, Turntable
+from trs80arm.arm.fixtures import Feeder, Tray
 from trs80arm.arm.geometry import CableDrive, OutOfReach
 from trs80arm.arm.limits import beyond_any_stop
 from trs80arm.arm.model import ArmModel, Pose
@@ -90,15 +91,11 @@ def _bench(top: Table, name: str) -> Bench:
         _feeder(bench, item)
     for item in top.tables("tray"):
         _tray(bench, item)
-    table = top.table("turntable")
-    if table is not None:
-        x, y = table.vector("at", 2, -FAR, FAR)
-        radius = table.number("radius", 0.1, FAR)
-        bench.turntable = Turntable(x, y, radius, table.integer("steps", 8, 1_000_000, 96))
-        table.done("at, radius, steps")
+    read_selector(bench, top)
+    read_devices(bench, top)
     read_sensors(bench, top)
     bench.goals += [read_goal(bench, item) for item in top.tables("goal")]
-    top.done(f"name, arm, part, feeder, tray, obstacle, turntable, selector, {SENSORS}, goal")
+    top.done(f"name, arm, part, feeder, tray, obstacle, {DEVICES}, selector, {SENSORS}, goal")
     there = World(bench, bench.settings, drive).occupied()
     if there is not None:
         raise top.fail("arm.at", f"a free place for the hand; {there} is in the way")

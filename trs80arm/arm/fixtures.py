@@ -203,31 +203,6 @@ class Obstacle:
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
 
-@dataclass
-class Turntable:
-    """A round plate let into the table, turned by a stepper motor on the auxiliary latch.
-
-    Attributes:
-        x: of its axis, inches.
-        y: of its axis, inches.
-        radius: inches.
-        steps: half-steps per turn of the plate.
-        rotor: half-steps that it has been turned, positive counter-clockwise.
-    """
-
-    x: float
-    y: float
-    radius: float
-    steps: int
-    rotor: int = field(default=0)
-
-    def under(self, part: Part) -> bool:
-        """Whether anything of a part may be above the plate."""
-        x, y, _ = part.place
-        reach = self.radius + part.shape.radius
-        return (x - self.x) ** 2 + (y - self.y) ** 2 <= reach**2
-
-
 def _polyhedra(placed: Sequence[Placed]) -> tuple[Polyhedron, ...]:
     """Solids as corners and faces."""
     return tuple((tuple(solid.vertices), solid.faces) for solid in placed)

@@ -100,7 +100,7 @@ class MiniMover:
         model: what make of arm it is.
         bench: what the arm works on.
         drive: the cables; it knows the pose in which the arm was switched on.
-        motors: six, and the turntable's as the seventh.
+        motors: six.
         strength: what its motors can do, and what its own weight asks of them.
         log: of what happened.
     """
@@ -108,10 +108,9 @@ class MiniMover:
     def __init__(self, settings: ArmSettings | None = None, bench: Bench | None = None) -> None:
         self.settings = settings or ArmSettings()
         self.model = self.settings.arm_model
-        self.motors = [StepperMotor() for _ in range(7)]
+        self.motors = [StepperMotor() for _ in range(6)]
         self.strength = Strength.of(self.model)
-        # The turntable's motor is of the base's kind.
-        self._motor_kinds = (*(drive.turns for drive in self.model.drives), Motor.BASE)
+        self._motor_kinds = tuple(drive.turns for drive in self.model.drives)
         self._stops_off = 0
         self.log = EventLog(self.settings.events_kept)
         self._time = 0
@@ -146,7 +145,9 @@ class MiniMover:
 
     def work_at(self, world: World) -> None:
         """Stand at a bench that was prepared, in its starting pose; coils stay as they are."""
+        nibble = self.bench.cell.nibble
         self._stand_at(world)
+        self.bench.cell.connect(nibble)
         for latch, motor in enumerate(self.motors):
             motor.rotor = 0
             motor.release()
@@ -322,7 +323,7 @@ class MiniMover:
         """
         self.advance(time)
         switch = 0 if self._world.grip.switch_closed else 1
-        return switch | self._world.sensed(time, self.motors[AUXILIARY].coils)
+        return switch | self._world.sensed(time, self.bench.cell.nibble)
 
     def answers(self, time: int) -> tuple[Answer, ...]:
         """What each sensor of the bench says at a T-state, in whatever bank it is."""
@@ -335,11 +336,14 @@ class MiniMover:
         if not 0 <= latch <= AUXILIARY:
             return
         nibble &= 15
-        motor = self.motors[latch]
-        row = ROWS[nibble]
         if self._world.due <= time:
             self._pass(time)
         self._time = max(self._time, time)
+        if latch == AUXILIARY:
+            self._write_auxiliary(time, nibble)
+            return
+        motor = self.motors[latch]
+        row = ROWS[nibble]
         if nibble == motor.coils and row == motor.row:
             return
         motor.coils = nibble
@@ -364,6 +368,17 @@ class MiniMover:
         if self._bears:
             self._give_way()
 
+    def _write_auxiliary(self, time: int, nibble: int) -> None:
+        """A write to the auxiliary latch."""
+        if nibble == self.bench.cell.nibble:
+            return
+        self._world.write_auxiliary(time, nibble, self.log)
+        self._tell_news()
+        if self._held_back:
+            self._follow_others(AUXILIARY)
+        if self._bears:
+            self._give_way()
+
     def period_at(self, latch: int, turn: int, rotors: Sequence[int]) -> int:
         """T-states that a motor needs for a half-step with all rotors standing somewhere."""
         turns = self._motor_kinds[latch]
@@ -376,7 +391,7 @@ class MiniMover:
 
     def _resistance(self, latch: int, turn: int, rotors: Sequence[int]) -> tuple[float, float]:
         """Torque that a motor turns against, at least 0, and how much of it is not own weight."""
-        if turn == 0 or latch == AUXILIARY:
+        if turn == 0:
             return 0.0, 0.0
         turns, world = self._motor_kinds[latch], self._world
         burdens, pushed = world.burdens(), self._pushed(turns)
@@ -504,9 +519,6 @@ class MiniMover:
         Returns:
             What blocks it, or None if it has moved.
         """
-        if latch == AUXILIARY:
-            self._world.turn_table(step)
-            return None
         world, rotors = self._world, self._rotors
         rotors[latch] += step
         if self._stops_off > 0:
@@ -541,8 +553,6 @@ class MiniMover:
 
     def _force(self, latch: int) -> float:
         """Ounces at the end of the link that contacts put on a motor."""
-        if latch == AUXILIARY:
-            return 0.0
         turns, model = self._motor_kinds[latch], self.model
         levers = (model.reach, model.link, model.link, model.hand_length, model.hand_length, 1.0)
         return abs(self._world.torques[turns]) / levers[turns]
@@ -583,7 +593,7 @@ class MiniMover:
             -16 * self._world.grip.force
             if turns is Motor.HAND
             else self._weight(turns, burdens, self._rotors) - self._pushed(turns)
-            for turns in self._motor_kinds[:6]
+            for turns in self._motor_kinds
         )
 
     def state(self) -> ArmState:
@@ -591,12 +601,12 @@ class MiniMover:
         self._world.show()
         angles = self._world.angles
         grip = self._world.grip
-        six = self.motors[:6]
+        six = self.motors
         return ArmState(
             _six(motor.rotor for motor in six),
             _six(motor.field for motor in six),
             _six(motor.rotor - motor.field for motor in six),
-            tuple(motor.coils for motor in self.motors),
+            (*(motor.coils for motor in six), self.bench.cell.nibble),
             any(motor.energised for motor in six),
             angles,
             pose_of(self.model, angles, self._world.body.opening),
@@ -713,7 +723,7 @@ class MiniMover:
 
     def _place(self, angles: JointAngles, cable: int) -> None:
         """Put rotors where the operator's hands want the joints."""
-        if any(motor.energised for motor in self.motors[:6]):
+        if any(motor.energised for motor in self.motors):
             raise MotorsOn("the motors are on: @RESET turns them off")
         rotors = list(self.drive.rotors(angles, cable))
         stop = beyond_any_stop(self.drive, rotors)

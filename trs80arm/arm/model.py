@@ -237,9 +237,8 @@ class ArmModel:
 
     @property
     def motor_names(self) -> tuple[str, ...]:
-        """What people call the seven latches' motors."""
-        names = (drive.turns.name.lower().replace("_", " ") for drive in self.drives)
-        return (*names, "turntable")
+        """What people call the six motors, in the order of their latches."""
+        return tuple(drive.turns.name.lower().replace("_", " ") for drive in self.drives)
 
     @property
     def hand_per_elbow(self) -> int:

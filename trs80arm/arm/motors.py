@@ -8,6 +8,8 @@ rotor, and tells it how far the rotor got.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from trs80arm.arm.events import Reason
 from trs80arm.arm.forces import NEVER
 
@@ -38,6 +40,7 @@ ROWS = tuple(_row(nibble) for nibble in range(16))
 """Row of Figure 8 for each of the sixteen coil patterns; -1 where there is no field."""
 
 
+@dataclass(slots=True)
 class StepperMotor:
     """Coils, field and rotor of one motor.
 
@@ -56,32 +59,17 @@ class StepperMotor:
         done: time at which the rotor has caught up with all writes so far, T-states.
     """
 
-    __slots__ = (
-        "anchor",
-        "coils",
-        "done",
-        "field",
-        "followed",
-        "losing",
-        "moved",
-        "ring",
-        "rotor",
-        "row",
-        "trouble",
-    )
-
-    def __init__(self) -> None:
-        self.coils = 0
-        self.row = -1
-        self.field = 0
-        self.rotor = 0
-        self.ring = 0
-        self.anchor: int | None = None
-        self.trouble = Reason.RATE
-        self.followed = RING
-        self.losing: int | None = None
-        self.moved = -NEVER
-        self.done = -NEVER
+    coils: int = 0
+    row: int = -1
+    field: int = 0
+    rotor: int = 0
+    ring: int = 0
+    anchor: int | None = None
+    trouble: Reason = Reason.RATE
+    followed: int = RING
+    losing: int | None = None
+    moved: int = -NEVER
+    done: int = -NEVER
 
     @property
     def energised(self) -> bool:
@@ -164,10 +152,3 @@ class StepperMotor:
             self.anchor = self.rotor
             return False
         return True
-
-    def __getstate__(self) -> tuple[object, ...]:
-        return tuple(getattr(self, name) for name in self.__slots__)
-
-    def __setstate__(self, state: tuple[object, ...]) -> None:
-        for name, value in zip(self.__slots__, state, strict=True):
-            setattr(self, name, value)

@@ -116,7 +116,7 @@ def _trains(arm: MiniMover, latches: Array, nibbles: Array) -> list[_Train]:
     if rows.min() < 0 or latches.min() < 0 or latches.max() > 5:
         return []
     trains = []
-    for latch, motor in enumerate(arm.motors[:6]):
+    for latch, motor in enumerate(arm.motors):
         places = (latches == latch).nonzero()[0]
         if not len(places):
             continue

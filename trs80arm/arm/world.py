@@ -18,10 +18,10 @@ import numpy.typing as npt
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.body import Body
 from trs80arm.arm.cell.inputs import IDLE, Seen, nibble
-from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK_STATES
-from trs80arm.arm.contact.driven import EASE
+from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.contact.sixes import STILL, Six
 from trs80arm.arm.contact.table import TABLE
+from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.feeding import Feeding
 from trs80arm.arm.forces import Burden
 from trs80arm.arm.geometry import CableDrive, JointAngles
@@ -35,8 +35,6 @@ from trs80arm.arm.telling import Telling
 
 GIVEN = 30
 """Ticks after which an arm that presses and stands has given all that it gives."""
-TURNED_FAST = 0.01
-"""Half-steps by which the turntable may be behind its motor and stand."""
 BY_HAND = 12
 """Half-steps by which an operator turns the hand's motor in a tick."""
 LET_GO = 400
@@ -67,12 +65,12 @@ class World:
         self._jumped = False
         self._busy = True
         self._loaded = False
-        self._plate = 0.0
         self._linkage = ArmLinkage(self.model, settings)
         self._telling = Telling(bench)
         self._grasp = Grasp(bench, self._linkage, self.grip, self._telling)
         self.around = Surroundings(bench, self._linkage)
         self._feeding = Feeding(bench, self._linkage, drive)
+        bench.cell.suit(settings)
         bench.lay()
         bench.scene.arm = self._linkage
         bench.scene.put_arm(self._commands(self._rotors))
@@ -107,7 +105,7 @@ class World:
         self._ticked[:] = self._rotors
         self._jumped, self._busy = False, True
         self._looked = self._ringed = None
-        self._plate = float(bench.turntable.rotor) if bench.turntable is not None else 0.0
+        bench.cell.begin()
 
     def refill(self) -> str | None:
         """Begin again with the parts; the hand is left empty.
@@ -143,7 +141,7 @@ class World:
         Its cables may still ease off.
         """
         scene = self.bench.scene
-        return scene.quiet and self._plate_stands and (self._grasp.alone or not self._strained)
+        return scene.quiet and self.bench.cell.stands and (self._grasp.alone or not self._strained)
 
     @property
     def gripped(self) -> bool:
@@ -151,7 +149,7 @@ class World:
 
         Then nothing moves as long as nothing but the hand does.
         """
-        return self.bench.scene.gripped and self._grasp.firm and self._plate_stands
+        return self.bench.scene.gripped and self._grasp.firm and self.bench.cell.stands
 
     def skip(self, time: int) -> None:
         """Let ticks pass, up to a T-state, that would change nothing."""
@@ -276,7 +274,7 @@ class World:
     def _contact(self) -> None:
         """One tick in which contact is looked at."""
         scene = self.bench.scene
-        self._turn_plate()
+        self.bench.cell.drive(scene)
         asleep = {name for name, part in self.bench.parts.items() if part.asleep}
         scene.command(self._commands(self._rotors))
         scene.tick()
@@ -288,7 +286,7 @@ class World:
         self._telling.look(asleep)
         self._changed()
         self._feed()
-        resting = scene.quiet and self._plate_stands
+        resting = scene.quiet and self.bench.cell.stands
         giving = self._strained and not self._grasp.leaned_on and scene.arm_still < GIVEN
         self._busy = not resting or giving
 
@@ -297,30 +295,6 @@ class World:
         """Whether what touches the arm, but for its load, stretches its cables."""
         scene = self.bench.scene
         return any(scene.torques[:5]) or (scene.torques[5] != 0.0 and not scene.carried)
-
-    @property
-    def _plate_stands(self) -> bool:
-        table = self.bench.turntable
-        return table is None or table.rotor == self._plate
-
-    def _turn_plate(self) -> None:
-        """The turntable turns as far as its motor has since the last tick."""
-        table, plate = self.bench.turntable, self.bench.scene.plate
-        if table is None or plate is None:
-            return
-        # Its motor jerks from half-step to half-step; the plate follows smoothly.
-        scene = self.bench.scene
-        seconds = (scene.due - scene.time) / T_STATES_PER_SECOND
-        behind = (table.rotor - self._plate) * (math.tau / table.steps)
-        spin = behind / (seconds + EASE)
-        self._plate += spin * seconds * (table.steps / math.tau)
-        if abs(table.rotor - self._plate) < TURNED_FAST:
-            self._plate, spin = float(table.rotor), 0.0
-        if spin != plate.spin:
-            plate.spin = spin
-            for part in list(self.bench.parts.values()):
-                if spin and part.asleep and part.carried is None and table.under(part):
-                    scene.wake(part.name)
 
     # The arm
 
@@ -615,10 +589,15 @@ class World:
         name = self._found_at(self._commands(self._rotors))
         return None if name is None else said(name)
 
-    def turn_table(self, step: int) -> None:
-        """Turn the turntable's motor by a half-step."""
-        if self.bench.turntable is not None:
-            self.bench.turntable.rotor += step
+    def write_auxiliary(self, time: int, nibble: int, log: EventLog) -> None:
+        """A write to the auxiliary latch: devices do what it says.
+
+        Args:
+            time: T-states.
+            nibble: as written.
+            log: for what there is to tell.
+        """
+        if self.bench.cell.write(time, nibble, log):
             self._busy = True
 
     # What else looks at the bench

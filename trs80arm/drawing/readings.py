@@ -12,7 +12,9 @@ from math import tau
 from zlib import crc32
 
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.cell.device import Device
 from trs80arm.arm.cell.inputs import Answer
+from trs80arm.arm.cell.turntable import Turntable
 from trs80arm.arm.events import ArmEvent
 from trs80arm.arm.fixtures import Polyhedron
 from trs80arm.arm.geometry import ArmPoints, JointAngles, forward, inverse
@@ -204,11 +206,8 @@ def things_of(bench: Bench) -> Iterator[Thing]:
         yield Thing(
             Kind.TRAY, tray.name, upright(tray.x, tray.y, 0.0, (tray.width, tray.depth, _FLAT), 0.0)
         )
-    if bench.turntable is not None:
-        table = bench.turntable
-        size = (2 * table.radius, 2 * table.radius, _FLAT)
-        turn = tau * table.rotor / table.steps
-        yield Thing(Kind.TURNTABLE, "turntable", upright(table.x, table.y, 0.0, size, turn))
+    for device in bench.cell.devices:
+        yield from _device(device)
     for feeder in bench.feeders:
         x, y, _ = feeder.size
         yield Thing(
@@ -228,6 +227,15 @@ def things_of(bench: Bench) -> Iterator[Thing]:
 
 def _sensor(answer: Answer) -> Thing:
     return Thing(Kind.SENSOR, answer.name, answer.box)
+
+
+def _device(device: Device) -> Iterator[Thing]:
+    """What is drawn of a device."""
+    if isinstance(device, Turntable):
+        plate = device.plate
+        size = (2 * plate.radius, 2 * plate.radius, _FLAT)
+        turn = tau * device.rotor / device.steps
+        yield Thing(Kind.TURNTABLE, device.name, upright(plate.x, plate.y, 0.0, size, turn))
 
 
 def _batch(name: str) -> str:

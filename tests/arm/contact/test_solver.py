@@ -80,9 +80,10 @@ def test_what_goes_on_as_before_is_found_in_little_more_than_a_step(
 
 def test_what_stands_on_a_plate_goes_round_with_it_and_not_outwards() -> None:
     scene = Scene()
-    scene.plate = Plate(0.0, 0.0, 2.0)
+    plate = Plate(0.0, 0.0, 2.0)
+    scene.plates.append(plate)
     cube = scene.add(Body("cube", Shape.of([box((0.5, 0.5, 0.5))], 2.0), 0.5, (1.5, 0.0, 0.25)))
-    scene.plate.spin = 0.8
+    plate.spin = 0.8
     scene.advance(round(math.tau / 0.8 * T_STATES_PER_SECOND))
     x, y, _ = cube.place
     assert math.hypot(x, y) == pytest.approx(1.5, abs=0.003)

@@ -1,1 +1,1 @@
-"""The work cell: sensors, and what else hangs on the auxiliary output and the free inputs."""
+"""The work cell: what hangs on the auxiliary output and the free inputs, a module a device."""

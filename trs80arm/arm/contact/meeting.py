@@ -17,7 +17,7 @@ from trs80arm.arm.contact.manifold import Manifold, on_table
 from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.sixes import Six
-from trs80arm.arm.contact.table import TABLE, Plate, carried
+from trs80arm.arm.contact.table import TABLE, Plate, carried, surface
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
 MARGIN = 0.02
@@ -41,7 +41,7 @@ class Meeting:
         roster: who is awake, and where the sleepers are.
         fixed: what stands fast, by name.
         table_friction: coefficient of the table's surface.
-        plate: let into the table, or None.
+        plates: let into the table, that turn.
         arm: of the scene.
         arm_mobile: the arm for the solver, or None.
         rates: of the arm's coordinates, if nothing is there.
@@ -56,7 +56,7 @@ class Meeting:
     roster: Roster
     fixed: Mapping[str, Fixed]
     table_friction: float
-    plate: Plate | None
+    plates: Sequence[Plate]
     arm: DrivenArm
     arm_mobile: Mobile | None
     rates: Six
@@ -208,8 +208,8 @@ class Meeting:
         if thing is not None and thing.spin:
             x, y = thing.axis
             surfaces = [carried(u - x, v - y, thing.spin, self.seconds) for (u, v, _), _ in points]
-        elif self.plate is not None and self.plate.spin and key[0] == TABLE:
-            surfaces = [self.plate.surface(point, self.seconds) for point, _ in points]
+        elif self.plates and key[0] == TABLE:
+            surfaces = [surface(self.plates, point, self.seconds) for point, _ in points]
         contact = Contact(key, points, found.normal, first, second, friction, surfaces)
         contact.apart = found.apart
         if known:

@@ -54,7 +54,7 @@ class Scene:
         driven: the arm.
         carrying: how what rests in its hand is held.
         time: T-state of the last tick.
-        plate: let into the table, or None.
+        plates: let into the table.
         contacts: of the last step, with what was found there; no part of the scene's state.
         met_at: the joints as they were where those contacts were found; no part of it either.
         went_on: whether the last tick went on as the one before: its contacts are still those.
@@ -69,7 +69,7 @@ class Scene:
         self.driven = DrivenArm(arm)
         self.carrying = Carrying()
         self.time = 0
-        self.plate: Plate | None = None
+        self.plates: list[Plate] = []
         self.contacts: list[Contact] = []
         self.met_at: list[float] = [0.0] * 6
         self.went_on = False
@@ -373,7 +373,7 @@ class Scene:
             self._roster,
             self.fixed,
             self.table_friction,
-            self.plate,
+            [plate for plate in self.plates if plate.spin],
             self.driven,
             arm,
             rates,
@@ -395,8 +395,8 @@ class Scene:
 
     def _something_spins(self) -> bool:
         """Whether any surface turns that stands fast itself."""
-        plate = self.plate is not None and self.plate.spin != 0
-        return plate or any(thing.spin for thing in self.fixed.values())
+        turning = any(plate.spin for plate in self.plates)
+        return turning or any(thing.spin for thing in self.fixed.values())
 
     def _go_on(self, coast: Coast, share: float) -> None:
         """A step in which everything goes on as it went in the one before."""

@@ -1,7 +1,8 @@
-"""The table: level, endless, at height 0, perhaps with a turning plate let into it."""
+"""The table: level, endless, at height 0, perhaps with turning plates let into it."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from trs80arm.arm.contact.bodies import NOWHERE
@@ -13,7 +14,7 @@ TABLE = "\x01the table"
 
 @dataclass(slots=True)
 class Plate:
-    """A round plate let into the table, that turns.
+    """A round plate let into the table, that turns; no two overlap.
 
     Attributes:
         x: of its axis.
@@ -27,12 +28,24 @@ class Plate:
     radius: float
     spin: float = 0.0
 
-    def surface(self, point: Vector, seconds: float) -> Vector:
-        """Velocity at which the table's surface carries a point in a step, inches a second."""
+    def covers(self, point: Vector) -> bool:
+        """Whether a point of the table is on it."""
         x, y = point[0] - self.x, point[1] - self.y
-        if x * x + y * y > self.radius * self.radius:
-            return NOWHERE
-        return carried(x, y, self.spin, seconds)
+        return x * x + y * y <= self.radius * self.radius
+
+
+def surface(plates: Iterable[Plate], point: Vector, seconds: float) -> Vector:
+    """Velocity at which the table's surface carries a point in a step, inches a second.
+
+    Args:
+        plates: those that turn.
+        point: of the table.
+        seconds: length of the step.
+    """
+    for plate in plates:
+        if plate.covers(point):
+            return carried(point[0] - plate.x, point[1] - plate.y, plate.spin, seconds)
+    return NOWHERE
 
 
 def carried(x: float, y: float, spin: float, seconds: float) -> Vector:

@@ -43,7 +43,7 @@ switch, then the three free inputs, lit when closed or answering.
         """A row a latch, with what the motors and the hand do below or beside."""
         wide = width >= _WIDE
         gap = "" if wide and width < _SPACED else " "
-        motor_names = readings.model.motor_names[:6]
+        motor_names = readings.model.motor_names
         names = [f"J{joint + 1} {name}" for joint, name in enumerate(motor_names)] + ["auxiliary"]
         rows: list[Row] = [
             (_label(name, wide), *self._lamps(nibble, gap))

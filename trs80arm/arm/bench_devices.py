@@ -1,0 +1,109 @@
+"""The devices in a bench file: what the auxiliary latch drives, a table a device.
+
+Each says which bits of the latch it listens to; no bit has two listeners. The reference of the
+keys is in `docs/workcell.md`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from trs80arm.arm.bench import Bench
+from trs80arm.arm.bench_forms import FAR
+from trs80arm.arm.cell.turntable import Turntable
+from trs80arm.arm.contact.table import Plate
+from trs80arm.plain_values import Table
+
+DEVICES = "turntable"
+"""The tables of devices."""
+DRIVES = ("coils", "pulse")
+"""How a turntable's motor hangs on the latch."""
+
+
+def read_devices(bench: Bench, top: Table) -> None:
+    """All devices of a bench file.
+
+    Raises:
+        SettingsError: one line, if one cannot be.
+    """
+    for item in _tables(top, "turntable"):
+        _turntable(bench, item)
+
+
+def _tables(top: Table, key: str) -> list[Table]:
+    """The tables of a kind: several, `[[key]]`, or a single one, `[key]`."""
+    if isinstance(top.data.get(key), Mapping):
+        alone = top.table(key)
+        return [] if alone is None else [alone]
+    return top.tables(key)
+
+
+def _name(bench: Bench, item: Table, kind: str) -> str:
+    """The key `name`: the kind unless given, with a number from the second on."""
+    names = [device.name for device in bench.cell.devices if device.kind == kind]
+    name = item.text("name", kind if not names else f"{kind} {len(names) + 1}")
+    if name in names:
+        raise item.fail("name", f"a name that no other {kind} has")
+    return name
+
+
+class _Wires:
+    """The bits of the auxiliary latch that one device takes."""
+
+    def __init__(self, bench: Bench, item: Table) -> None:
+        self._bench = bench
+        self._item = item
+        self._own: dict[int, str] = {}
+
+    def bit(self, key: str) -> int:
+        """A key that names a bit: one to which nobody else listens."""
+        bit = self._item.integer(key, 0, 3)
+        self._free(key, bit)
+        self._own[bit] = key
+        return bit
+
+    def optional(self, key: str) -> int | None:
+        """The same, or None where the file does not have it."""
+        return self.bit(key) if key in self._item.data else None
+
+    def all(self, key: str) -> None:
+        """A device whose key `key` says that it takes all four."""
+        for bit in range(4):
+            self._free(key, bit)
+
+    def _free(self, key: str, bit: int) -> None:
+        other = self._bench.cell.listener(bit)
+        whose = None if other is None else f"that of {other.title}"
+        if self._bench.selector is not None and bit in self._bench.selector.bits:
+            whose = "that of the selector"
+        if bit in self._own:
+            whose = f"named by {self._own[bit]}"
+        if whose is not None:
+            raise self._item.fail(
+                key, f"a free bit; bit {bit} of the auxiliary latch is already {whose}"
+            )
+
+
+def _turntable(bench: Bench, item: Table) -> None:
+    """[turntable] or [[turntable]]."""
+    name = _name(bench, item, Turntable.kind)
+    x, y = item.vector("at", 2, -FAR, FAR)
+    plate = Plate(x, y, item.number("radius", 0.1, FAR))
+    steps = item.integer("steps", 8, 1_000_000, 96)
+    drive = item.data.pop("drive", DRIVES[0])
+    if drive not in DRIVES:
+        raise item.fail("drive", f"one of {', '.join(DRIVES)}")
+    wires, pulse, direction = _Wires(bench, item), None, None
+    if drive == "coils":
+        wires.all("drive")
+        item.done("name, at, radius, steps, drive")
+    else:
+        pulse, direction = wires.bit("pulse"), wires.optional("direction")
+        item.done("name, at, radius, steps, drive, pulse, direction")
+    for other in bench.cell.devices:
+        if isinstance(other, Turntable):
+            apart = math.dist((x, y), (other.plate.x, other.plate.y))
+            if apart < plate.radius + other.plate.radius:
+                raise item.fail("at", f"a free place; it overlaps {other.title}")
+    bench.cell.devices.append(Turntable(name, plate, steps, pulse, direction))
