@@ -1,0 +1,104 @@
+"""The programs that come along: each does on its bench what its line in the list says.
+
+The end of each run is a golden file: the tube, the registers beside where the joints truly are, the
+score. `TRS80ARM_UPDATE_GOLDEN=1` writes them.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.goldens import check_golden
+from tests.own_places import PROGRAMS
+from trs80arm import Rig
+from trs80arm.arm import EventKind, benchfile
+from trs80arm.basic.activity import Waiting
+from trs80arm.files import load_program
+from trs80arm.operator import Operator, parse_holds
+
+ANSWERS: dict[str, tuple[str, ...]] = {
+    "draughts": ("",),
+    "table3": ("50", "G"),
+    "table3-as-printed": ("50", "G"),
+}
+"""What is typed at each INPUT."""
+SETS = {
+    "tower": ("0",),
+    "table4": ("0",),
+    "table4-as-printed": ("0",),
+    "table3": ("0", "W:0.5 0", "1:1 0", "2:0.5 0"),
+    "table3-as-printed": ("0", "W:0.5 0", "1:1 0", "2:0.5 0"),
+}
+"""What is done in each @SET."""
+ENDLESS = {
+    "table2-demo": 60.0,
+    "table3": 60.0,
+    "table3-as-printed": 60.0,
+    "table4": 60.0,
+    "table4-as-printed": 12.0,
+}
+"""Tasks that go on for ever, and after how many virtual seconds they are looked at."""
+THERE_AND_BACK = {"tower"}
+"""Programs at whose end all is where it was."""
+BENCHES = sorted(path.stem for path in PROGRAMS.glob("*.toml"))
+WITH_GOALS = [name for name in BENCHES if "[[goal]]" in (PROGRAMS / f"{name}.toml").read_text()]
+LONGEST = 600.0
+"""Virtual seconds that a program may take."""
+ARM_SOLUTION = range(5000, 6011)
+"""The lines of Table 4's subroutine."""
+
+
+def end_of(name: str) -> Rig:
+    """A rig when a program has ended on its bench."""
+    rig = Rig(bench=benchfile.load(PROGRAMS / f"{name}.toml"))
+    rig.load(PROGRAMS / f"{name}.bas")
+    rig.type("RUN\r")
+    sets = [parse_holds(holds) for holds in SETS.get(name, ())]
+    waiting = Operator(rig, ANSWERS.get(name, ()), sets).run(ENDLESS.get(name, LONGEST))
+    assert waiting is (Waiting.NOTHING if name in ENDLESS else Waiting.COMMAND)
+    return rig
+
+
+def told(rig: Rig) -> str:
+    """The end of a run as text."""
+    joints = [
+        f"{name:<12} {register:>6} {true:>6}"
+        for name, register, true in zip(rig.joint_names, rig.registers, rig.joints, strict=True)
+    ]
+    bench = rig.arm.bench
+    parts = [
+        f"{name:<12} " + " ".join(f"{value + 0.0:7.3f}" for value in part.origin)
+        for name, part in bench.parts.items()
+    ]
+    trays = [f"{tray.name}: {tray.taken} taken" for tray in bench.trays]
+    score = rig.score().text()
+    return "\n".join([*rig.screen(), "", *joints, "", *parts, *trays, "", score, ""])
+
+
+@pytest.mark.parametrize("name", BENCHES)
+def test_its_end_is_the_recorded_one_and_its_goals_are_met(name: str) -> None:
+    rig = end_of(name)
+    check_golden(f"program-{name}", told(rig))
+    if rig.arm.bench.goals:
+        assert rig.outcome is not None
+        assert rig.outcome.ending.value == "end"
+        assert rig.score().perfect
+        assert rig.state.slipped == (0,) * 6
+        assert not [event for event in rig.arm.events if event.kind is EventKind.DROPPED]
+
+
+@pytest.mark.parametrize("name", sorted({*WITH_GOALS} - THERE_AND_BACK))
+def test_before_it_has_run_its_goals_are_not_all_met(name: str) -> None:
+    # Or the score would say nothing of the program.
+    assert not Rig(bench=benchfile.load(PROGRAMS / f"{name}.toml")).score().perfect
+
+
+@pytest.mark.parametrize("path", sorted(PROGRAMS.glob("*.bas")), ids=lambda path: path.stem)
+def test_the_arm_solution_is_the_article_s_line_for_line(path: Path) -> None:
+    article = dict(load_program(PROGRAMS / "table4.bas"))
+    lines = dict(load_program(path))
+    if 5180 in lines:
+        shared = [number for number in ARM_SOLUTION if number in article]
+        assert [lines.get(number) for number in shared] == [article[n] for n in shared]
