@@ -13,8 +13,8 @@ from trs80arm.arm.events import EventKind
 from trs80arm.arm.figures import Figure, FigureError, figure
 from trs80arm.arm.minimover import ArmState
 from trs80arm.bundled import programs_folder
-from trs80arm.machine.card import Series
 from trs80arm.operator import Operator, parse_holds
+from trs80arm.pulses import Series
 from trs80arm.rig import Rig
 
 _OPEN_THE_HAND = "6:1.0 0"

@@ -57,7 +57,6 @@ VALUES: dict[str, type] = _by_name(
         ArmSettings,
         coordination.Pace,
         coordination.Coordination,
-        coordination.Train,
         Outcome,
         line_range.LineRange,
         shapes.Box,

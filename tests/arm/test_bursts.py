@@ -1,4 +1,4 @@
-"""Whole motions as arrays: the state does not depend on how the writes are cut."""
+"""Whole motions at once: the state does not depend on how the writes are cut."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from tests.arm.writes import CELL, Recorder, Writes, picks_and_places
 from trs80arm.arm import Bench, MiniMover, benchfile
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import SWITCH_CLOSED, PulseGenerator, delay_period
+from trs80arm.pulses import Columns
 
 BENCH = """
 [[feeder]]
@@ -36,10 +37,15 @@ range = 2
 
 
 def motions(seed: int) -> Writes:
-    """A program's worth of latch writes: free motions, pick-ups, motions that fail."""
-    chance = random.Random(seed)
+    """A program's worth of latch writes."""
     recorder = Recorder()
-    generator = PulseGenerator(recorder)  # type: ignore[arg-type]
+    work(PulseGenerator(recorder), seed)  # type: ignore[arg-type]
+    return recorder.writes
+
+
+def work(generator: PulseGenerator, seed: int) -> None:
+    """Free motions, pick-ups, motions that fail."""
+    chance = random.Random(seed)
     speeds = [delay_period(d) for d in (50, 50, 100, 0)]
     generator.step((0, 0, 0, 0, 0, chance.choice([0, 370, 800])), speeds[0])
     for _ in range(chance.randrange(1, 6)):
@@ -57,8 +63,7 @@ def motions(seed: int) -> Writes:
             generator.step(counts, speeds[0])
         if chance.random() < 0.3:
             generator.time += 100
-            recorder.writes += [(generator.time, latch, 0) for latch in range(7)]
-    return recorder.writes
+            generator.arm.follow(Columns([generator.time] * 7, range(7), [0] * 7), None)
 
 
 def run(writes: Writes, cuts: list[int]) -> MiniMover:
@@ -97,6 +102,14 @@ def test_any_cutting_of_the_same_writes_gives_the_same_state(seed: int, cuts: li
 def test_arrays_and_single_writes_give_the_same_state(seed: int) -> None:
     writes = motions(seed)
     assert signature(run(writes, [1] * len(writes))) == signature(run(writes, []))
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.integers(0, 10**6))
+def test_trains_of_pulses_and_their_single_writes_give_the_same_state(seed: int) -> None:
+    generator = PulseGenerator(MiniMover(bench=benchfile.parse(BENCH)))
+    work(generator, seed)
+    assert signature(generator.arm) == signature(run(motions(seed), []))
 
 
 @settings(max_examples=20, deadline=None)

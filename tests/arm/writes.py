@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.stepping import PulseGenerator, delay_period
+from trs80arm.pulses import Burst
 
 Writes = list[tuple[int, int, int]]
 
@@ -16,9 +19,13 @@ class Recorder:
         self.rotors = (0,) * 6
         self.model = MINIMOVER5
 
-    def apply(self, times: list[int], latches: list[int], nibbles: list[int], stop: object) -> int:
-        self.writes += zip(times, latches, nibbles, strict=True)
-        return len(times)
+    def follow(self, burst: Burst, stop: object) -> int:
+        each = burst.columns().arrays()
+        columns = (
+            np.asarray(column).tolist() for column in (each.times, each.latches, each.nibbles)
+        )
+        self.writes += zip(*columns, strict=True)
+        return len(burst)
 
 
 CELL = """

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from trs80arm.machine.card import Card, Observer, Peripheral, Series
+from trs80arm.machine.card import Card, Observer, Peripheral
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.driver import Driver, DriverSettings
 from trs80arm.machine.keyboard import Matrix
 from trs80arm.machine.keys import Key
 from trs80arm.progress import Progress
+from trs80arm.pulses import Burst, Series
 
 Write = tuple[int, int, int]
 
@@ -35,13 +36,9 @@ class ClosingHand:
 
     steps: int
 
-    def apply(
-        self,
-        times: Series,
-        latches: Series,
-        nibbles: Series,
-        stop: tuple[int, int] | None = None,
-    ) -> int:
+    def follow(self, burst: Burst, stop: tuple[int, int] | None = None) -> int:
+        writes = burst.columns()
+        times, latches = writes.times, writes.latches
         for done, latch in enumerate(latches, start=1):
             self.steps -= latch == 5
             time = int(times[done - 1])

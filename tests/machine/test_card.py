@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from tests.machine.bench_top import Analyser, ClosingHand
 from trs80arm.machine.card import GRIP_CLOSED, Card, CardSettings, Jumper, Latch
 from trs80arm.machine.clock import Clock
+from trs80arm.pulses import Columns
 
 
 class Sensors:
@@ -19,8 +20,8 @@ class Sensors:
     def __init__(self, nibble: int) -> None:
         self.nibble = nibble
 
-    def apply(self, times, latches, nibbles, stop=None) -> int:
-        return len(times)
+    def follow(self, burst, stop=None) -> int:
+        return len(burst)
 
     def inputs(self, time: int) -> int:
         return self.nibble
@@ -124,7 +125,7 @@ def test_wiring_that_cannot_be_is_refused(wrong):
 
 def test_a_burst_stops_with_the_write_that_closes_the_switch():
     card = Card(Clock(), plug=ClosingHand(3))
-    done = card.burst([1, 2, 3, 4], [5, 5, 5, 5], [1, 9, 8, 10], GRIP_CLOSED)
+    done = card.burst(Columns([1, 2, 3, 4], [5, 5, 5, 5], [1, 9, 8, 10]), GRIP_CLOSED)
     assert done == 3
     assert card.latches[Latch.HAND] == 8
 
@@ -139,7 +140,7 @@ def test_looking_at_each_step_changes_nothing(closes_after, sizes):
     for each_step in (False, True):
         card, analyser = Card(Clock(), plug=ClosingHand(closes_after)), Analyser(each_step)
         card.observers.append(analyser)
-        done = card.burst(times, latches, nibbles, GRIP_CLOSED)
+        done = card.burst(Columns(times, latches, nibbles), GRIP_CLOSED)
         results.append((done, card.latches, analyser.writes))
         if each_step:
             assert sum(analyser.bursts) == done

@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.coordination import Coordination, Pace
+from trs80arm.machine.half_steps import HALF_STEPS
+from trs80arm.pulses import Pulses, Train
 
 
 def steps(*counts: int) -> list[list[int]]:
@@ -88,7 +90,9 @@ def test_a_million_ticks_are_exact_to_the_t_state(delay):
     exact = 1_000_000 * (120 + 3 * delay) * T_STATES_PER_SECOND / 100_000
     assert pace.time(1_000_000) == 7 + exact
     ticks = np.array([0, 1, 2, 625, 999_999, 1_000_000], dtype=np.int64)
-    assert pace.times(ticks).tolist() == [pace.time(int(tick)) for tick in ticks]
+    train = Train(0, 1, 0, 1_000_001)
+    writes = Pulses(7, *pace.ratio, (train,), [0] * 6, HALF_STEPS).columns().arrays()
+    assert np.asarray(writes.times)[ticks].tolist() == [pace.time(int(tick)) for tick in ticks]
 
 
 def test_the_pace_of_d_0_is_1_2_milliseconds_and_each_unit_adds_0_03():

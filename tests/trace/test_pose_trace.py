@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from tests.machine.bench_top import Machine
-from trs80arm.machine.card import Series
 from trs80arm.machine.coordination import Pace
+from trs80arm.pulses import Burst
 from trs80arm.trace import PoseTrace, TraceError
 
 
@@ -59,9 +59,9 @@ class Follower:
     def __init__(self) -> None:
         self.writes = 0
 
-    def apply(self, times: Series, latches: Series, nibbles: Series, stop: Any = None) -> int:
-        self.writes += sum(int(latch) == 0 for latch in latches)
-        return len(times)
+    def follow(self, burst: Burst, stop: Any = None) -> int:
+        self.writes += sum(int(latch) == 0 for latch in burst.columns().latches)
+        return len(burst)
 
     def inputs(self, time: int) -> int:
         return 0b1111

@@ -18,6 +18,7 @@ from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.forces import cosines
 from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import ROWS
+from trs80arm.pulses import Columns
 
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
@@ -34,27 +35,23 @@ _ROWS = np.array(ROWS, dtype=np.int64)
 
 
 def run_free(
-    arm: MiniMover,
-    times: Array,
-    latches: Array,
-    nibbles: Array,
-    stop: tuple[int, int] | None,
-    ends: npt.NDArray[np.bool_],
+    arm: MiniMover, writes: Columns, then: int | None, stop: tuple[int, int] | None
 ) -> tuple[int, bool]:
     """Do the beginning of a burst in which nothing happens.
 
     Args:
         arm: the arm, every motor of it settled.
-        times: T-states.
-        latches: 0 to 6.
-        nibbles: coil patterns.
-        stop: as for `MiniMover.apply`, the grip switch only.
-        ends: which writes are the last of their time.
+        writes: of the burst.
+        then: T-state of the write after them, if they are the beginning of a burst.
+        stop: as for `MiniMover.follow`, the grip switch only.
 
     Returns:
         How many writes were done, and whether the stop condition ended the burst there.
     """
-    stretch = _Stretch(arm, times, latches, nibbles, ends)
+    writes = writes.arrays()
+    times = np.asarray(writes.times)
+    ends = np.append(times[1:] != times[:-1], then is None or then != writes.ends)
+    stretch = _Stretch(arm, times, np.asarray(writes.latches), np.asarray(writes.nibbles), ends)
     count = stretch.free()
     ended = False
     if stop is not None and count:
@@ -222,7 +219,7 @@ class _Stretch:
         ticks = arm.world.ticks_until(int(self.times[n - 1]))
         before = np.searchsorted(self.times[:n], ticks) - 1
         rotors = np.where(before[:, None] < 0, np.array(arm.rotors), self.rotors[before])
-        clear = arm.world.ticks_clear(rotors)
+        clear = arm.world.ticks_clear(rotors.T) if len(ticks) else 0
         if clear < len(ticks):
             self.free_until = int(np.searchsorted(self.times[:n], ticks[clear]))
 

@@ -12,9 +12,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.body import Body
 from trs80arm.arm.burst import LONGEST, run_free
@@ -30,10 +27,9 @@ from trs80arm.arm.motors import RING, ROWS, StepperMotor
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.stride import stride
 from trs80arm.arm.world import World
+from trs80arm.pulses import Burst, Columns, Series
 
 __all__ = ["ArmState", "InTheWay", "MiniMover", "MotorsOn", "OutOfReach", "Pose"]
-
-Ints = Sequence[int] | npt.NDArray[np.int64]
 
 TURNED_BY_HAND = (*(angle.name for angle in fields(JointAngles)), "hand")
 """What the operator's hands can turn one by one."""
@@ -174,70 +170,75 @@ class MiniMover:
     # The cable
 
     def apply(
-        self, times: Ints, latches: Ints, nibbles: Ints, stop: tuple[int, int] | None = None
+        self, times: Series, latches: Series, nibbles: Series, stop: tuple[int, int] | None = None
     ) -> int:
-        """A burst of latch writes.
+        """`follow` for single writes, one column each of T-states, latches and nibbles."""
+        return self.follow(Columns(times, latches, nibbles), stop)
+
+    def follow(self, burst: Burst, stop: tuple[int, int] | None = None) -> int:
+        """Do a burst of latch writes.
 
         Args:
-            times: T-states, not decreasing.
-            latches: 0 base, 1 shoulder, 2 elbow, 3 left wrist, 4 right wrist, 5 hand,
-                6 auxiliary.
-            nibbles: coil patterns, phi1 the high bit.
+            burst: to latches 0 base, 1 shoulder, 2 elbow, 3 left wrist, 4 right wrist, 5 hand,
+                6 auxiliary; the patterns have phi1 as the high bit.
             stop: (mask, value): the burst ends after the last write of the first time at which
                 the input nibble and mask give value.
 
         Returns:
             How many of the writes were done.
         """
-        done = self._apply(times, latches, nibbles, stop)
+        done = self._follow_burst(burst, stop)
         self._world.show_load()
         return done
 
-    def _apply(
-        self, times: Ints, latches: Ints, nibbles: Ints, stop: tuple[int, int] | None
-    ) -> int:
-        """`apply`, without having the load be shown where it is."""
-        count = len(times)
+    def _follow_burst(self, burst: Burst, stop: tuple[int, int] | None) -> int:
+        """`follow`, without having the load be shown where it is."""
+        count = len(burst)
         if count < SHORT or (stop is not None and stop[0] & 0b1110 and self.bench.sensors):
-            return self._apply_singly(times, latches, nibbles, stop, 0, count)[0]
-        when = np.asarray(times, dtype=np.int64)
-        where = np.asarray(latches, dtype=np.int64)
-        what = np.asarray(nibbles, dtype=np.int64)
-        lists: tuple[list[int], list[int], list[int]] | None = None
-        done, patience = 0, FEW
-        while done < count:
-            if count - done >= SHORT:
-                self._pass(int(when[done]))
-            if count - done >= SHORT and self._free:
-                ahead = slice(done, done + self._hand_ahead(where[done:], stop))
-                ran = stride(self, when[ahead], where[ahead], what[ahead], stop)
-                if ran is None and ahead.stop >= count:
-                    some = slice(done, done + LONGEST)
-                    ends = np.append(when[1:] != when[:-1], True)[some]
-                    ran, ended = run_free(self, when[some], where[some], what[some], stop, ends)
-                    if ended:
-                        return done + ran
-                ran = ran or 0
-                done += ran
-                if done == count:
+            return self._follow_singly(burst, None, stop)[0]
+        rest, patience = burst, FEW
+        while rest:
+            if len(rest) >= SHORT:
+                self._pass(rest.begins)
+            if len(rest) >= SHORT and self._free:
+                left, ended = self._stride(rest, stop)
+                if ended:
+                    return count - len(left)
+                if not left:
                     break
                 # Where something happens it goes on happening for a while.
-                patience = FEW if ran else min(2 * patience, 8 * SHORT)
-            few = patience if self._free else FEW
-            lists = lists or (when.tolist(), where.tolist(), what.tolist())
-            done, ended = self._apply_singly(*lists, stop, done, min(count, done + few))
+                patience = FEW if len(left) < len(rest) else min(2 * patience, 8 * SHORT)
+                rest = left
+            few, rest = rest.split(min(len(rest), patience if self._free else FEW))
+            done, ended = self._follow_singly(few, rest.begins if rest else None, stop)
             if ended:
-                return done
-        return done
+                return count - len(rest) - len(few) + done
+        return count
 
-    def _hand_ahead(self, latches: npt.NDArray[np.int64], stop: tuple[int, int] | None) -> int:
+    def _stride(self, burst: Burst, stop: tuple[int, int] | None) -> tuple[Burst, bool]:
+        """As much of a burst at once as can be; what is left, and whether it was stopped there."""
+        ahead = self._hand_ahead(burst, stop)
+        if ahead < len(burst):
+            near = burst.split(ahead)[0]
+            left = stride(self, near, stop) if near else near
+            done = 0 if left is None else len(near) - len(left)
+            return burst.split(done)[1], False
+        left = stride(self, burst, stop)
+        if left is not None:
+            return left, False
+        some, beyond = burst.split(min(len(burst), LONGEST))
+        then = beyond.begins if beyond else None
+        done, ended = run_free(self, some.columns(), then, stop)
+        return burst.split(done)[1], ended
+
+    def _hand_ahead(self, burst: Burst, stop: tuple[int, int] | None) -> int:
         """Writes at the beginning of a burst up to which the hand alone cannot come to its end.
 
         Its end is where it is shut or wide open, squeezes as hard as it can, or closes the switch.
         """
         grip, model = self.grip, self.model
-        if latches[0] != HAND or (latches != HAND).any():
-            return len(latches)
+        if not burst.only(HAND):
+            return len(burst)
         if grip.contact:
             hand = model.hand
             most = hand.most_squeeze if stop is None else hand.switch_steps
@@ -245,8 +246,8 @@ class MiniMover:
         elif grip.cable > 0:
             room = min(int(model.hand.range * model.hand_steps) - grip.cable, grip.cable)
         else:
-            return len(latches)
-        return max(0, min(len(latches), room - 2))
+            return len(burst)
+        return max(0, min(len(burst), room - 2))
 
     @property
     def _free(self) -> bool:
@@ -260,29 +261,33 @@ class MiniMover:
             return False
         return (world.free and not self._bears) or (world.gripped and self._pull is None)
 
-    def _apply_singly(
-        self,
-        times: Ints,
-        latches: Ints,
-        nibbles: Ints,
-        stop: tuple[int, int] | None,
-        start: int,
-        end: int,
+    def _follow_singly(
+        self, burst: Burst, then: int | None, stop: tuple[int, int] | None
     ) -> tuple[int, bool]:
-        """Writes `start` to `end` of a burst, one by one; how far, and whether they stopped."""
-        write = self._write
+        """Do writes one by one.
+
+        Args:
+            burst: the writes.
+            then: T-state of the write after them, if they are the beginning of a burst.
+            stop: as for `follow`.
+
+        Returns:
+            How many were done, and whether they were stopped there.
+        """
+        writes, write = burst.columns(), self._write
+        times, latches, nibbles = writes.times, writes.latches, writes.nibbles
         if stop is None:
-            for i in range(start, end):
-                write(int(times[i]), int(latches[i]), int(nibbles[i]))
-            return end, False
+            for time, latch, nibble in zip(times, latches, nibbles, strict=True):
+                write(int(time), int(latch), int(nibble))
+            return len(times), False
         mask, value = stop
-        for i in range(start, end):
-            time = int(times[i])
-            write(time, int(latches[i]), int(nibbles[i]))
-            last = i + 1 == len(times) or int(times[i + 1]) != time
-            if last and self.inputs(time) & mask == value:
-                return i + 1, True
-        return end, False
+        for done, latch in enumerate(latches, start=1):
+            time = int(times[done - 1])
+            write(time, int(latch), int(nibbles[done - 1]))
+            after = times[done] if done < len(times) else then
+            if after != time and self.inputs(time) & mask == value:
+                return done, True
+        return len(times), False
 
     def advance(self, time: int) -> None:
         """Let time pass, up to a T-state: what falls goes on falling, what presses presses."""

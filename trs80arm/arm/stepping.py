@@ -7,28 +7,24 @@ measure the arm alone. Its even spreading of steps is that of Figure 10.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import zip_longest
-
-import numpy as np
-import numpy.typing as npt
 
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import PHASES
+from trs80arm.pulses import Pulses, Train
 
 SWITCH_CLOSED = (1, 0)
 """Stop condition for a burst: the grip switch closes."""
 
 
-_PHASES = np.array(PHASES)
-
-
-def _spread(count: int, longest: int) -> npt.NDArray[np.int64]:
-    """At which of the steps of the motor that has most another one steps, from 1 on."""
-    steps = np.arange(longest + 1)
-    return np.flatnonzero(np.diff((2 * count * steps + longest) // (2 * longest))) + 1
+def _train(motor: int, count: int, longest: int) -> Train:
+    """The steps of a motor, spread evenly over those of the one that has most, from tick 1 on."""
+    steps, sign = abs(count), 1 if count > 0 else -1
+    under = 2 * max(1, steps)
+    # Step i comes at the first tick by which i + 1/2 of its steps would have been made.
+    return Train(motor, sign, 0, steps, longest + under - 1, 2 * longest, under)
 
 
 def delay_period(delay: int) -> int:
@@ -64,47 +60,37 @@ class PulseGenerator:
         Args:
             counts: half-steps for the motors, from the base on; missing ones are 0.
             period: T-states from step to step of the motor that has most.
-            stop: as for `MiniMover.apply`.
+            stop: as for `MiniMover.follow`.
             compensate: whether the hand takes back what each step of the elbow pays out, in an
                 arm whose language does that.
 
         Returns:
             Steps done of the motor that has most.
         """
-        wanted = [count for count, _ in zip_longest(counts, range(6), fillvalue=0)]
+        asked = [*counts, *[0] * (6 - len(counts))]
+        model = self.arm.model
+        back = model.hand_per_elbow if compensate else 0
+        # What makes up for the elbow comes with its steps.
+        wanted = list(asked)
+        wanted[Motor.HAND] += back * asked[Motor.ELBOW]
         longest = max(abs(count) for count in wanted)
         if not longest:
             return 0
-        model = self.arm.model
-        back = model.hand_per_elbow if compensate else 0
-        trains = []
-        for motor, count in enumerate(wanted):
-            if not count:
-                continue
-            when, sign = _spread(abs(count), longest), 1 if count > 0 else -1
-            trains.append((when, motor, sign, 2 * motor))
-            if motor == Motor.ELBOW and back:
-                # What makes up for a step of the elbow follows it at once.
-                trains.append((when, Motor.HAND, back * sign, 2 * motor + 1))
-        places = np.concatenate([when * (2 * len(wanted)) + slot for when, _, _, slot in trains])
-        order = np.argsort(places)
-        places = places[order]
-        ticks = places // (2 * len(wanted))
-        latches = np.repeat([latch for _, latch, _, _ in trains], [len(each[0]) for each in trains])
-        latches = latches[order]
-        signs = np.repeat([sign for _, _, sign, _ in trains], [len(each[0]) for each in trains])
-        signs = signs[order]
-        rows = np.empty(len(order), dtype=np.int64)
-        for latch in {latch for _, latch, _, _ in trains}:
-            mine = latches == latch
-            rows[mine] = self._rows[latch] + np.cumsum(signs[mine])
-        done = self.arm.apply(self.time + ticks * period, latches, _PHASES[rows % 8], stop)
-        for _, latch, sign, slot in trains:
-            steps = int(np.count_nonzero(places[:done] % (2 * len(wanted)) == slot))
-            self._rows[latch] += sign * steps
-            if not slot % 2:
-                self.counts[latch] += sign * steps
-        last = int(ticks[done - 1]) if done else 0
+        trains = tuple(_train(motor, count, longest) for motor, count in enumerate(wanted))
+        burst = Pulses(self.time, period, 1, trains, tuple(self._rows), PHASES)
+        done = self.arm.follow(burst, stop)
+        if not done:
+            return 0
+        if done < len(burst):
+            burst = burst.split(done)[0]
+        for train in burst.trains:
+            steps = train.direction * len(train)
+            self._rows[train.motor] += steps
+            if train.motor < 6:
+                self.counts[train.motor] += steps
+                if train.motor == Motor.ELBOW:
+                    self.counts[Motor.HAND] -= back * steps
+        last = (burst.ends - self.time) // period
         self.time += last * period
         return last
 

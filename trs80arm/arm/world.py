@@ -408,20 +408,18 @@ class World:
         """How many ticks in a row need not be looked at, the arm being free, or gripping.
 
         Args:
-            rotors: positions on the ticks from the next on, ticks x 6.
+            rotors: positions on the ticks from the next on, 6 x ticks.
         """
-        if not len(rotors):
-            return 0
         drive, scene = self.drive, self.bench.scene
-        cable = np.clip(drive.cable(rotors.T) / self.model.hand_steps, 0.0, self.model.hand.range)
-        joints = np.array((*drive.driven(rotors.T), cable))
+        cable = np.clip(drive.cable(rotors) / self.model.hand_steps, 0.0, self.model.hand.range)
+        joints = np.array((*drive.driven(rotors), cable))
         if self.gripped:
             return self._ticks_gripping(joints.T.tolist())
         if self._strained:
             self._ease(joints)
         elif self._loaded:
             joints[5] = scene.joints[5]
-        count = len(rotors)
+        count = rotors.shape[1]
         if self._feeding.vacant:
             count = self._feeding.places_unfed(joints)
         return self.around.places_clear(joints[:, :count]) if count else 0

@@ -6,18 +6,12 @@ cable to the arm hangs on the card's plug, and a logic analyser can be clipped o
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum, IntEnum
-from typing import Any, NamedTuple, Protocol, TypeAlias
-
-import numpy as np
-import numpy.typing as npt
+from typing import Any, NamedTuple, Protocol
 
 from trs80arm.machine.clock import Clock
-
-Series: TypeAlias = Sequence[int] | npt.NDArray[np.int64]
-"""A column of a burst: a plain sequence for a few writes, an array for many."""
+from trs80arm.pulses import Burst, Columns, Series
 
 
 class Latch(IntEnum):
@@ -117,19 +111,12 @@ GRIP_CLOSED = InputStop(mask=1, value=0)
 class Peripheral(Protocol):
     """Whatever is plugged into the card: the arm."""
 
-    def apply(
-        self,
-        times: Series,
-        latches: Series,
-        nibbles: Series,
-        stop: tuple[int, int] | None = None,
-    ) -> int:
+    def follow(self, burst: Burst, stop: tuple[int, int] | None = None) -> int:
         """Follow a burst of latch writes in order.
 
         Args:
-            times: T-states, never falling, not before those of the burst before.
-            latches: the `Latch` of each write.
-            nibbles: the coils of each write, phi1 as bit 3.
+            burst: the writes, not before those of the burst before; latches are `Latch`, nibbles
+                coils with phi1 as bit 3.
             stop: mask and value; the burst ends with the last write of the first T-state after
                 which the input nibble under the mask has the value.
 
@@ -144,15 +131,9 @@ class Peripheral(Protocol):
 class NothingPlugged:
     """The card without a cable: nobody follows, and the inputs float high."""
 
-    def apply(
-        self,
-        times: Series,
-        latches: Series,
-        nibbles: Series,
-        stop: tuple[int, int] | None = None,
-    ) -> int:
+    def follow(self, burst: Burst, stop: tuple[int, int] | None = None) -> int:
         """Do nothing at all, to the end of the burst."""
-        return len(times)
+        return len(burst)
 
     def inputs(self, time: int) -> int:
         """All ones: the grip switch open, the sensors idle."""
@@ -215,57 +196,43 @@ class Card:
 
     def write_latch(self, latch: Latch, coils: int) -> None:
         """Write one latch now; `coils` has phi1 as bit 3."""
-        self.burst((self._clock.now,), (latch,), (coils,))
+        self.burst(Columns((self._clock.now,), (latch,), (coils,)))
 
     def grip_closed(self, time: int) -> bool:
         """Whether the grip switch is closed at a T-state."""
         return self.plug.inputs(time) & GRIP_CLOSED.mask == GRIP_CLOSED.value
 
-    def burst(
-        self,
-        times: Series,
-        latches: Series,
-        nibbles: Series,
-        stop: tuple[int, int] | None = None,
-    ) -> int:
+    def burst(self, burst: Burst, stop: tuple[int, int] | None = None) -> int:
         """Send many writes through the card at once; a single OUT is a burst of one.
 
-        Args and result are those of `Peripheral.apply`. An observer that looks at each step sees
+        Args and result are those of `Peripheral.follow`. An observer that looks at each step sees
         the arm after all writes of one T-state.
         """
-        total = len(times)
-        if not total:
+        if not len(burst):
             return 0
         if not any(observer.each_step for observer in self.observers):
-            return self._send(times, latches, nibbles, stop)
-        begin = 0
+            return self._send(burst, stop)
+        rest = burst.columns()
+        times, begin, total = rest.times, 0, len(burst)
         while begin < total:
             end = begin + 1
             while end < total and times[end] == times[begin]:
                 end += 1
-            instant = slice(begin, end)
-            self._send(times[instant], latches[instant], nibbles[instant], None)
+            instant, rest = rest.split(end - begin)
+            self._send(instant, None)
             begin = end
-            if stop and self.plug.inputs(int(times[end - 1])) & stop[0] == stop[1]:
+            if stop and self.plug.inputs(instant.ends) & stop[0] == stop[1]:
                 break
         return begin
 
-    def _send(
-        self, times: Series, latches: Series, nibbles: Series, stop: tuple[int, int] | None
-    ) -> int:
-        done = self.plug.apply(times, latches, nibbles, stop)
-        if done < len(times):
-            times, latches, nibbles = times[:done], latches[:done], nibbles[:done]
-        if isinstance(latches, np.ndarray):
-            last = np.full(len(Latch), -1)
-            # Of several assignments to one place the last one stays.
-            last[latches] = np.arange(len(latches))
-            for latch, place in enumerate(last.tolist()):
-                if place >= 0:
-                    self.latches[latch] = int(nibbles[place])
-        else:
-            for place, nibble in zip(latches, nibbles, strict=True):
-                self.latches[place] = int(nibble)
-        for observer in self.observers:
-            observer.wrote(times, latches, nibbles)
+    def _send(self, burst: Burst, stop: tuple[int, int] | None) -> int:
+        done = self.plug.follow(burst, stop)
+        if done < len(burst):
+            burst = burst.split(done)[0]
+        for latch, nibble in burst.held():
+            self.latches[latch] = int(nibble)
+        if self.observers:
+            writes = burst.columns()
+            for observer in self.observers:
+                observer.wrote(writes.times, writes.latches, writes.nibbles)
         return done

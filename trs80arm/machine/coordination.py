@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-import numpy.typing as npt
+from trs80arm.pulses import Train
 
 _T_STATES_PER_10_US = (11_088, 625)
 """1,774,080 T-states a second, as a fraction of hundredths of a millisecond in lowest terms."""
@@ -35,61 +34,20 @@ class Pace:
     delay: int
 
     @property
-    def _ratio(self) -> tuple[int, int]:
+    def ratio(self) -> tuple[int, int]:
+        """T-states of a tick, as a fraction: above the line and below it."""
         over, under = _T_STATES_PER_10_US
         return (_BASE + _PER_UNIT * self.delay) * over, under
 
     def time(self, tick: int) -> int:
         """The T-state of a tick."""
-        over, under = self._ratio
+        over, under = self.ratio
         return self.start + tick * over // under
-
-    def times(self, ticks: npt.NDArray[np.int64]) -> npt.NDArray[np.int64]:
-        """The T-states of many ticks."""
-        over, under = self._ratio
-        return self.start + ticks * over // under
 
     def first_tick_from(self, time: int) -> int:
         """The first tick that does not come before a T-state."""
-        over, under = self._ratio
+        over, under = self.ratio
         return max(0, -(-(time - self.start) * under // over))
-
-
-@dataclass(frozen=True)
-class Train:
-    """Some steps of one motor in one direction: step i comes at tick `offset + i * over // under`.
-
-    Attributes:
-        motor: 0 for the base to 5 for the hand.
-        direction: 1 or -1.
-        begin: the first step i of the train.
-        end: the step after the last.
-        offset: added to every tick.
-        over: ticks between steps, as a fraction, above the line.
-        under: the same, below the line.
-    """
-
-    motor: int
-    direction: int
-    begin: int
-    end: int
-    offset: int = 0
-    over: int = 1
-    under: int = 1
-
-    def __len__(self) -> int:
-        return self.end - self.begin
-
-    def ticks(self) -> list[int]:
-        """The tick of each step."""
-        return [self.offset + i * self.over // self.under for i in range(self.begin, self.end)]
-
-    def tick_array(self) -> npt.NDArray[np.int64]:
-        """The same, for long trains."""
-        steps = np.arange(self.begin, self.end, dtype=np.int64)
-        if self.over == self.under:
-            return self.offset + steps
-        return self.offset + steps * self.over // self.under
 
 
 @dataclass(frozen=True)
@@ -123,7 +81,9 @@ class Coordination:
             if begin < end:
                 direction = 1 if count > 0 else -1
                 if steps == 1:
-                    train = Train(motor, direction, 0, 1, offset=last)
+                    train = Train(motor, direction, 0, 1, phase=last)
+                elif steps > last:
+                    train = Train(motor, direction, begin, end)
                 else:
                     train = Train(motor, direction, begin, end, over=last, under=steps - 1)
                 found.append(train)

@@ -12,25 +12,20 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any, Protocol
 
-import numpy as np
-import numpy.typing as npt
-
 from trs80arm.machine.card import GRIP_CLOSED, MOTORS, Card
 from trs80arm.machine.clock import Clock
-from trs80arm.machine.coordination import Coordination, Pace, Train
+from trs80arm.machine.coordination import Coordination, Pace
 from trs80arm.machine.half_steps import COILS_OFF, HALF_STEPS, RING
 from trs80arm.machine.jog_keys import JogKeys, KeyMatrix, KeysDown
 from trs80arm.machine.keys import Key
 from trs80arm.progress import Progress
+from trs80arm.pulses import Columns, Pulses, Train
 
 Counts = tuple[int, int, int, int, int, int]
 
 _ELBOW, _HAND = 2, 5
 _LONGEST_BURST = 4096
 """Ticks of a motion without a known end that are sent at once: it bounds the memory used."""
-_ARRAY_FROM = 48
-"""Writes from which arrays are quicker than a plain loop."""
-_PATTERNS = np.array(HALF_STEPS, dtype=np.int64)
 
 
 class Mode(Enum):
@@ -158,7 +153,8 @@ class Driver:
         """
         self._motion = None
         now = self._clock.now
-        self._card.burst([now] * len(MOTORS), MOTORS, [COILS_OFF] * len(MOTORS))
+        count = len(MOTORS)
+        self._card.burst(Columns([now] * count, MOTORS, [COILS_OFF] * count))
         self.registers = (0, 0, 0, 0, 0, 0)
         for observer in self.reset_observers:
             observer()
@@ -215,23 +211,7 @@ class Driver:
 
     def send(self, pace: Pace, trains: Sequence[Train]) -> None:
         """Write the steps of all trains to the latches, in order of time and motor, and count."""
-        if sum(map(len, trains)) < _ARRAY_FROM:
-            plain = sorted(
-                (tick, train.motor, pattern)
-                for train in trains
-                for tick, pattern in zip(train.ticks(), self._patterns(train), strict=True)
-            )
-            self._card.burst(
-                [pace.time(tick) for tick, _, _ in plain],
-                [motor for _, motor, _ in plain],
-                [pattern for _, _, pattern in plain],
-            )
-        else:
-            ticks = np.concatenate([train.tick_array() for train in trains])
-            motors = np.concatenate([np.full(len(train), train.motor) for train in trains])
-            patterns = np.concatenate([self._pattern_array(train) for train in trains])
-            order = np.argsort(ticks, kind="stable")
-            self._card.burst(pace.times(ticks[order]), motors[order], patterns[order])
+        self._card.burst(self._pulses(pace, *trains))
         for train in trains:
             self._count(train, len(train))
 
@@ -241,23 +221,12 @@ class Driver:
         Returns:
             How many steps were done.
         """
-        done = self._card.burst(
-            pace.times(train.tick_array()),
-            np.full(len(train), train.motor),
-            self._pattern_array(train),
-            GRIP_CLOSED,
-        )
+        done = self._card.burst(self._pulses(pace, train), GRIP_CLOSED)
         self._count(train, done)
         return done
 
-    def _patterns(self, train: Train) -> list[int]:
-        row, direction = self._rows[train.motor], train.direction
-        return [HALF_STEPS[(row + direction * i) % RING] for i in range(1, len(train) + 1)]
-
-    def _pattern_array(self, train: Train) -> npt.NDArray[np.int64]:
-        steps = np.arange(1, len(train) + 1) * train.direction
-        # A ring is a power of two, and the last bits are quicker to have than a remainder.
-        return _PATTERNS.take((steps + self._rows[train.motor]) & (RING - 1))
+    def _pulses(self, pace: Pace, *trains: Train) -> Pulses:
+        return Pulses(pace.start, *pace.ratio, trains, tuple(self._rows), HALF_STEPS)
 
     def _count(self, train: Train, steps: int) -> None:
         change = train.direction * steps
@@ -323,7 +292,7 @@ class _Close:
         stop = self.pace.first_tick_from(driver.limit)
         while self.tick < stop and not self.closed:
             count = min(stop - self.tick, _LONGEST_BURST)
-            train = Train(_HAND, -1, 0, count, offset=self.tick)
+            train = Train(_HAND, -1, 0, count, phase=self.tick)
             done = driver.send_until_grip(self.pace, train)
             self.tick += done
             self.closed = done < count or driver.grips(self.pace.time(self.tick - 1))
@@ -373,5 +342,5 @@ class _Set:
             count = max(0, -(-(stop - first) // every))
             if direction and count:
                 sign = 1 if direction > 0 else -1
-                trains.append(Train(motor, sign, 0, count, offset=first, over=every))
+                trains.append(Train(motor, sign, 0, count, phase=first, over=every))
         return trains

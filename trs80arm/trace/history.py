@@ -14,8 +14,9 @@ import numpy as np
 import numpy.typing as npt
 
 from trs80arm.arm.model import Motor
-from trs80arm.machine.card import Card, Latch, Observer, Series
+from trs80arm.machine.card import Card, Latch, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
+from trs80arm.pulses import Series
 
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import ArmState, MiniMover

@@ -16,8 +16,9 @@ from typing import BinaryIO, Protocol
 
 import numpy as np
 
-from trs80arm.machine.card import Card, Latch, Observer, Series
+from trs80arm.machine.card import Card, Latch, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
+from trs80arm.pulses import Series
 from trs80arm.trace.files import kind_of, seconds, trace_file
 from trs80arm.trace.vcd import VcdSink
 

@@ -17,8 +17,9 @@ from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
 import numpy as np
 
-from trs80arm.machine.card import Card, Observer, Series
+from trs80arm.machine.card import Card, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
+from trs80arm.pulses import Series
 from trs80arm.trace.files import kind_of, seconds, trace_file
 
 if TYPE_CHECKING:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import BinaryIO
 
-from trs80arm.machine.card import Latch, Series
+from trs80arm.machine.card import Latch
 from trs80arm.machine.clock import T_STATES_PER_SECOND
+from trs80arm.pulses import Series
 
 _COILS = ("phi1", "phi2", "phi3", "phi4")
 _FIRST_CODE = ord("!")
