@@ -249,3 +249,17 @@ def test_the_tour_in_lines_is_begun_from_the_shell(words: list[str]) -> None:
     assert done.exit_code == 0
     assert "Tour 1/13" in done.output
     assert "Tour 2/13" in done.output
+
+
+def test_the_score_is_told_when_a_program_ends_and_on_demand(tmp_path: Path) -> None:
+    bench = tmp_path / "one.toml"
+    bench.write_text(
+        "[[part]]\nname='block'\nat=[8, 0]\nsize=[1, 1, 1]\n[[goal]]\npart='block'\nat=[8, 0.5]\n"
+    )
+    session = Session(bench=bench)
+    said = talk("PRINT 1", "10 PRINT 2", "RUN", "PRINT 3", ".score", session=session)
+    headline = "0 of 1 goal met; error 0.500 in on average, 0.500 in at most"
+    assert said.count(f"* {headline}. .score says more.") == 1
+    assert said.index(" 2") < said.index(f"* {headline}") < said.index(" 3")
+    assert f"NOT  block at (8, 0.5)   0.500 in\n{headline}" in said
+    assert "This bench asks for nothing." in talk("10 PRINT 2", "RUN", ".score")

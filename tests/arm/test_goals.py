@@ -68,7 +68,7 @@ def test_a_posture_is_upright_or_fallen() -> None:
 def test_what_a_part_stands_on_may_matter() -> None:
     assert only("part = 'rider'\non = 'block'", BLOCK, RIDER).met
     assert only("part = 'block'\non = 'table'", BLOCK, RIDER).met
-    assert only("part = 'rider'\non = 'table'", BLOCK, RIDER).found == "is not on table"
+    assert only("part = 'rider'\non = 'table'", BLOCK, RIDER).found == "not on it"
     assert not only("part = 'block'\non = 'rider'", BLOCK, RIDER).met
     shelf = "[[obstacle]]\nname = 'shelf'\nat = [8, 2]\nsize = [2, 2, 1]\n"
     assert only("part = 'rider'\non = 'shelf'", shelf, RIDER).met
@@ -134,7 +134,7 @@ def test_goals_are_in_a_snapshot() -> None:
 def test_the_table_and_the_headline_are_to_be_read() -> None:
     score = scored("part = 'block'\nat = [8.03, 2.04]\nturn = 30", BLOCK, TILE)
     assert score.text().splitlines() == [
-        "met  block at (8.03, 2.04) turned 30   0.050 in   0.0 deg",
+        "met  block at (8.03, 2.04) turned 30   0.050 in    0.0 deg",
         "1 of 1 goal met; error 0.050 in on average, 0.050 in at most",
     ]
     assert Rig().score().text() == "This bench asks for nothing."

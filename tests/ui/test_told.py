@@ -71,3 +71,21 @@ async def test_a_pipe_is_neither_offered_nor_waited_for(sit_down: Opener, tmp_pa
         await sitting.press("escape")
         await sitting.type_line("PRINT 6*7")
         assert "\n 42\n" in sitting.tube
+
+
+@piloted
+async def test_the_score_is_told_when_a_program_ends_and_shown_on_demand(
+    sit_down: Opener, tmp_path: Path
+) -> None:
+    bench = tmp_path / "one.toml"
+    bench.write_text(
+        "[[part]]\nname='block'\nat=[8, 0]\nsize=[1, 1, 1]\n[[goal]]\npart='block'\nat=[8, 0.5]\n"
+    )
+    async with sit_down(100, 30, bench=bench) as sitting:
+        await sitting.type_line("10 PRINT 2")
+        await sitting.type_line("RUN")
+        await sitting.pass_time(0.2)
+        assert "0 of 1 goal met; error 0.500 in" in screen_text(sitting.app)
+        await sitting.app.run_action("do('score')")
+        await sitting.pilot.pause()
+        assert "NOT  block at (8, 0.5)   0.500 in" in screen_text(sitting.app)

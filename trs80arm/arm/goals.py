@@ -52,6 +52,12 @@ class Mark:
     turned: float | None = None
     found: str = ""
 
+    @property
+    def told(self) -> list[str]:
+        """What is to be said beside goal and figures: which part it was, and what was found."""
+        part = self.part if self.part and self.part not in self.goal else ""
+        return [word for word in (part, self.found) if word]
+
     def plain(self) -> dict[str, Any]:
         """The same as JSON holds it."""
         return {
@@ -97,6 +103,8 @@ class Score:
     @property
     def headline(self) -> str:
         """All of it in one line."""
+        if not self.marks:
+            return "This bench asks for nothing."
         line = f"{self.met} of {self.total} goal{'' if self.total == 1 else 's'} met"
         errors = self.errors
         if errors:
@@ -104,23 +112,29 @@ class Score:
             line += f"; error {mean:.3f} in on average, {max(errors):.3f} in at most"
         return line
 
+    @property
+    def rows(self) -> list[str]:
+        """A line for each mark, in columns."""
+        if not self.marks:
+            return []
+        columns = [
+            [("met" if mark.met else "NOT") for mark in self.marks],
+            [mark.goal for mark in self.marks],
+            ["" if mark.error is None else f"{mark.error:6.3f} in" for mark in self.marks],
+            ["" if mark.turned is None else f"{mark.turned:5.1f} deg" for mark in self.marks],
+            [", ".join(mark.told) for mark in self.marks],
+        ]
+        wide = [max(map(len, column)) for column in columns]
+        return [
+            "  ".join(
+                word.ljust(width) for word, width in zip(row, wide, strict=True) if width
+            ).rstrip()
+            for row in zip(*columns, strict=True)
+        ]
+
     def text(self) -> str:
         """A table to be read: a line for each mark and the headline below it."""
-        if not self.marks:
-            return "This bench asks for nothing."
-        wide = max(len(mark.goal) for mark in self.marks)
-        lines = []
-        for mark in self.marks:
-            error = "" if mark.error is None else f"{mark.error:.3f} in"
-            turned = "" if mark.turned is None else f"{mark.turned:.1f} deg"
-            verdict = "met" if mark.met else "NOT"
-            told = ", ".join(
-                word
-                for word in (mark.part if mark.part not in mark.goal else "", mark.found)
-                if word
-            )
-            lines.append(f"{verdict}  {mark.goal:<{wide}}  {error:>9}  {turned:>8}  {told}")
-        return "\n".join([*(line.rstrip() for line in lines), self.headline])
+        return "\n".join([*self.rows, self.headline])
 
     def plain(self) -> dict[str, Any]:
         """The same as JSON holds it."""
@@ -194,7 +208,7 @@ class PartGoal:
         if self.posture and (self.posture == FALLEN) != _fallen(part):
             found.append(f"is {UPRIGHT if self.posture == FALLEN else FALLEN}")
         if self.on and not _stands_on(part, self.on, parts):
-            found.append(f"is not on {self.on}")
+            found.append("not on it")
         met = (
             not found
             and (error is None or error <= (self.tolerance if self.area is None else 0.0))

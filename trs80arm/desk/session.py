@@ -23,7 +23,7 @@ from trs80arm.desk.timeline import Timeline
 from trs80arm.files import Kind, load_program, parse_program, save_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.jog_keys import JogKeys
-from trs80arm.rig import Input, Key, ReplayError, Rig, RigSettings, Waiting
+from trs80arm.rig import Input, Key, ReplayError, Rig, RigSettings, Score, Waiting
 
 _NUMBERS = re.compile(r"^[ \t]*(\d+)", re.MULTILINE)
 ProgramLines = list[tuple[int, bytes]]
@@ -105,6 +105,7 @@ class Session:
         self.path = None
         self.keepsakes.forget()
         self._told_slip = False
+        self._scored: object = rig.outcome
         self._last_event = -1
         self._tell_of_new_machine()
 
@@ -359,6 +360,16 @@ class Session:
             return None
         slips = (event for event in self.rig.arm.events if event.kind is EventKind.SLIP)
         return next((event for event in slips if event.number > self._last_event), None)
+
+    def new_score(self) -> Score | None:
+        """The score of a program that has ended on a bench with goals, told once; else None."""
+        outcome = self.rig.outcome
+        told, self._scored = outcome is self._scored, outcome
+        if told or outcome is None or outcome.line is None or outcome.ending.value != "end":
+            return None
+        score = self.rig.score()
+        again = self.playing or self.timeline.behind
+        return score if score.total and not again else None
 
     def _note_events(self) -> None:
         """All that has happened so far has been made good."""

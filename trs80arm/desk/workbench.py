@@ -77,6 +77,15 @@ class Workbench:
         else:
             self._say("The parts are back where they were at the start.")
 
+    def score(self) -> None:
+        """Show how well the goals of the bench are met."""
+        score = self._session.rig.score()
+        if not score.marks:
+            self._say(score.headline)
+            return
+        rows = tuple(Choice(str(number), row) for number, row in enumerate(score.rows))
+        self._ask.choose(ListQuestion(score.headline, rows), lambda _: None)
+
     # -- after a slip -----------------------------------------------------------------------------
 
     def come_back(self) -> None:

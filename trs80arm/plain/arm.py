@@ -53,6 +53,10 @@ def _parts(sitting: Sitting, words: str) -> None:
         sitting.tell(f"{name}: {part.weight:.1f} oz, {where}")
 
 
+def _score(sitting: Sitting, _: str) -> None:
+    sitting.tell(sitting.session.rig.score().text())
+
+
 def _bench(sitting: Sitting, name: str) -> None:
     def set_up(path: Path) -> None:
         sitting.workbench.set_up_bench(named(path, BENCH_SUFFIX))
@@ -103,6 +107,7 @@ GROUP = Group(
             "turns the motors off.",
         ),
         LineCommand("parts", "where the parts are; back puts them back", _parts, "[back]"),
+        LineCommand("score", "how well the goals of the bench are met", _score),
         LineCommand(
             "bench",
             "set up another bench",

@@ -242,6 +242,8 @@ class PlainMode:
             self._pendant.message = ""
         for fault in session.new_faults():
             self._tell(fault)
+        if (score := session.new_score()) is not None:
+            self._tell(f"* {score.headline}. .score says more.")
         stands = tell_stop(self._sitting)
         if session.waiting is Waiting.SET and not self._sitting.ask.waits and not stands:
             self._tell("@SET: which keys? (.help)")

@@ -417,6 +417,8 @@ class Trs80Arm(Themed[int]):
         """Say what the user has to know of what happened."""
         for fault in self.session.new_faults():
             self.say(fault, error=True)
+        if (score := self.session.new_score()) is not None:
+            self.say(f"{score.headline}. Ctrl+P, score: all of them.")
         if (slip := self.session.new_slip()) is not None:
             self.say(f"{slip.text}. Ctrl+R: why, and the way back.")
 

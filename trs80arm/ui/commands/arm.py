@@ -76,6 +76,10 @@ class ArmCommands:
         """Put the parts back."""
         self._workbench.refill()
 
+    def score(self) -> None:
+        """Show how well the goals of the bench are met."""
+        self._workbench.score()
+
     def come_back(self) -> None:
         """Say what became of the arm, and offer to begin again with arm, parts and registers."""
         self._workbench.come_back()

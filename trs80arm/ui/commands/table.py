@@ -481,6 +481,13 @@ COMMANDS: tuple[Command, ...] = (
         also="reset parts restore home",
     ),
     Command(
+        "score",
+        lambda to: to.arm.score(),
+        "Bench: score",
+        "How well the goals of the bench are met, and how far each part is from its place.",
+        also="goals error placement met",
+    ),
+    Command(
         "latch",
         lambda to: to.keys.latch(),
         "Keys: latch on or off",
