@@ -15,9 +15,10 @@ from math import prod
 from typing import Any
 
 from trs80arm.arm import events, fixtures, forces, geometry, goals, motors, shapes
-from trs80arm.arm.cell import inputs, sensors, turntable
+from trs80arm.arm.cell import home, inputs, mounted, sensors, turntable
 from trs80arm.arm.contact import bodies, coasting, solids, table
-from trs80arm.arm.model import ArmModel, Motor, Pose
+from trs80arm.arm.linkage import FINGERS
+from trs80arm.arm.model import ArmModel, Link, Motor, Pose
 from trs80arm.arm.models import MODELS
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic import errors
@@ -77,6 +78,9 @@ VALUES: dict[str, type] = _by_name(
         sensors.Proximity,
         sensors.Tactile,
         sensors.LightBeam,
+        mounted.TactilePad,
+        mounted.PalmProximity,
+        mounted.ForceSensor,
         goals.PartGoal,
         goals.TrayGoal,
         Double,
@@ -115,6 +119,7 @@ OBJECTS: dict[str, type] = _by_name(
         fixtures.Tray,
         motors.StepperMotor,
         turntable.Turntable,
+        home.HomeSwitch,
         bodies.Fixed,
         table.Plate,
         coasting.Coast,
@@ -122,11 +127,30 @@ OBJECTS: dict[str, type] = _by_name(
 )
 """What has an identity and a state: made without being called, then given its attributes."""
 
+
+def _wired(sensor: inputs.Answering) -> bool:
+    """Whether a sensor is on a bit that a sensor can be on."""
+    return 1 <= sensor.bit <= 3 and sensor.bank >= 0
+
+
 CHECKS: dict[type, Callable[[Any], bool]] = {
     Scalar: lambda scalar: is_value(scalar.kind, scalar.value),
     Array: lambda array: (
         len(array.data) == prod(array.dims)
         and all(is_value(array.kind, value) for value in array.data)
+    ),
+    inputs.Selector: lambda selector: all(0 <= bit <= 3 for bit in selector.bits),
+    home.HomeSwitch: lambda switch: _wired(switch) and switch.motor in home.JOINTS.values(),
+    mounted.TactilePad: lambda pad: _wired(pad) and (pad.face is None or pad.on in FINGERS),
+    **dict.fromkeys(
+        (
+            sensors.Proximity,
+            sensors.Tactile,
+            sensors.LightBeam,
+            mounted.PalmProximity,
+            mounted.ForceSensor,
+        ),
+        _wired,
     ),
 }
 """What must hold of some objects, beside the types of their attributes."""
@@ -143,6 +167,9 @@ _ENUMS: tuple[type[Enum], ...] = (
     events.EventKind,
     events.Reason,
     Motor,
+    Link,
+    mounted.Face,
+    mounted.Tension,
 )
 
 NAMED: dict[str, tuple[type, Mapping[str, object]]] = {

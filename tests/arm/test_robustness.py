@@ -11,9 +11,15 @@ from hypothesis import strategies as st
 
 from trs80arm.arm import Bench, InTheWay, MiniMover, MotorsOn, OutOfReach, Pose
 from trs80arm.arm.bench import deep
+from trs80arm.arm.cell.home import JOINTS, HomeSwitch
+from trs80arm.arm.cell.inputs import Answering, Selector
+from trs80arm.arm.cell.mounted import Face, ForceSensor, PalmProximity, TactilePad, Tension
+from trs80arm.arm.cell.sensors import LightBeam, Proximity, Tactile
 from trs80arm.arm.cell.turntable import Turntable
 from trs80arm.arm.contact.table import Plate
 from trs80arm.arm.fixtures import Feeder, Obstacle, Tray
+from trs80arm.arm.linkage import FINGERS
+from trs80arm.arm.model import Link
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.shapes import upright
 from trs80arm.arm.stepping import PulseGenerator
@@ -47,7 +53,31 @@ def random_bench(chance: random.Random) -> Bench:
         bench.trays.append(Tray("tray", 6.0, 5.0, 2.0, 2.0))
     if chance.random() < 0.5:
         bench.cell.devices.append(Turntable("turntable", Plate(6.0, -2.0, 3.0)))
+    bench.selector = Selector((0, 1, 2, 3))
+    for k in range(chance.randrange(13)):
+        bench.add_sensor(random_sensor(chance, f"sensor {k}", chance.randrange(1, 4), k))
     return bench
+
+
+def random_sensor(chance: random.Random, name: str, bit: int, bank: int) -> Answering:
+    """Any sensor that there is, anywhere."""
+    place = chance.uniform(4, 10), chance.uniform(-4, 4), chance.uniform(0, 2)
+    wired, ounces = (name, bit, bank), chance.choice([0.1, 1.0, 10.0])
+    link = chance.choice(list(Link))
+    face = chance.choice(list(Face)) if link in FINGERS else None
+    mark = chance.uniform(-1, 1)
+    joint = chance.choice(list(JOINTS.values()))
+    return chance.choice(
+        [
+            Proximity(bit, place, chance.uniform(0.1, 4), name, bank),
+            Tactile(bit, upright(*place, (1.0, 1.0, 0.1), 0.0), name, bank),
+            LightBeam(bit, place, (8.0, 5.0, 1.0), name, bank),
+            TactilePad(*wired, link, face, ounces),
+            PalmProximity(*wired, chance.uniform(0.1, 4)),
+            ForceSensor(*wired, chance.choice(list(Tension)), ounces),
+            HomeSwitch(*wired, joint, mark, chance.uniform(0, 0.1)),
+        ]
+    )
 
 
 def assert_possible(arm: MiniMover) -> None:
@@ -67,6 +97,10 @@ def assert_possible(arm: MiniMover) -> None:
     assert state.pose.z > -0.2
     assert 0 <= state.pose.opening <= 3
     assert 0 <= state.force <= 3 + 4 / 52
+    time = arm.world.due - 1
+    given = {answer.bank: 1 << answer.bit for answer in arm.answers(time) if answer.given}
+    shown = given.get(arm.bench.cell.nibble, 0)
+    assert arm.inputs(time) & 0b1110 == 0b1110 & ~shown
     held = [part.name for part in parts if part.held]
     assert (state.held in held) if held else state.held is None
 

@@ -1,4 +1,4 @@
-"""The sensors of a bench file: proximity, tactile, beam, and the selector of their banks.
+"""The sensors of a bench file, on the table and on the arm, and the selector of their banks.
 
 The reference of the keys is in `docs/arm.md`.
 """
@@ -6,14 +6,24 @@ The reference of the keys is in `docs/arm.md`.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import TypeVar
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.bench_forms import FAR
+from trs80arm.arm.cell.home import JOINTS, HomeSwitch
 from trs80arm.arm.cell.inputs import Answering, Selector
+from trs80arm.arm.cell.mounted import Face, ForceSensor, PalmProximity, TactilePad, Tension
 from trs80arm.arm.cell.sensors import LightBeam, Proximity, Tactile
+from trs80arm.arm.linkage import FINGERS
+from trs80arm.arm.model import Limits, Link, Motor
 from trs80arm.arm.shapes import Vector, upright
 from trs80arm.plain_values import Table
+
+PLAY, MOST_PLAY = 0.25, 10.0
+"""Degrees of play of a home switch unless given, and at most."""
+
+T = TypeVar("T")
 
 
 def read_selector(bench: Bench, top: Table) -> None:
@@ -35,7 +45,7 @@ def read_sensors(bench: Bench, top: Table) -> None:
     """
     for head, read in _READERS.items():
         for item in top.tables(head):
-            bench.sensors.append(read(bench, item))
+            bench.add_sensor(read(bench, item))
 
 
 def _selector(item: Table) -> Selector:
@@ -80,9 +90,22 @@ def _vector(values: tuple[float, ...]) -> Vector:
     return values[0], values[1], values[2]
 
 
+def _on(item: Table, choices: Mapping[str, T]) -> T:
+    """The key `on`: where the arm has a sensor."""
+    value = item.data.pop("on", None)
+    if not isinstance(value, str) or value not in choices:
+        raise item.fail("on", f"one of {', '.join(choices)}")
+    return choices[value]
+
+
 def _proximity(bench: Bench, item: Table) -> Answering:
-    """[[proximity]]."""
+    """[[proximity]]: on the table, or in the palm."""
     bit, bank, name = _wired(bench, item, "proximity")
+    if "on" in item.data:
+        _on(item, {"palm": None})
+        eye = PalmProximity(name, bit, bank, item.number("range", 0.05, FAR))
+        item.done("on, range, bit, bank, name")
+        return eye
     place = _vector(item.vector("at", 3, -FAR, FAR))
     sensor = Proximity(bit, place, item.number("range", 0.05, FAR), name, bank)
     item.done("at, range, bit, bank, name")
@@ -90,8 +113,16 @@ def _proximity(bench: Bench, item: Table) -> Answering:
 
 
 def _tactile(bench: Bench, item: Table) -> Answering:
-    """[[tactile]]."""
+    """[[tactile]]: on the table, or on the arm."""
     bit, bank, name = _wired(bench, item, "tactile")
+    if "on" in item.data:
+        on = _on(item, _LINKS)
+        face = None
+        if on in FINGERS:
+            face = item.take("face", Face, Face.TIP)
+        mounted = TactilePad(name, bit, bank, on, face, item.number("threshold", *_OUNCES, 1.0))
+        item.done(f"on, {'face, ' if on in FINGERS else ''}threshold, bit, bank, name")
+        return mounted
     x, y = item.vector("at", 2, -FAR, FAR)
     width, depth = item.vector("size", 2, 0.1, FAR)
     height = item.number("height", 0, FAR, 0.0)
@@ -111,10 +142,50 @@ def _beam(bench: Bench, item: Table) -> Answering:
     return LightBeam(bit, start, end, name, bank)
 
 
+def _force(bench: Bench, item: Table) -> Answering:
+    """[[force]]."""
+    bit, bank, name = _wired(bench, item, "force")
+    on = _on(item, {each.value: each for each in Tension})
+    sensor = ForceSensor(name, bit, bank, on, item.number("threshold", *_OUNCES))
+    item.done("on, threshold, bit, bank, name")
+    return sensor
+
+
+def _home(bench: Bench, item: Table) -> Answering:
+    """[[home]]."""
+    bit, bank, name = _wired(bench, item, "home")
+    joint = item.data.pop("joint", None)
+    if not isinstance(joint, str) or joint not in JOINTS:
+        raise item.fail("joint", f"one of {', '.join(JOINTS)}")
+    low, high = _range(bench.settings.arm_model.limits, JOINTS[joint])
+    mark, play = item.number("at", low, high), item.number("play", 0, MOST_PLAY, PLAY)
+    item.done("joint, at, play, bit, bank, name")
+    return HomeSwitch(name, bit, bank, JOINTS[joint], math.radians(mark), math.radians(play))
+
+
+def _range(limits: Limits, motor: Motor) -> tuple[float, float]:
+    """How far a joint goes, degrees; the forearm to the horizontal."""
+    low, high = {
+        Motor.BASE: (-limits.base, limits.base),
+        Motor.SHOULDER: limits.shoulder,
+        Motor.ELBOW: (
+            limits.shoulder[0] + limits.elbow[0],
+            limits.shoulder[1] + limits.elbow[1],
+        ),
+    }.get(motor, (-limits.gear, limits.gear))
+    return round(math.degrees(low), 6), round(math.degrees(high), 6)
+
+
+_LINKS = {link.name.lower().replace("_", " "): link for link in Link}
+_OUNCES = 0.1, 200.0
+"""Between which the threshold of a force lies."""
+
 _READERS: dict[str, Callable[[Bench, Table], Answering]] = {
     "proximity": _proximity,
     "tactile": _tactile,
     "beam": _beam,
+    "force": _force,
+    "home": _home,
 }
 SENSORS = ", ".join(_READERS)
 """The tables of sensors, for errors."""

@@ -101,6 +101,8 @@ class _Stretch:
             before = np.concatenate(([first & 7], rows[:-1]))
             turns[mine] = (rows - before + 3) % 8 - 3
         self._cut(turns == 4)
+        if arm.bench.homes:
+            self._cut(self._turning_back(turns))
         n = self.free_until
         self.turns = turns[:n]
         self.writes = [mine[mine < n] for mine in self.writes]
@@ -114,6 +116,15 @@ class _Stretch:
         self.cable = drive.cable(rotors.T)
         self.squeeze = np.maximum(0, grip.contact - self.cable)
         self.done: dict[int, Array] = {}
+
+    def _turning_back(self, turns: Array) -> npt.NDArray[np.bool_]:
+        """Writes that turn a motor another way than its first: a home switch has to see where."""
+        back = np.zeros(len(turns), dtype=np.bool_)
+        for mine in self.writes:
+            ways = np.sign(turns[mine])
+            first = ways[np.argmax(ways != 0)] if len(mine) else 0
+            back[mine] = ways * first < 0
+        return back
 
     def _cut(self, bad: npt.NDArray[np.bool_]) -> None:
         """End the stretch before the first write at which `bad` holds."""

@@ -328,12 +328,12 @@ class MiniMover:
         """
         self.advance(time)
         switch = 0 if self._world.grip.switch_closed else 1
-        return switch | self._world.sensed(time, self.bench.cell.nibble)
+        return switch | self._world.sensed(time, self.bench.cell.nibble, self._pull)
 
     def answers(self, time: int) -> tuple[Answer, ...]:
         """What each sensor of the bench says at a T-state, in whatever bank it is."""
         self.advance(time)
-        seen = self._world.seen(time)
+        seen = self._world.seen(time, self._pull)
         return tuple(Answer.of(sensor, seen) for sensor in self.bench.sensors)
 
     def _write(self, time: int, latch: int, nibble: int) -> None:

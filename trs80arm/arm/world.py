@@ -17,7 +17,8 @@ import numpy.typing as npt
 
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.body import Body
-from trs80arm.arm.cell.inputs import IDLE, Seen, nibble
+from trs80arm.arm.cell.inputs import IDLE, nibble
+from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.contact.sixes import STILL, Six
 from trs80arm.arm.contact.table import TABLE
@@ -30,6 +31,7 @@ from trs80arm.arm.grip import Grip
 from trs80arm.arm.linkage import ArmLinkage, said
 from trs80arm.arm.model import Motor
 from trs80arm.arm.settings import ArmSettings
+from trs80arm.arm.shapes import Vector
 from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings
 from trs80arm.arm.telling import Telling
 
@@ -74,6 +76,9 @@ class World:
         bench.lay()
         bench.scene.arm = self._linkage
         bench.scene.put_arm(self._commands(self._rotors))
+        driven = drive.driven(self._rotors)
+        for switch in bench.homes:
+            switch.begin(driven[switch.motor])
 
     def __getstate__(self) -> dict[str, Any]:
         # How far things are is found anew; when it was looked at hangs on how a run is cut.
@@ -298,6 +303,12 @@ class World:
 
     # The arm
 
+    def _turn_homes(self) -> None:
+        """The cams of the home switches turn with the joints."""
+        driven = self.drive.driven(self._rotors)
+        for switch in self.bench.homes:
+            switch.turn(driven[switch.motor])
+
     def moved(self, rotors: Sequence[int], latch: int) -> None:
         """Follow a rotor.
 
@@ -308,6 +319,8 @@ class World:
         self._rotors[latch] = rotors[latch]
         self.grip.cable = self.drive.cable(self._rotors)
         self._busy = True
+        if self.bench.homes:
+            self._turn_homes()
 
     def arrive(self, rotors: Sequence[int], ticked: Sequence[int], time: int) -> None:
         """Be somewhere that free motion has led to.
@@ -319,6 +332,8 @@ class World:
         """
         self._rotors[:] = rotors
         self.grip.cable = self.drive.cable(rotors)
+        if self.bench.homes:
+            self._turn_homes()
         if time >= self.due:
             ticks = (time - self.due) // TICK_STATES
             self.skip(time)
@@ -509,6 +524,7 @@ class World:
             self._busy = True
             return said(name)
         self._rotors[:] = self._ticked[:] = rotors
+        self._turn_homes()
         self.grip.cable = self.drive.cable(rotors)
         scene.jump(there)
         self._jumped, self._looked, self._ringed = False, None, None
@@ -600,22 +616,23 @@ class World:
 
     # What else looks at the bench
 
-    def sensed(self, time: int, output: int) -> int:
+    def sensed(self, time: int, output: int, pull: Vector | None) -> int:
         """Bits 1 to 3 of the input nibble: 1 idle, 0 where a sensor answers.
 
         Args:
             time: T-state, up to which all has passed.
             output: nibble on the auxiliary output.
+            pull: by which an operator pulls at the hand, ounces; or None.
         """
         bench = self.bench
         if not bench.sensors:
             return IDLE
-        return nibble(bench.sensors, bench.selector, output, self.seen(time))
+        return nibble(bench.sensors, bench.selector, output, self.seen(time, pull))
 
-    def seen(self, time: int) -> Seen:
-        """What there is to sense at a T-state, up to which all has passed."""
+    def seen(self, time: int, pull: Vector | None) -> Seen:
+        """What there is to sense; the arguments are those of `sensed`."""
         self.show()
-        return Seen(self, time)
+        return Seen(self, time, pull)
 
     def _changed(self) -> None:
         """Parts have moved: see which feeders have room, and whether the hand has a load."""

@@ -9,41 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
-from trs80arm.arm.shapes import Box, Vector
-
-if TYPE_CHECKING:
-    from trs80arm.arm.contact.manifold import Placed
-    from trs80arm.arm.world import World
+from trs80arm.arm.cell.seen import Seen
+from trs80arm.arm.shapes import Box
 
 IDLE = 0b1110
 """Bits 1 to 3 where nothing answers."""
-
-
-class Seen:
-    """What there is to sense at one moment; each thing is worked out only if a sensor asks.
-
-    It is the true state of arm and bench: nothing of registers, nor of what was commanded.
-
-    Attributes:
-        time: T-states.
-    """
-
-    def __init__(self, world: World, time: int) -> None:
-        self.time = time
-        self._world = world
-
-    @cached_property
-    def parts(self) -> list[Placed]:
-        """The solids of all parts where they are."""
-        return [solid for part in self._world.bench.parts.values() for solid in part.placed]
-
-    @cached_property
-    def segments(self) -> list[tuple[Vector, Vector]]:
-        """Forearm, palm, roots of the fingers and fingers as lines."""
-        return list(self._world.body.segments[1:])
 
 
 class Answering(Protocol):

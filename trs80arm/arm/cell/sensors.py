@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from trs80arm.arm.cell.inputs import Seen
+from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.contact.distance import distance, distance_to
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import IDENTITY

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from trs80arm.arm.contact.bodies import Body
 from trs80arm.arm.contact.contacts import Contact, Key
@@ -23,6 +23,13 @@ class Memory:
     def known(self, key: Key) -> Pressures:
         """Where two things pressed in the last step, and with how much."""
         return self._pressures.get(key, [])
+
+    def pressed(self, name: str) -> Iterator[tuple[Key, float]]:
+        """What pressed on a thing in the last step, sleepers too: impulse a second, all points."""
+        for pressures in (self._pressures, *self._resting.values()):
+            for key, points in pressures.items():
+                if name in key[:2]:
+                    yield key, sum(pressure for _, pressure in points)
 
     def keep(self, contacts: Sequence[Contact], seconds: float, bodies: Mapping[str, Body]) -> None:
         """Remember the forces for the next step.

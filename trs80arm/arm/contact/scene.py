@@ -17,7 +17,7 @@ from trs80arm.arm.contact.bounds import box_around, greatest_speed, outside, wit
 from trs80arm.arm.contact.carrying import Carrying, carry
 from trs80arm.arm.contact.clock import TICK, TICK_STATES
 from trs80arm.arm.contact.coasting import Coast
-from trs80arm.arm.contact.contacts import Contact, Mobile
+from trs80arm.arm.contact.contacts import Contact, Key, Mobile
 from trs80arm.arm.contact.driven import GRAVITY, DrivenArm
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.meeting import TOUCH, Meeting, islands, presses
@@ -230,6 +230,10 @@ class Scene:
     def link_solids(self) -> Sequence[Placed]:
         """The same as solids."""
         return self.driven.solids
+
+    def pressed(self, name: str) -> Iterator[tuple[Key, float]]:
+        """What presses on a thing, by contact: impulse a second."""
+        return self._memory.pressed(name)
 
     @property
     def arm_still(self) -> int:
