@@ -212,9 +212,10 @@ async def shoot(
     size: tuple[int, int],
     scene: Scene,
     take: Callable[[Any], str | Image] = framed,
+    folder: Path = FOLDER,
     **options: Any,
 ) -> None:
-    """Make one picture."""
+    """Make one picture, in a folder."""
     from trs80arm.desk.opening import open_session
     from trs80arm.options import TerminalOptions
     from trs80arm.ui.app import Trs80Arm
@@ -229,9 +230,9 @@ async def shoot(
             await scene(Sitting(app, pilot, wall))
             taken = take(app)
     if isinstance(taken, str):
-        (FOLDER / f"{name}.svg").write_text(taken, encoding="utf-8")
+        (folder / f"{name}.svg").write_text(taken, encoding="utf-8")
     else:
-        taken.quantize(128).save(FOLDER / f"{name}.png", optimize=True)
+        taken.quantize(128).save(folder / f"{name}.png", optimize=True)
     print(name)
 
 

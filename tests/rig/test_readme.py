@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from trs80arm.bundled import described
 from trs80arm.cli import cli
 
 ROOT = Path(__file__).parents[2]
@@ -32,6 +33,16 @@ def test_the_run_example_ends_well(monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
     done = CliRunner().invoke(cli, shlex.split(line))
     assert done.exit_code == 0
     assert len(done.stdout.splitlines()[-1].split()) == 6
+
+
+def test_the_gallery_shows_every_task_in_the_words_of_the_list() -> None:
+    page = (ROOT / "docs/gallery.md").read_text(encoding="utf-8").casefold()
+    for bench in (ROOT / "programs").glob("*.toml"):
+        if "[[goal]]" in bench.read_text(encoding="utf-8"):
+            name = bench.stem
+            assert f"## {name}\n\n{dict(described())[name]}".rstrip(".").casefold() in page
+            assert f"](gallery/{name}.svg)" in page
+            assert (ROOT / f"docs/gallery/{name}.svg").is_file()
 
 
 def test_every_page_that_is_linked_is_there() -> None:
