@@ -17,6 +17,7 @@ from trs80arm import files, snapshots
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.cell.inputs import Answer
 from trs80arm.arm.goals import Score
+from trs80arm.arm.loads import Loads
 from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, MiniMover
 from trs80arm.arm.model import Pose
 from trs80arm.basic import cruncher
@@ -49,6 +50,7 @@ __all__ = [
     "Counts",
     "Input",
     "Key",
+    "Loads",
     "Pose",
     "ReplayError",
     "Rig",
@@ -313,6 +315,7 @@ class Rig:
     def _zero(self) -> None:
         """The registers stand at zero from now on, with the rotors where they are."""
         self._works.zero = self._works.arm.state().rotors
+        self._works.arm.forget_peaks()
 
     def refill(self) -> None:
         """Put every part of the bench back to where it was at the start.
@@ -529,6 +532,11 @@ class Rig:
     def state(self) -> ArmState:
         """Rotors, angles, pose, force, switch and coils of the arm at this moment."""
         return self._works.arm.state()
+
+    @property
+    def loads(self) -> Loads:
+        """What motors and hand bear at this moment and what they have to bear it with."""
+        return self._works.arm.loads(self._works.clock.now)
 
     @property
     def pose(self) -> Pose:

@@ -85,9 +85,11 @@ def signature(arm: MiniMover) -> object:
         (part.name, part.place, part.turn, part.held, part.asleep, part.still, part.carried)
         for part in arm.bench.parts.values()
     ]
-    motors = [(m.coils, m.row, m.field, m.rotor, m.ring, m.anchor) for m in arm.motors]
+    motors = [
+        (m.coils, m.row, m.field, m.rotor, m.ring, m.anchor, m.pulses, m.way) for m in arm.motors
+    ]
     pressing = scene.joints, scene.torques, scene.time
-    return arm.state(), motors, arm.events, parts, pressing, arm.grip, arm.inputs(0)
+    return arm.state(), motors, arm.peaks, arm.events, parts, pressing, arm.grip, arm.inputs(0)
 
 
 @settings(max_examples=25, deadline=None)

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trs80arm.arm.forces import NEVER
-from trs80arm.arm.motors import PHASES, ROWS, StepperMotor
+from trs80arm.arm.motors import PHASES, RING, ROWS, StepperMotor
 from trs80arm.pulses import Burst, Columns, Pulses, Train
 
 Array = npt.NDArray[np.int64]
@@ -85,6 +85,24 @@ class Ahead(Protocol):
 
         Args:
             order: of that one among the turnings.
+        """
+
+    def moments(self, order: int, first: int, end: int) -> list[int]:
+        """T-states of some of one motor's half-steps, as many as there are.
+
+        Args:
+            order: of the motor among the turnings.
+            first: the first of them, counted from 0.
+            end: the one after the last.
+        """
+
+    def closest(self, order: int) -> int:
+        """T-states that a ring of one motor's half-steps takes at least; `NEVER` if it has none."""
+
+    def half_steps(self, order: int) -> tuple[Array, Array, list[Array]]:
+        """All half-steps of one motor: their T-states, which way each goes, and all motors' before.
+
+        The last are the half-steps by which each of the motors is turned just before each of them.
         """
 
 
@@ -197,6 +215,32 @@ class PulsesAhead:
             for place, train in enumerate(self._trains)
         ]
 
+    def moments(self, order: int, first: int, end: int) -> list[int]:
+        """As in `Ahead`."""
+        train, time = self._trains[order], self._pulses.time
+        begin, end = train.begin + first, min(train.begin + end, train.end)
+        return [time(train.tick(step)) for step in range(begin, end)]
+
+    def closest(self, order: int) -> int:
+        """As in `Ahead`."""
+        train, pulses = self._trains[order], self._pulses
+        if len(train) <= RING:
+            return NEVER
+        return RING * train.over // train.under * pulses.over // pulses.under
+
+    def half_steps(self, order: int) -> tuple[Array, Array, list[Array]]:
+        """As in `Ahead`."""
+        pulses, mine = self._pulses, self._trains[order]
+        ticks = mine.tick_array()
+        return (
+            pulses.start + ticks * pulses.over // pulses.under,
+            np.full(len(ticks), mine.direction, dtype=np.int64),
+            [
+                train.direction * train.before_each(ticks + 1 if place < order else ticks)
+                for place, train in enumerate(self._trains)
+            ],
+        )
+
 
 class ColumnsAhead:
     """A burst of single writes."""
@@ -268,6 +312,21 @@ class ColumnsAhead:
     def turned_at_last(self, order: int) -> list[int]:
         """As in `Ahead`."""
         return [int(turned[0]) for turned in self._turned(self._places[order][-1:])]
+
+    def moments(self, order: int, first: int, end: int) -> list[int]:
+        """As in `Ahead`."""
+        found: list[int] = self._times[self._places[order][first:end]].tolist()
+        return found
+
+    def closest(self, order: int) -> int:
+        """As in `Ahead`."""
+        when = self._times[self._places[order]]
+        return int((when[RING:] - when[:-RING]).min()) if len(when) > RING else NEVER
+
+    def half_steps(self, order: int) -> tuple[Array, Array, list[Array]]:
+        """As in `Ahead`."""
+        places = self._places[order]
+        return self._times[places], self._turns[order].astype(np.int64), self._turned(places)
 
     def _turned(self, writes: Array) -> list[Array]:
         """Half-steps by which each motor is turned by so many writes."""

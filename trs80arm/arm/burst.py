@@ -15,9 +15,8 @@ import numpy as np
 import numpy.typing as npt
 
 from trs80arm.arm.contact.clock import TICK_STATES
-from trs80arm.arm.forces import cosines
-from trs80arm.arm.model import Motor
-from trs80arm.arm.motors import ROWS
+from trs80arm.arm.motors import RING, ROWS
+from trs80arm.arm.peaks import against, greatest
 from trs80arm.pulses import Columns
 
 if TYPE_CHECKING:
@@ -116,6 +115,7 @@ class _Stretch:
         self.cable = drive.cable(rotors.T)
         self.squeeze = np.maximum(0, grip.contact - self.cable)
         self.done: dict[int, Array] = {}
+        self.against: dict[int, Floats] = {}
 
     def _turning_back(self, turns: Array) -> npt.NDArray[np.bool_]:
         """Writes that turn a motor another way than its first: a home switch has to see where."""
@@ -146,25 +146,13 @@ class _Stretch:
         arm = self.arm
         lag = arm.settings.pull_out_lag
         margin = arm.settings.speed_margin
-        burdens = arm.world.burdens()
-        hand = arm.model.hand
         for latch, mine in enumerate(self.writes):
             if not len(mine):
                 continue
             motor, drive = arm.motors[latch], arm.model.drives[latch]
             turns = self.turns[mine]
-            before = self.before[mine].T
-            if drive.turns is Motor.HAND:
-                squeeze = np.maximum(0, arm.grip.contact - arm.drive.cable(before))
-                against = np.where(turns < 0, 16 * (squeeze / hand.pound_steps), 0.0)
-            else:
-                against = arm.strength.weight(
-                    drive.turns, arm.drive.driven(before), burdens, cosines
-                )
-                if drive.turns is not Motor.BASE:
-                    against = np.where(turns * drive.sign > 0, against, -against)
-                against = np.where(turns == 0, 0.0, np.maximum(0.0, against))
-            periods = arm.strength.curves[drive.turns].periods(against, margin)
+            torque = self.against[latch] = against(arm, latch, turns, self.before[mine].T)
+            periods = arm.strength.curves[drive.turns].periods(torque, margin)
             work = np.abs(turns) * periods
             times = self.times[mine]
             total = np.cumsum(work)
@@ -246,6 +234,14 @@ class _Stretch:
             last = int(mine[k - 1])
             motor = arm.motors[latch]
             turned = int(self.rotors[last, latch]) - motor.rotor
+            steps, times = self.turns[mine[:k]], self.times[mine[:k]]
+            asked = np.abs(steps)
+            if motor.row < 0:
+                asked[0] = min(asked[0], 1)
+            arm.note_use(latch, greatest(arm, latch, times, asked, self.against[latch][:k]))
+            pulses = np.repeat(times, asked)[-RING - 1 :].tolist()
+            if pulses:
+                motor.asked(pulses, int(np.sign(steps[steps != 0][-1])))
             motor.follow(k)
             motor.moved = int(self.times[last])
             motor.done = int(self.done[latch][k - 1])

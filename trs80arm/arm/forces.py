@@ -73,6 +73,21 @@ class Curve:
         rate = margin * math.sqrt(square) if square > 1.0 else 0.0
         return int(T_STATES_PER_SECOND / rate) if rate > 1.0 else NEVER
 
+    def has(self, rate: float) -> float:
+        """Torque that it has left at a rate, half-steps per second; at least 0."""
+        return max(0.0, (self.idle - rate * rate) / self.fall)
+
+    def used(self, torque: Any, rate: Any) -> Any:
+        """Which share of what it has a torque and a rate take together.
+
+        At 1 it just keeps up: `period` is then the time from pulse to pulse. Arrays for arrays.
+
+        Args:
+            torque: that it turns against; 0 where the torque helps it.
+            rate: half-steps per second, as a motor of no other than the listed speed would make.
+        """
+        return (self.fall * torque + rate * rate) / self.idle
+
     def periods(self, torques: npt.NDArray[np.float64], margin: float) -> npt.NDArray[np.int64]:
         """`period` for an array of torques, equal to the last T-state."""
         square = self.idle - self.fall * torques
@@ -191,19 +206,34 @@ class Strength:
             torque = torque + burden.weight * (0.5 * pitching + side * rolling)
         return torque
 
-    def most(self, motor: Motor, burdens: Sequence[Burden]) -> float:
-        """The most that `weight` can be, either way: with the motor's link level."""
+    def most(
+        self, motor: Motor, burdens: Sequence[Burden], level: Vector = (1.0, 1.0, 1.0)
+    ) -> float:
+        """The most that `weight` can be, either way.
+
+        Args:
+            motor: that bears it.
+            burdens: what is in the hand.
+            level: the greatest cosine, either way, that the angles of upper arm, forearm and hand
+                to the horizontal have.
+        """
+        upper, fore, hand = level
         loads = sum(burden.weight for burden in burdens)
+        model = self.model
         if motor is Motor.BASE:
-            return self.base_drag * loads * self.model.reach
+            reach = model.link * (upper + fore) + model.hand_length * hand
+            return self.base_drag * loads * reach
         if motor is Motor.HAND:
             return 0.0
         if motor in (Motor.SHOULDER, Motor.ELBOW):
-            return self.own[motor] + loads * self.model.link
-        torque = self.own[motor]
+            return (self.own[motor] + loads * model.link) * (
+                upper if motor is Motor.SHOULDER else fore
+            )
+        torque = self.own[motor] * hand
         for burden in burdens:
             ahead, across, up = (abs(value) for value in burden.place)
-            torque += burden.weight * (0.5 * (self.model.hand_length + ahead) + across + up)
+            pitching = 0.5 * (model.hand_length + ahead) * hand
+            torque += burden.weight * (pitching + 0.5 * (across + up) * (1 + hand))
         return torque
 
 

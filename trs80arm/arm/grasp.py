@@ -95,6 +95,14 @@ class Grasp:
         weight = sum(self._bench.parts[name].weight for name in names)
         return self.grip.carries(self._roughness(names)) >= weight
 
+    @property
+    def hold(self) -> tuple[float, float]:
+        """Ounces of all on which both fingers press, and the coefficient of its friction."""
+        names = [name for name in self.between if name in self._bench.parts]
+        if not names:
+            return 0.0, self._pad
+        return sum(self._bench.parts[name].weight for name in names), self._roughness(names)
+
     def weigh(self, *, loaded: bool) -> None:
         """See what hangs in the hand and touches nothing else, and what else presses on the arm.
 
@@ -234,8 +242,12 @@ class Grasp:
 
     def _roughness(self, names: Sequence[str]) -> float:
         """Coefficient between the pads and the smoothest of some parts."""
-        pad = self._linkage.frictions[self._linkage.names.index(self._linkage.fingers[0])]
-        return math.sqrt(pad * min(self._bench.parts[name].friction for name in names))
+        return math.sqrt(self._pad * min(self._bench.parts[name].friction for name in names))
+
+    @property
+    def _pad(self) -> float:
+        """Coefficient of the finger pads."""
+        return self._linkage.frictions[self._linkage.names.index(self._linkage.fingers[0])]
 
     def _presser(self) -> str | None:
         """What presses most on the arm."""

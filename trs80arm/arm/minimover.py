@@ -22,6 +22,7 @@ from trs80arm.arm.forces import Burden, Strength, Vector, cosine, torques
 from trs80arm.arm.geometry import CableDrive, JointAngles, OutOfReach, forward, inverse, pose_of
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.limits import beyond_any_stop, beyond_stop, steps_to_stops
+from trs80arm.arm.loads import GripLoad, Loads, motor_load, per_cent
 from trs80arm.arm.model import Link, Motor, Pose
 from trs80arm.arm.motors import RING, ROWS, StepperMotor
 from trs80arm.arm.settings import ArmSettings
@@ -99,6 +100,8 @@ class MiniMover:
         motors: six.
         strength: what its motors can do, and what its own weight asks of them.
         log: of what happened.
+        peaks: the greatest share of what each motor has that any half-step took
+            since `forget_peaks`, whole per cent, rounded up.
     """
 
     def __init__(self, settings: ArmSettings | None = None, bench: Bench | None = None) -> None:
@@ -108,6 +111,7 @@ class MiniMover:
         self.strength = Strength.of(self.model)
         self._motor_kinds = tuple(drive.turns for drive in self.model.drives)
         self._stops_off = 0
+        self.peaks = [0] * 6
         self.log = EventLog(self.settings.events_kept)
         self._time = 0
         self._held_back: set[int] = set()
@@ -358,11 +362,20 @@ class MiniMover:
             if self._bears:
                 self._give_way()
             return
+        # The first field after none finds a rotor that may be anywhere: no more than a half-step.
+        most = 1 if motor.row < 0 else RING
         turn = motor.turn_field(row)
+        if turn:
+            motor.asked((time,) * min(abs(turn), most), 1 if turn > 0 else -1)
         against, outside = self._resistance(latch, turn, self._rotors)
         curve = self.strength.curves[self._motor_kinds[latch]]
         period = curve.period(against, self.settings.speed_margin)
-        if not motor.keep_pace(time, turn, period, self.settings.pull_out_lag):
+        in_step = motor.keep_pace(time, turn, period, self.settings.pull_out_lag)
+        if turn:
+            share = curve.used(against, motor.pace / self.settings.speed_margin)
+            if 100 * share > self.peaks[latch]:
+                self.note_use(latch, per_cent(share))
+        if not in_step:
             if outside > 0.0 and self._in_the_way(latch):
                 self._held_up(latch, Reason.CONTACT)
             else:
@@ -383,6 +396,15 @@ class MiniMover:
             self._follow_others(AUXILIARY)
         if self._bears:
             self._give_way()
+
+    def note_use(self, latch: int, used: int) -> None:
+        """A motor has used so much of what it has, per cent."""
+        if used > self.peaks[latch]:
+            self.peaks[latch] = used
+
+    def forget_peaks(self) -> None:
+        """The greatest use of the motors counts anew."""
+        self.peaks[:] = [0] * 6
 
     def period_at(self, latch: int, turn: int, rotors: Sequence[int]) -> int:
         """T-states that a motor needs for a half-step with all rotors standing somewhere."""
@@ -593,13 +615,41 @@ class MiniMover:
         Positive pulls a joint's angle down, or the fingers together. Weight, what is in the hand,
         what pushes and presses.
         """
+        return tuple(self._borne(turns) for turns in self._motor_kinds)
+
+    def _borne(self, turns: Motor) -> float:
+        """What one motor bears."""
+        if turns is Motor.HAND:
+            return -16 * self._world.grip.force
         burdens = self._world.burdens()
-        return tuple(
-            -16 * self._world.grip.force
-            if turns is Motor.HAND
-            else self._weight(turns, burdens, self._rotors) - self._pushed(turns)
-            for turns in self._motor_kinds
-        )
+        return self._weight(turns, burdens, self._rotors) - self._pushed(turns)
+
+    def loads(self, time: int) -> Loads:
+        """What motors and hand bear at a T-state, not before the last write, and what they have."""
+        motors = []
+        for latch, drive in enumerate(self.model.drives):
+            motor, turns = self.motors[latch], drive.turns
+            rate, torque = motor.rate(time), self._borne(turns)
+            if rate:
+                against = self._resistance(latch, motor.way, self._rotors)[0]
+            else:
+                # What is carried drags on a base that turns, and does nothing to one that stands.
+                torque = -self._pushed(turns) if turns is Motor.BASE else torque
+                against = abs(torque)
+            motors.append(
+                motor_load(
+                    motor,
+                    drive,
+                    self.strength.curves[turns],
+                    torque=torque + 0.0,
+                    against=against,
+                    rate=rate,
+                    margin=self.settings.speed_margin,
+                    peak=self.peaks[latch],
+                )
+            )
+        weight, friction = self._world.hold
+        return Loads(tuple(motors), GripLoad(self.grip.force, weight, friction))
 
     def state(self) -> ArmState:
         """A snapshot for display."""

@@ -66,6 +66,7 @@ class Drive:
         no_load_rate: half-steps per second that it is listed to make with nothing in the hand.
         full_load_rate: the same with the arm's full load at full extension; the hand's against
             its greatest force.
+        winds: inches of cable that its drum winds with a half-step.
     """
 
     turns: Motor
@@ -73,6 +74,12 @@ class Drive:
     sign: int
     no_load_rate: float
     full_load_rate: float
+    winds: float
+
+    @property
+    def pulley(self) -> float:
+        """The radius of the joint's pulley, inches; for the hand, inches of cable per inch."""
+        return self.steps * self.winds
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,8 +8,10 @@ rotor, and tells it how far the rotor got.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.events import Reason
 from trs80arm.arm.forces import NEVER
 
@@ -20,6 +22,12 @@ PHASES = (0b0101, 0b0100, 0b0110, 0b0010, 0b1010, 0b1000, 0b1001, 0b0001)
 
 RING = 8
 """Half-steps after which the pattern, and the rotor's equilibria, repeat."""
+
+HALF_STEPS_PER_TURN = 96
+"""Of the motor's own shaft: 48 full steps (article, Stepping Motor Control)."""
+
+AT_REST = T_STATES_PER_SECOND // 10
+"""T-states without a pulse after which a motor stands, however slowly it was stepped."""
 
 
 def _row(nibble: int) -> int:
@@ -57,6 +65,8 @@ class StepperMotor:
         losing: number of the event that says how many steps it is losing, or None.
         moved: time of the last write that turned the field, T-states.
         done: time at which the rotor has caught up with all writes so far, T-states.
+        pulses: times of the last half-steps asked of it, a ring of them and one, T-states.
+        way: the direction of the last one, 1 or -1; 0 before the first.
     """
 
     coils: int = 0
@@ -70,6 +80,8 @@ class StepperMotor:
     losing: int | None = None
     moved: int = -NEVER
     done: int = -NEVER
+    pulses: tuple[int, ...] = (-NEVER,) * (RING + 1)
+    way: int = 0
 
     @property
     def energised(self) -> bool:
@@ -129,6 +141,38 @@ class StepperMotor:
         turn = turn if turn < 4 else turn - RING
         self.field += turn
         return turn
+
+    def asked(self, times: Iterable[int], way: int) -> None:
+        """Half-steps were asked of it.
+
+        Args:
+            times: of the last of them, T-states; more than a ring of them and one need not be.
+            way: the direction of the last.
+        """
+        self.pulses = (*self.pulses, *times)[-RING - 1 :]
+        self.way = way
+
+    @property
+    def pace(self) -> float:
+        """Half-steps per second that were asked of it over the last ring of them."""
+        return RING * T_STATES_PER_SECOND / max(1, self.pulses[-1] - self.pulses[0])
+
+    def rate(self, time: int) -> float:
+        """Half-steps per second at which it turns, signed as they count; 0 where it stands.
+
+        It stands when for a tenth of a second, or twice as long as one pulse came after the other
+        over the last ring of them, there was none.
+
+        Args:
+            time: T-state, not before the last write.
+        """
+        idle = time - self.pulses[-1]
+        if self.row < 0 or idle > AT_REST:
+            return 0.0
+        often = (self.pulses[-1] - self.pulses[0]) / RING
+        if idle > 2 * often:
+            return 0.0
+        return self.way * T_STATES_PER_SECOND / max(often, idle, 1.0)
 
     def keep_pace(self, time: int, turn: int, period: int, lag: int) -> bool:
         """Whether the rotor is in step after a write that turned the field.

@@ -19,7 +19,8 @@ from trs80arm.arm.ahead import Ahead, look_ahead
 from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.forces import nearest_and_farthest
 from trs80arm.arm.model import Motor
-from trs80arm.arm.motors import ROWS
+from trs80arm.arm.motors import RING, ROWS
+from trs80arm.arm.peaks import note_stride
 from trs80arm.pulses import Burst
 
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
         _hand_stays(arm, paid, stop)
         and _load_stays(arm, ahead, pitched)
         and _within_stops(arm, spans, pitched)
-        and _in_time(arm, ahead, spans, paid[0])
+        and (torques := _in_time(arm, ahead, spans, paid[0])) is not None
     ):
         return None
     rest = burst.until(ahead.ends + 1)[1]
@@ -80,6 +81,7 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
             found = look_ahead(arm.motors, before)
             assert found is not None
             ahead = found
+    note_stride(arm, ahead, torques, (*spans[1:3], _pitches(arm, pitched)))
     _arrive(arm, ahead)
     return rest
 
@@ -137,14 +139,19 @@ def _spans(arm: MiniMover, low: Sequence[int], high: Sequence[int]) -> tuple[Spa
     return tuple([(a, b) if a < b else (b, a) for a, b in zip(one, other, strict=True)])
 
 
+def _pitches(arm: MiniMover, pitched: tuple[int, int]) -> Span:
+    """The least and the greatest pitch, radians."""
+    *_, left, right = arm.drive.driven(arm.rotors)
+    here = (left + right) / 2
+    per_radian = 2 * arm.model.drives[arm.model.latch(Motor.LEFT_WRIST)].steps
+    return here + pitched[0] / per_radian, here + pitched[1] / per_radian
+
+
 def _within_stops(arm: MiniMover, spans: Sequence[Span], pitched: tuple[int, int]) -> bool:
     """Whether no joint can come to its end."""
     limits = arm.model.limits
     base, shoulder, elbow, left, right = spans
-    *_, left_now, right_now = arm.drive.driven(arm.rotors)
-    here = (left_now + right_now) / 2
-    per_radian = 2 * arm.model.drives[arm.model.latch(Motor.LEFT_WRIST)].steps
-    lowest, highest = here + pitched[0] / per_radian, here + pitched[1] / per_radian
+    lowest, highest = _pitches(arm, pitched)
     return (
         max(-base[0], base[1]) < limits.base
         and shoulder[0] > limits.shoulder[0]
@@ -156,15 +163,21 @@ def _within_stops(arm: MiniMover, spans: Sequence[Span], pitched: tuple[int, int
     )
 
 
-def _in_time(arm: MiniMover, ahead: Ahead, spans: Sequence[Span], least: int) -> bool:
-    """Whether every rotor is done with each half-step before the next is asked of it."""
+def _in_time(
+    arm: MiniMover, ahead: Ahead, spans: Sequence[Span], least: int
+) -> dict[int, float] | None:
+    """By latch, the torque that motors turn against at most, where all are sure to keep up.
+
+    That is where every rotor is done with each half-step before the next is asked of it.
+    """
+    found = {}
     strength, margin = arm.strength, arm.settings.speed_margin
     burdens = arm.world.burdens()
     for turning in ahead.turnings:
         drive = arm.model.drives[turning.latch]
         turns = drive.turns
         if turning.first < arm.motors[turning.latch].done:
-            return False
+            return None
         if turns is Motor.HAND:
             squeeze = max(0, arm.grip.contact - arm.drive.cable(arm.rotors) - least)
             against = 16 * (squeeze / arm.model.hand.pound_steps)
@@ -177,8 +190,9 @@ def _in_time(arm: MiniMover, ahead: Ahead, spans: Sequence[Span], least: int) ->
         else:
             against = strength.most(turns, burdens)
         if turning.gap < strength.curves[turns].period(against, margin):
-            return False
-    return True
+            return None
+        found[turning.latch] = against
+    return found
 
 
 def _gone(
@@ -221,7 +235,9 @@ def _arrive(arm: MiniMover, ahead: Ahead) -> None:
         for each, turned in zip(turnings, ahead.turned_at_last(order), strict=True):
             stood[each.latch] += turned
         motor = arm.motors[turning.latch]
-        motor.follow(turning.count)
+        count = turning.count
+        motor.asked(ahead.moments(order, max(0, count - RING - 1), count), turning.turn)
+        motor.follow(count)
         motor.moved = turning.last
         motor.done = turning.last + arm.period_at(turning.latch, turning.turn, stood)
         motor.field = (motor.field if motor.row >= 0 else motor.rotor) + turning.net

@@ -413,6 +413,11 @@ class World:
         """What hangs in the hand, all that stands on it included."""
         return self._grasp.burdens
 
+    @property
+    def hold(self) -> tuple[float, float]:
+        """Ounces of all on which both fingers press, and the coefficient of its friction."""
+        return self._grasp.hold
+
     # How far from everything
 
     def ticks_until(self, time: int) -> npt.NDArray[np.int64]:

@@ -193,8 +193,8 @@ class History:
         rate = _rate(self.quantity(f"rotor {joint}", times), times)
         rate /= self._rig.arm.settings.speed_margin
         torque = self.quantity(f"torque {joint}", times)
-        against = np.maximum(0.0, torque * np.sign(rate) * drive.sign)
-        moving = 1 - against * curve.fall / curve.idle - rate**2 / curve.idle
+        way = 1.0 if drive.turns is Motor.BASE else np.sign(rate) * drive.sign
+        moving = 1 - curve.used(np.maximum(0.0, torque * way), rate)
         left: npt.NDArray[np.float64] = 100 * np.where(
             np.abs(rate) < 1, 1 - np.abs(torque) / curve.holds, moving
         )

@@ -20,6 +20,7 @@ _S1 = 937.8  # half-steps per radian of base and shoulder: Table 4, line 121
 _S3 = 551.4  # of the forearm: line 122
 _S4 = 203.7  # of each wrist gear: line 123
 _S6 = 618.0  # half-steps per inch of hand opening: line 124
+_WINDS = 1.5 / _S1  # inches of cable per half-step: the shoulder's pulley fits the body, a guess
 _GIVE = 0.25  # inches that the cables of shoulder and elbow give under the static force: a guess
 _POUND = 52  # half-steps of hand cable per pound: article, on joint 6
 
@@ -30,12 +31,12 @@ MINIMOVER5 = ArmModel(
     link=7.0,
     hand_length=3.5,
     drives=(
-        Drive(Motor.BASE, _S1, 1, 0.42 * _S1, 0.37 * _S1),
-        Drive(Motor.SHOULDER, _S1, -1, 0.36 * _S1, 0.15 * _S1),
-        Drive(Motor.ELBOW, _S3, 1, 0.82 * _S3, 0.23 * _S3),
-        Drive(Motor.LEFT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4),
-        Drive(Motor.RIGHT_WRIST, _S4, 1, 2.02 * _S4, 1.31 * _S4),
-        Drive(Motor.HAND, _S6, 1, 0.80 * _S6, 3.0 * _POUND),
+        Drive(Motor.BASE, _S1, 1, 0.42 * _S1, 0.37 * _S1, _WINDS),
+        Drive(Motor.SHOULDER, _S1, -1, 0.36 * _S1, 0.15 * _S1, _WINDS),
+        Drive(Motor.ELBOW, _S3, 1, 0.82 * _S3, 0.23 * _S3, _WINDS),
+        Drive(Motor.LEFT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4, _WINDS),
+        Drive(Motor.RIGHT_WRIST, _S4, 1, 2.02 * _S4, 1.31 * _S4, _WINDS),
+        Drive(Motor.HAND, _S6, 1, 0.80 * _S6, 3.0 * _POUND, _WINDS),
     ),
     elbow_pays_out=1,
     compensated=True,
@@ -71,6 +72,11 @@ MINIMOVER5 = ArmModel(
         ("drives: steps", "Table 4, lines 121 to 124"),
         ("drives: signs", "the signs of Table 4's @STEP, line 420; base and hand by inference"),
         ("drives: rates", "Table 1, speeds without load and at full load"),
+        (
+            "drives: winds",
+            "guessed: a pulley of 3 in on the shoulder, as wide as the body, and one drum and "
+            "gearing for all; Table 4's steps per radian are then the pulleys' sizes",
+        ),
         ("elbow_pays_out, compensated", "article, on joint 6 and on @STEP"),
         ("limits", "Table 1; gears and pitch from the article on joints 4 and 5"),
         ("hand", "article, on joint 6; range and greatest force from Table 1"),

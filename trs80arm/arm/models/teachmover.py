@@ -20,6 +20,7 @@ _S3 = 4158 / tau
 _S4 = 1536 / tau
 _S6 = 370.8  # half-steps per inch: the hand's drum is twice as large
 _POUND = 32
+_WINDS = 1.5 / _S1  # inches of cable per half-step: pulleys as the MiniMover's, a guess
 _HAND_RATE = 0.80 * MINIMOVER5.hand_steps  # half-steps per second: the motor's, whatever its drum
 
 TEACHMOVER = replace(
@@ -29,12 +30,12 @@ TEACHMOVER = replace(
     shoulder_height=7.625,
     hand_length=3.8,
     drives=(
-        Drive(Motor.BASE, _S1, 1, 0.42 * _S1, 0.37 * _S1),
-        Drive(Motor.SHOULDER, _S1, -1, 0.36 * _S1, 0.15 * _S1),
-        Drive(Motor.ELBOW, _S3, -1, 0.82 * _S3, 0.23 * _S3),
-        Drive(Motor.RIGHT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4),
-        Drive(Motor.LEFT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4),
-        Drive(Motor.HAND, _S6, 1, _HAND_RATE, 3.0 * _POUND),
+        Drive(Motor.BASE, _S1, 1, 0.42 * _S1, 0.37 * _S1, _WINDS),
+        Drive(Motor.SHOULDER, _S1, -1, 0.36 * _S1, 0.15 * _S1, _WINDS),
+        Drive(Motor.ELBOW, _S3, -1, 0.82 * _S3, 0.23 * _S3, _WINDS),
+        Drive(Motor.RIGHT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4, _WINDS),
+        Drive(Motor.LEFT_WRIST, _S4, -1, 2.02 * _S4, 1.31 * _S4, _WINDS),
+        Drive(Motor.HAND, _S6, 1, _HAND_RATE, 3.0 * _POUND, 2 * _WINDS),
     ),
     elbow_pays_out=-1,
     compensated=False,
@@ -52,6 +53,7 @@ TEACHMOVER = replace(
             "guessed: as many half-steps a second without load as the MiniMover's motor makes, "
             "hence 1.33 in/s on a drum twice as large; 3 lb/s at 3 lb, as Table 1",
         ),
+        ("drives: winds", "guessed: the MiniMover's pulleys, and a hand's drum twice as large"),
         ("elbow_pays_out", "its read-back: opening (J6 - J3) / 371"),
         ("compensated", "its @STEP leaves the hand alone; its users add the elbow's steps"),
         (

@@ -1,0 +1,125 @@
+"""The greatest use that whole motions make of each motor, to the last half-step.
+
+A stride does not look at single half-steps. What each can be at most follows from the stride's own
+bounds; only where that is more than the greatest so far is it worked out for every one of them, so
+that a peak is the same however a motion is cut.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import starmap
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from trs80arm.arm.ahead import Ahead
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
+from trs80arm.arm.forces import cosines, nearest_and_farthest
+from trs80arm.arm.loads import per_cent
+from trs80arm.arm.model import Motor
+from trs80arm.arm.motors import RING
+
+if TYPE_CHECKING:
+    from trs80arm.arm.minimover import MiniMover
+
+Array = npt.NDArray[np.int64]
+
+
+def note_stride(
+    arm: MiniMover,
+    ahead: Ahead,
+    torques: Mapping[int, float],
+    spans: Sequence[tuple[float, float]],
+) -> None:
+    """Keep the greatest use of each motor in a stride that is about to be done.
+
+    Args:
+        arm: the arm.
+        ahead: the stride.
+        torques: by latch, the most that motors turn against, at most.
+        spans: angles to which upper arm, forearm and hand come to the horizontal, at most.
+    """
+    margin = arm.settings.speed_margin
+    for order, turning in enumerate(ahead.turnings):
+        latch = turning.latch
+        kind, motor, peak = arm.model.drives[latch].turns, arm.motors[latch], arm.peaks[latch]
+        curve, torque = arm.strength.curves[kind], torques[latch]
+        # No ring of pulses is quicker than the least gap, or than the pause before the first.
+        pause = max(1, turning.first - motor.pulses[-1])
+        rate = T_STATES_PER_SECOND * max(1 / turning.gap, RING / pause)
+        if 100 * curve.used(torque, rate / margin) <= peak:
+            continue
+        begin = zip(ahead.moments(order, 0, RING), motor.pulses[1:], strict=False)
+        span = min([ahead.closest(order), *(now - before for now, before in begin)])
+        rate = RING * T_STATES_PER_SECOND / max(1, span)
+        if kind is Motor.HAND:
+            torque = 0.0 if turning.way > 0 else torque
+        else:
+            upper, fore, hand = (max(a, -b) for a, b in starmap(nearest_and_farthest, spans))
+            burdens = arm.world.burdens()
+            torque = min(torque, arm.strength.most(kind, burdens, (upper, fore, hand)))
+        if per_cent(curve.used(torque, rate / margin)) <= peak:
+            continue
+        times, turns, turned = ahead.half_steps(order)
+        rotors = np.empty((6, len(times)), dtype=np.int64)
+        rotors[:] = np.array(arm.rotors)[:, None]
+        for other, steps in zip(ahead.turnings, turned, strict=True):
+            rotors[other.latch] += steps
+        bearing = against(arm, latch, turns, rotors)
+        arm.note_use(latch, greatest(arm, latch, times, np.abs(turns), bearing))
+
+
+def against(
+    arm: MiniMover,
+    latch: int,
+    turns: npt.NDArray[Any],
+    before: Array,
+) -> npt.NDArray[np.float64]:
+    """Torque that a motor turns against at many half-steps of free motion, at least 0.
+
+    The same as a single write finds, to the last bit.
+
+    Args:
+        arm: the arm, nothing but its own weight and load bearing on it.
+        latch: of the motor.
+        turns: half-steps by which its field is turned, signed.
+        before: positions of all rotors before each of them, 6 x half-steps.
+    """
+    drive = arm.model.drives[latch]
+    if drive.turns is Motor.HAND:
+        squeeze = np.maximum(0, arm.grip.contact - arm.drive.cable(before))
+        pressed: npt.NDArray[np.float64] = 16 * (squeeze / arm.model.hand.pound_steps)
+        return np.where(turns < 0, pressed, 0.0)
+    driven = arm.drive.driven(before)
+    torque = arm.strength.weight(drive.turns, driven, arm.world.burdens(), cosines)
+    if drive.turns is not Motor.BASE:
+        torque = np.where(turns * drive.sign > 0, torque, -torque)
+    return np.where(turns == 0, 0.0, np.maximum(0.0, torque))
+
+
+def greatest(
+    arm: MiniMover,
+    latch: int,
+    times: Array,
+    asked: Array,
+    torque: npt.NDArray[np.float64],
+) -> int:
+    """The greatest share of what a motor has that writes take, per cent, rounded up.
+
+    Args:
+        arm: the arm, its motor not yet told of them.
+        latch: of the motor.
+        times: of the writes, T-states.
+        asked: half-steps that each asks for.
+        torque: what each of them turns against.
+    """
+    before = np.array(arm.motors[latch].pulses, dtype=np.int64)
+    pulses = np.concatenate((before, np.repeat(times, asked)))
+    place = np.cumsum(asked)
+    span = np.maximum(1, pulses[place + RING] - pulses[place])
+    rate = RING * T_STATES_PER_SECOND / span / arm.settings.speed_margin
+    curve = arm.strength.curves[arm.model.drives[latch].turns]
+    shares = curve.used(torque, rate)[asked > 0]
+    return per_cent(float(shares.max())) if len(shares) else 0
