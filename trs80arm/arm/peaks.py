@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from trs80arm.arm.ahead import Ahead
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
-from trs80arm.arm.forces import cosines, nearest_and_farthest
+from trs80arm.arm.forces import Vector, cosines, nearest_and_farthest
 from trs80arm.arm.loads import per_cent
 from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import RING
@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
 
 Array = npt.NDArray[np.int64]
+
+_PER_RING = RING * T_STATES_PER_SECOND
+"""Half-steps per second that a ring of them makes in one T-state."""
 
 
 def note_stride(
@@ -42,25 +45,27 @@ def note_stride(
         spans: angles to which upper arm, forearm and hand come to the horizontal, at most.
     """
     margin = arm.settings.speed_margin
+    level: Vector | None = None
     for order, turning in enumerate(ahead.turnings):
         latch = turning.latch
         kind, motor, peak = arm.model.drives[latch].turns, arm.motors[latch], arm.peaks[latch]
         curve, torque = arm.strength.curves[kind], torques[latch]
-        # No ring of pulses is quicker than the least gap, or than the pause before the first.
-        pause = max(1, turning.first - motor.pulses[-1])
-        rate = T_STATES_PER_SECOND * max(1 / turning.gap, RING / pause)
-        if 100 * curve.used(torque, rate / margin) <= peak:
+        # Rings of pulses that begin before the stride, and those that do not.
+        gap, count, pulses = turning.gap, turning.count, motor.pulses
+        begin = [turning.first + k * gap - pulses[k + 1] for k in range(min(RING, count))]
+        span = max(1, min(RING * gap, *begin))
+        if 100 * curve.used(torque, _PER_RING / span / margin) <= peak:
             continue
-        begin = zip(ahead.moments(order, 0, RING), motor.pulses[1:], strict=False)
-        span = min([ahead.closest(order), *(now - before for now, before in begin)])
-        rate = RING * T_STATES_PER_SECOND / max(1, span)
+        first = zip(ahead.moments(order, 0, RING), pulses[1:], strict=False)
+        span = max(1, min(ahead.closest(order), *(now - before for now, before in first)))
         if kind is Motor.HAND:
             torque = 0.0 if turning.way > 0 else torque
         else:
-            upper, fore, hand = (max(a, -b) for a, b in starmap(nearest_and_farthest, spans))
-            burdens = arm.world.burdens()
-            torque = min(torque, arm.strength.most(kind, burdens, (upper, fore, hand)))
-        if per_cent(curve.used(torque, rate / margin)) <= peak:
+            if level is None:
+                upper, fore, hand = (max(a, -b) for a, b in starmap(nearest_and_farthest, spans))
+                level = upper, fore, hand
+            torque = min(torque, arm.strength.most(kind, arm.world.burdens(), level))
+        if per_cent(curve.used(torque, _PER_RING / span / margin)) <= peak:
             continue
         times, turns, turned = ahead.half_steps(order)
         rotors = np.empty((6, len(times)), dtype=np.int64)
@@ -119,7 +124,7 @@ def greatest(
     pulses = np.concatenate((before, np.repeat(times, asked)))
     place = np.cumsum(asked)
     span = np.maximum(1, pulses[place + RING] - pulses[place])
-    rate = RING * T_STATES_PER_SECOND / span / arm.settings.speed_margin
+    rate = _PER_RING / span / arm.settings.speed_margin
     curve = arm.strength.curves[arm.model.drives[latch].turns]
     shares = curve.used(torque, rate)[asked > 0]
     return per_cent(float(shares.max())) if len(shares) else 0
