@@ -52,6 +52,7 @@ GALLERY = (
     Shown("pegs", 39.0),
     Shown("pallet", 178.5),
     Shown("bridge", 102.5),
+    Shown("carousel", 33.0),
     Shown("dominoes", 159.1),
     Shown("sort", 92.0),
     Shown("hanoi", 66.0),
