@@ -15,7 +15,7 @@ from math import prod
 from typing import Any
 
 from trs80arm.arm import events, fixtures, forces, geometry, goals, motors, shapes
-from trs80arm.arm.cell import home, inputs, mounted, sensors, turntable
+from trs80arm.arm.cell import conveyor, home, inputs, mounted, sensors, turntable
 from trs80arm.arm.contact import bodies, coasting, solids, table
 from trs80arm.arm.linkage import FINGERS
 from trs80arm.arm.model import ArmModel, Link, Motor, Pose
@@ -120,6 +120,7 @@ OBJECTS: dict[str, type] = _by_name(
         motors.StepperMotor,
         turntable.Turntable,
         home.HomeSwitch,
+        conveyor.Conveyor,
         bodies.Fixed,
         table.Plate,
         coasting.Coast,

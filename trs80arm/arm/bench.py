@@ -11,10 +11,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import cast
 
+from trs80arm.arm.cell.device import stand
 from trs80arm.arm.cell.home import HomeSwitch
 from trs80arm.arm.cell.inputs import Answering, Selector
 from trs80arm.arm.cell.work_cell import WorkCell
-from trs80arm.arm.contact.bodies import Fixed, Shape
+from trs80arm.arm.contact.bodies import Shape
 from trs80arm.arm.contact.forms import standing
 from trs80arm.arm.contact.manifold import Placed, between
 from trs80arm.arm.contact.rotations import (
@@ -30,7 +31,7 @@ from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Tray
 from trs80arm.arm.goals import Goal, Score, score
-from trs80arm.arm.linkage import fixed_name, link_name
+from trs80arm.arm.linkage import link_name
 from trs80arm.arm.model import Pose
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import SKIN, Box, Vector, plus, upright
@@ -189,16 +190,9 @@ class Bench:
         own = tuple(link_name(solid.name) for solid in self.settings.arm_model.solids[:2])
         self.scene.fixed = {}
         for number, obstacle in enumerate(self.obstacles):
-            name = fixed_name(obstacle.name)
-            while name in self.scene.fixed:
-                name = fixed_name(name)
-            self.scene.fixed[name] = Fixed(
-                name,
-                obstacle.standing,
-                self.settings.table_friction,
-                # Upper arm and forearm are joined to base and body.
-                passes=own if number < len(_OWN) else (),
-            )
+            # Upper arm and forearm are joined to base and body.
+            passes = own if number < len(_OWN) else ()
+            stand(self.scene, obstacle, self.settings.table_friction, passes)
         self.scene.plates = []
         self.cell.lay(self.scene)
 
@@ -208,7 +202,7 @@ class Bench:
 
     def found_at(self, solids: Sequence[Placed]) -> str | None:
         """Name of an obstacle or part, the one in the hand left out, that some solids are in."""
-        for obstacle in self.obstacles:
+        for obstacle in (*self.obstacles, *self.cell.obstacles):
             if any(deep(mine, other) for mine in solids for other in obstacle.placed):
                 return obstacle.name
         for part in self.parts.values():

@@ -9,14 +9,23 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from trs80arm.arm.bench import Bench
-from trs80arm.arm.bench_forms import FAR
+from trs80arm.arm.bench import Bench, obstacle
+from trs80arm.arm.bench_forms import FAR, read_friction, refuse_overlap
+from trs80arm.arm.bench_sensors import wired
+from trs80arm.arm.cell.conveyor import Conveyor
+from trs80arm.arm.cell.sensors import LightBeam
 from trs80arm.arm.cell.turntable import Turntable
+from trs80arm.arm.contact.rotations import oriented
+from trs80arm.arm.contact.solids import box
 from trs80arm.arm.contact.table import Plate
 from trs80arm.plain_values import Table
 
-DEVICES = "turntable"
+DEVICES = "conveyor, turntable"
 """The tables of devices."""
+FASTEST = 20.0
+"""Inches a second that a belt makes at most."""
+BESIDE = 0.25
+"""Inches beside the belt at which a photocell and its lamp stand."""
 DRIVES = ("coils", "pulse")
 """How a turntable's motor hangs on the latch."""
 
@@ -27,6 +36,8 @@ def read_devices(bench: Bench, top: Table) -> None:
     Raises:
         SettingsError: one line, if one cannot be.
     """
+    for item in top.tables("conveyor"):
+        _conveyor(bench, item)
     for item in _tables(top, "turntable"):
         _turntable(bench, item)
 
@@ -83,6 +94,44 @@ class _Wires:
             raise self._item.fail(
                 key, f"a free bit; bit {bit} of the auxiliary latch is already {whose}"
             )
+
+
+def _conveyor(bench: Bench, item: Table) -> None:
+    """[[conveyor]]."""
+    name = _name(bench, item, Conveyor.kind)
+    x, y = item.vector("at", 2, -FAR, FAR)
+    length, width = (
+        item.number(key, least, FAR) for key, least in (("length", 1.0), ("width", 0.25))
+    )
+    height = item.number("height", 0.1, 10.0, 1.0)
+    turn = oriented(item.number("turn", -360, 360, 0.0))
+    speed, ramp = item.number("speed", 0.05, FASTEST), item.number("ramp", 0.01, 10.0, 0.25)
+    friction = read_friction(item)
+    wires = _Wires(bench, item)
+    run, reverse = wires.bit("run"), wires.optional("reverse")
+    frame = obstacle(name, (box((length, width, height)),), x, y, 0.0, turn)
+    conveyor = Conveyor(name, frame, speed, ramp, run, reverse, friction)
+    _photocell(bench, item, conveyor)
+    item.done(
+        "name, at, length, width, height, turn, speed, ramp, friction, run, reverse, photocell"
+    )
+    refuse_overlap(bench, item, "at", conveyor.frame.placed)
+    bench.cell.devices.append(conveyor)
+
+
+def _photocell(bench: Bench, item: Table, conveyor: Conveyor) -> None:
+    """[conveyor.photocell]: a beam across the belt."""
+    cell = item.table("photocell")
+    if cell is None:
+        return
+    bit, bank, name = wired(bench, cell, "photocell", f"{conveyor.name} photocell")
+    place = conveyor.frame.box
+    half = place.half
+    along = cell.number("along", -half[0], half[0], 0.0)
+    above = cell.number("above", 0.05, 10.0, 0.25)
+    cell.done("name, along, above, bit, bank")
+    ends = [place.point(along, side * (half[1] + BESIDE), half[2] + above) for side in (-1, 1)]
+    bench.sensors.append(LightBeam(bit, ends[0], ends[1], name, bank))
 
 
 def _turntable(bench: Bench, item: Table) -> None:

@@ -9,7 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from trs80arm.arm.bench import Bench
 from trs80arm.arm.contact.forms import holed, peg_board, tray
+from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import Quaternion, oriented
 from trs80arm.arm.contact.solids import Solid, box, cylinder, prism
 from trs80arm.arm.shapes import Vector
@@ -89,6 +91,22 @@ def read_size(item: Table) -> Vector:
     """The key `size`: along x, y and z."""
     x, y, z = item.vector("size", 3, SMALLEST, LARGEST)
     return x, y, z
+
+
+def read_friction(item: Table) -> float | None:
+    """The key `friction`; None for that of the table."""
+    return item.number("friction", 0.01, 10) if "friction" in item.data else None
+
+
+def refuse_overlap(bench: Bench, item: Table, key: str, solids: Sequence[Placed]) -> None:
+    """Refuse what would stand in something else.
+
+    Raises:
+        SettingsError: it does.
+    """
+    name = bench.found_at(solids)
+    if name is not None:
+        raise item.fail(key, f"a free place; it overlaps {name}")
 
 
 def read_turn(item: Table) -> Quaternion:

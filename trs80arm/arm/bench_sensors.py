@@ -62,8 +62,15 @@ def _selector(item: Table) -> Selector:
     return Selector(tuple(int(bit) for bit in bits))
 
 
-def _wired(bench: Bench, item: Table, kind: str) -> tuple[int, int, str]:
-    """The keys `bit`, `bank` and `name`: where a sensor is on the input nibble."""
+def wired(bench: Bench, item: Table, kind: str, called: str | None = None) -> tuple[int, int, str]:
+    """The keys `bit`, `bank` and `name`: where a sensor is on the input nibble.
+
+    Args:
+        bench: so far.
+        item: its table.
+        kind: by which it is called, with a number.
+        called: its name if the file has none, instead of that.
+    """
     bit = item.integer("bit", 1, 3)
     bank = 0
     if "bank" in item.data:
@@ -74,7 +81,7 @@ def _wired(bench: Bench, item: Table, kind: str) -> tuple[int, int, str]:
         if (other.bit, other.bank) == (bit, bank):
             where = "input bit" if bench.selector is None else "input bit and bank"
             raise item.fail("bit", f"an {where} that no other sensor uses")
-    name = item.text("name", _unused(bench, kind))
+    name = item.text("name", called or _unused(bench, kind))
     if any(other.name == name for other in bench.sensors):
         raise item.fail("name", "a name that no other sensor has")
     return bit, bank, name
@@ -100,7 +107,7 @@ def _on(item: Table, choices: Mapping[str, T]) -> T:
 
 def _proximity(bench: Bench, item: Table) -> Answering:
     """[[proximity]]: on the table, or in the palm."""
-    bit, bank, name = _wired(bench, item, "proximity")
+    bit, bank, name = wired(bench, item, "proximity")
     if "on" in item.data:
         _on(item, {"palm": None})
         eye = PalmProximity(name, bit, bank, item.number("range", 0.05, FAR))
@@ -114,7 +121,7 @@ def _proximity(bench: Bench, item: Table) -> Answering:
 
 def _tactile(bench: Bench, item: Table) -> Answering:
     """[[tactile]]: on the table, or on the arm."""
-    bit, bank, name = _wired(bench, item, "tactile")
+    bit, bank, name = wired(bench, item, "tactile")
     if "on" in item.data:
         on = _on(item, _LINKS)
         face = None
@@ -133,7 +140,7 @@ def _tactile(bench: Bench, item: Table) -> Answering:
 
 def _beam(bench: Bench, item: Table) -> Answering:
     """[[beam]]."""
-    bit, bank, name = _wired(bench, item, "beam")
+    bit, bank, name = wired(bench, item, "beam")
     start = _vector(item.vector("from", 3, -FAR, FAR))
     end = _vector(item.vector("to", 3, -FAR, FAR))
     if math.dist(start, end) < 0.01:
@@ -144,7 +151,7 @@ def _beam(bench: Bench, item: Table) -> Answering:
 
 def _force(bench: Bench, item: Table) -> Answering:
     """[[force]]."""
-    bit, bank, name = _wired(bench, item, "force")
+    bit, bank, name = wired(bench, item, "force")
     on = _on(item, {each.value: each for each in Tension})
     sensor = ForceSensor(name, bit, bank, on, item.number("threshold", *_OUNCES))
     item.done("on, threshold, bit, bank, name")
@@ -153,7 +160,7 @@ def _force(bench: Bench, item: Table) -> Answering:
 
 def _home(bench: Bench, item: Table) -> Answering:
     """[[home]]."""
-    bit, bank, name = _wired(bench, item, "home")
+    bit, bank, name = wired(bench, item, "home")
     joint = item.data.pop("joint", None)
     if not isinstance(joint, str) or joint not in JOINTS:
         raise item.fail("joint", f"one of {', '.join(JOINTS)}")

@@ -8,15 +8,21 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Sequence
 from pathlib import Path
 
 from trs80arm.arm.bench import Bench, BenchError, around, deep, obstacle
 from trs80arm.arm.bench_devices import DEVICES, read_devices
-from trs80arm.arm.bench_forms import FAR, KEYS, read_shape, read_solids, read_turn
+from trs80arm.arm.bench_forms import (
+    FAR,
+    KEYS,
+    read_friction,
+    read_shape,
+    read_solids,
+    read_turn,
+    refuse_overlap,
+)
 from trs80arm.arm.bench_goals import read_goal
 from trs80arm.arm.bench_sensors import SENSORS, read_selector, read_sensors
-from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.fixtures import Feeder, Tray
 from trs80arm.arm.geometry import CableDrive, OutOfReach
 from trs80arm.arm.limits import beyond_any_stop
@@ -85,14 +91,14 @@ def _bench(top: Table, name: str) -> Bench:
     drive = CableDrive.from_pose(model, bench.start or model.start)
     for item in top.tables("obstacle"):
         _obstacle(bench, item)
+    read_selector(bench, top)
+    read_devices(bench, top)
     for item in top.tables("part"):
         _part(bench, item)
     for item in top.tables("feeder"):
         _feeder(bench, item)
     for item in top.tables("tray"):
         _tray(bench, item)
-    read_selector(bench, top)
-    read_devices(bench, top)
     read_sensors(bench, top)
     bench.goals += [read_goal(bench, item) for item in top.tables("goal")]
     top.done(f"name, arm, part, feeder, tray, obstacle, {DEVICES}, selector, {SENSORS}, goal")
@@ -126,13 +132,6 @@ def _arm(bench: Bench, model: ArmModel, item: Table | None) -> None:
     bench.start = pose
 
 
-def _standing(bench: Bench, item: Table, key: str, solids: Sequence[Placed]) -> None:
-    """Refuse what would stand in something else."""
-    name = bench.found_at(solids)
-    if name is not None:
-        raise item.fail(key, f"a free place; it overlaps {name}")
-
-
 def _obstacle(bench: Bench, item: Table) -> None:
     """[[obstacle]]."""
     name = item.text("name", f"obstacle {len(bench.obstacles) - 1}")
@@ -153,10 +152,10 @@ def _part(bench: Bench, item: Table) -> None:
     bottom = item.number("bottom", 0, FAR, 0.0)
     shape = read_shape(item)
     turn, solids = read_turn(item), read_solids(item, shape)
-    weight, friction = item.number("weight", 0.01, 1600, 2.0), _friction(item)
+    weight, friction = item.number("weight", 0.01, 1600, 2.0), read_friction(item)
     item.done(f"name, at, bottom, turn, tilt, roll, shape, {KEYS[shape]}, weight, friction")
     made = bench.make(solids, name, weight, x, y, bottom, turn, friction)
-    _standing(bench, item, "at", made.placed)
+    refuse_overlap(bench, item, "at", made.placed)
     bench.scene.add(made)
 
 
@@ -167,22 +166,17 @@ def _feeder(bench: Bench, item: Table) -> None:
     turn = math.radians(item.number("turn", -360, 360, 0.0))
     shape = read_shape(item)
     solids = read_solids(item, shape)
-    weight, friction = item.number("weight", 0.01, 1600, 2.0), _friction(item)
+    weight, friction = item.number("weight", 0.01, 1600, 2.0), read_friction(item)
     count = item.integer("count", 1, 1_000_000) if "count" in item.data else None
     item.done(f"name, at, turn, shape, {KEYS[shape]}, weight, friction, count")
     feeder = Feeder(
         name, x, y, turn, around(solids), weight, count, solids=solids, friction=friction
     )
-    _standing(bench, item, "at", feeder.placed)
+    refuse_overlap(bench, item, "at", feeder.placed)
     for other in bench.feeders:
         if any(deep(mine, theirs) for mine in feeder.placed for theirs in other.placed):
             raise item.fail("at", f"a free place; it overlaps {other.name}")
     bench.feeders.append(feeder)
-
-
-def _friction(item: Table) -> float | None:
-    """The key `friction`; None for that of the table."""
-    return item.number("friction", 0.01, 10) if "friction" in item.data else None
 
 
 def _tray(bench: Bench, item: Table) -> None:

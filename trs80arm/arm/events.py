@@ -22,6 +22,8 @@ class EventKind(Enum):
     TOPPLED = "toppled"
     FED = "fed"
     DELIVERED = "delivered"
+    CARRIED = "carried"
+    DEVICE = "device"
 
 
 class Reason(Enum):

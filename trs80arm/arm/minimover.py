@@ -15,6 +15,7 @@ from typing import Any
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.body import Body
 from trs80arm.arm.burst import LONGEST, run_free
+from trs80arm.arm.cell.device import NEVER
 from trs80arm.arm.cell.inputs import Answer
 from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.events import ArmEvent, EventKind, Happening, Reason
@@ -205,19 +206,28 @@ class MiniMover:
             if len(rest) >= SHORT:
                 self._pass(rest.begins)
             if len(rest) >= SHORT and self._free:
-                left, ended = self._stride(rest, stop)
+                near, beyond = self._before_alarm(rest)
+                left, ended = self._stride(near, stop)
+                done = len(near) - len(left)
                 if ended:
-                    return count - len(left)
-                if not left:
-                    break
+                    return count - len(rest) + done
                 # Where something happens it goes on happening for a while.
-                patience = FEW if len(left) < len(rest) else min(2 * patience, 8 * SHORT)
-                rest = left
+                patience = FEW if done else min(2 * patience, 8 * SHORT)
+                rest = left if beyond is None else rest.split(done)[1]
+                if not rest:
+                    break
             few, rest = rest.split(min(len(rest), patience if self._free else FEW))
             done, ended = self._follow_singly(few, rest.begins if rest else None, stop)
             if ended:
                 return count - len(rest) - len(few) + done
         return count
+
+    def _before_alarm(self, burst: Burst) -> tuple[Burst, Burst | None]:
+        """The writes before a device acts of itself, and the rest of them if it does by the end."""
+        alarm = self._world.alarm
+        if alarm == NEVER or alarm > burst.ends:
+            return burst, None
+        return burst.until(alarm)
 
     def _stride(self, burst: Burst, stop: tuple[int, int] | None) -> tuple[Burst, bool]:
         """As much of a burst at once as can be; what is left, and whether it was stopped there."""
@@ -301,6 +311,17 @@ class MiniMover:
     def _pass(self, time: int) -> None:
         """`advance`, without having the load be shown where it is."""
         world = self._world
+        while (alarm := world.alarm) <= time:
+            # What a device does of itself it does at that very T-state, before a tick there.
+            self._tick(alarm - 1)
+            self._time = max(self._time, alarm)
+            world.ring(self.log)
+            self._tell_news()
+        self._tick(time)
+
+    def _tick(self, time: int) -> None:
+        """Let all ticks up to a T-state pass."""
+        world = self._world
         while world.due <= time:
             if world.idle:
                 world.skip(time)
@@ -345,7 +366,7 @@ class MiniMover:
         if not 0 <= latch <= AUXILIARY:
             return
         nibble &= 15
-        if self._world.due <= time:
+        if self._world.due <= time or self._world.alarm <= time:
             self._pass(time)
         self._time = max(self._time, time)
         if latch == AUXILIARY:

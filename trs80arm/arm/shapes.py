@@ -87,6 +87,13 @@ class Box:
         for name, value in zip(("center", "axes", "half"), state, strict=True):
             object.__setattr__(self, name, value)
 
+    def point(self, along: float, across: float, up: float) -> Vector:
+        """A point so many inches from its middle along its three axes."""
+        out = self.center
+        for axis, by in zip(self.axes, (along, across, up), strict=True):
+            out = plus(out, axis, by)
+        return out
+
     def corners(self) -> list[Vector]:
         """Its eight corners."""
         out = [self.center]

@@ -100,4 +100,22 @@ class Telling:
         elif released:
             news.append((EventKind.PLACED, f"{name} set down"))
         elif far > PUSHED_FAR:
-            news.append((EventKind.PUSHED, f"{name} pushed {far:.2f} in"))
+            by = self._carrier(part)
+            if by is None:
+                news.append((EventKind.PUSHED, f"{name} pushed {far:.2f} in"))
+            else:
+                news.append((EventKind.CARRIED, f"{name} carried {far:.2f} in by {by}"))
+
+    def _carrier(self, part: Part) -> str | None:
+        """Name of a device that carries what a part stands on, or what that stands on; or None."""
+        devices, parts = self._bench.cell.devices, self._bench.parts
+        waiting, seen = [part] if devices else [], {part.name}
+        while waiting:
+            each = waiting.pop()
+            for device in devices:
+                if device.carries(each):
+                    return device.name
+            below = [name for name in each.touching if name in parts and name not in seen]
+            seen.update(below)
+            waiting += [parts[name] for name in below]
+        return None

@@ -279,8 +279,8 @@ class World:
     def _contact(self) -> None:
         """One tick in which contact is looked at."""
         scene = self.bench.scene
-        self.bench.cell.drive(scene)
         asleep = {name for name, part in self.bench.parts.items() if part.asleep}
+        self.bench.cell.drive(scene)
         scene.command(self._commands(self._rotors))
         scene.tick()
         self._loaded = bool(scene.carried)
@@ -616,8 +616,27 @@ class World:
             nibble: as written.
             log: for what there is to tell.
         """
-        if self.bench.cell.write(time, nibble, log):
-            self._busy = True
+        if self.bench.cell.devices:
+            self.show()
+        if self.bench.cell.write(time, nibble, self.bench, log):
+            self._stirred()
+
+    @property
+    def alarm(self) -> int:
+        """T-state at which a device acts next of itself."""
+        return self.bench.cell.alarm
+
+    def ring(self, log: EventLog) -> None:
+        """That T-state has come."""
+        self.show()
+        self.bench.cell.ring(self.bench, log)
+        self._stirred()
+
+    def _stirred(self) -> None:
+        """A device has done something: have all be looked at."""
+        self._looked = self._ringed = None
+        self._busy = True
+        self._changed()
 
     # What else looks at the bench
 

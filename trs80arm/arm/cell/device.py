@@ -1,20 +1,48 @@
-"""What a device on the bench is to those who ask: to latch, clock, contact and drawings.
+"""What a device on the bench is to those who ask: to latch, clock, contact, inputs and drawings.
 
-A device listens to some bits of the card's auxiliary latch, at the very T-state of a write. What it
-moves it moves on the contact clock's ticks. The list of a bench's devices is its `WorkCell`.
+A device listens to some bits of the card's auxiliary latch and acts at the very T-state of a write,
+or when a time that it has set itself is over; it answers on bits of the input nibble. What it moves
+it moves on the contact clock's ticks. The list of a bench's devices is its `WorkCell`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import ClassVar
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import ClassVar, Protocol
 
+from trs80arm.arm.cell.inputs import Seen
+from trs80arm.arm.contact.bodies import Body, Fixed
+from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.event_log import EventLog
+from trs80arm.arm.events import EventKind, Happening
+from trs80arm.arm.fixtures import Feeder, Obstacle, Part
+from trs80arm.arm.linkage import fixed_name
 from trs80arm.arm.settings import ArmSettings
+from trs80arm.arm.shapes import Box
 
-NIBBLE = 0b1111
-"""All bits of the auxiliary latch."""
+NEVER = 1 << 60
+"""A T-state that does not come."""
+
+
+class Site(Protocol):
+    """What a device can do with the bench that it stands on."""
+
+    scene: Scene
+
+    @property
+    def parts(self) -> dict[str, Part]:
+        """By name, in the order in which they came."""
+
+    def found_at(self, solids: Sequence[Placed]) -> str | None:
+        """Name of something, what is in the hand left out, that some solids are in."""
+
+    def room_for(self, solids: Sequence[Placed]) -> bool:
+        """Whether solids are in neither the table nor anything that stands there."""
+
+    def feed(self, feeder: Feeder) -> Part:
+        """Let a feeder give its next part."""
 
 
 class Device:
@@ -38,22 +66,42 @@ class Device:
         """The bits of the auxiliary latch that it listens to, by the keys that name them."""
         raise NotImplementedError
 
+    @property
+    def state(self) -> str:
+        """What it does now, in a word or two."""
+        raise NotImplementedError
+
     # The latch
 
     def connect(self, nibble: int) -> None:
         """Begin to listen to a latch that holds a nibble: a level is one, an edge is not."""
 
-    def write(self, time: int, before: int, nibble: int, log: EventLog) -> None:
+    def write(self, time: int, before: int, nibble: int, site: Site, log: EventLog) -> None:
         """The latch holds another nibble.
 
         Args:
             time: of the write, T-states.
             before: what it held.
             nibble: what it holds.
+            site: the bench.
             log: of the arm, for what there is to tell.
         """
 
+    def lit(self, key: str, seen: Seen) -> bool:
+        """Whether an answer is given that it has on an input bit.
+
+        Args:
+            key: that names the answer in the bench file.
+            seen: what there is to sense.
+        """
+        raise NotImplementedError
+
     # The bench
+
+    @property
+    def obstacles(self) -> Sequence[Obstacle]:
+        """What of it stands on the table now."""
+        return ()
 
     def suit(self, settings: ArmSettings) -> None:
         """Take over the settings of the arm that works here."""
@@ -64,6 +112,10 @@ class Device:
     def begin(self) -> None:
         """Stand as at the beginning: parts have been put where they were then."""
 
+    def carries(self, body: Body) -> bool:
+        """Whether it takes along what a body that is at rest stands on."""
+        return False
+
     # Time
 
     @property
@@ -73,6 +125,71 @@ class Device:
 
     def drive(self, scene: Scene) -> None:
         """Move on a tick what it moves: from `scene.time` to `scene.due`."""
+
+    @property
+    def alarm(self) -> int:
+        """T-state at which it acts next of itself; `NEVER` where it does not."""
+        return NEVER
+
+    def ring(self, site: Site, log: EventLog) -> None:
+        """That T-state has come.
+
+        Args:
+            site: the bench.
+            log: for what there is to tell.
+        """
+
+    def tell(self, log: EventLog, time: int, what: str) -> None:
+        """Write an event: the device's name, and what became of it."""
+        log.tell(time, Happening(EventKind.DEVICE, f"{self.name} {what}"))
+
+
+@dataclass(frozen=True)
+class Lamp:
+    """An answer of a device on a bit of the input nibble.
+
+    Attributes:
+        device: that gives it.
+        key: that names it in the bench file.
+        bit: of the input nibble, 1 to 3.
+        bank: of the selector.
+        box: where drawings have it.
+    """
+
+    device: Device
+    key: str
+    bit: int
+    bank: int
+    box: Box
+
+    @property
+    def name(self) -> str:
+        """By which people call it."""
+        return f"{self.device.name} {self.key}"
+
+    def answers(self, seen: Seen) -> bool:
+        """Whether it is given."""
+        return self.device.lit(self.key, seen)
+
+    def shown(self, seen: Seen) -> Box:
+        """Where drawings have it."""
+        return self.box
+
+
+def stand(scene: Scene, obstacle: Obstacle, friction: float, passes: tuple[str, ...] = ()) -> Fixed:
+    """Have something stand fast in a scene.
+
+    Args:
+        scene: of the bench.
+        obstacle: that stands.
+        friction: coefficient of its surface.
+        passes: names of links of the arm that never meet it.
+    """
+    name = fixed_name(obstacle.name)
+    while name in scene.fixed:
+        name = fixed_name(name)
+    scene.fixed[name] = Fixed(name, obstacle.standing, friction, passes=passes)
+    return scene.fixed[name]
 
 
 def rises(before: int, nibble: int, bit: int) -> bool:

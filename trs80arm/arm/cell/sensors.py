@@ -103,7 +103,9 @@ class LightBeam:
     def answers(self, seen: Seen) -> bool:
         """Whether a part, or a link or finger half an inch thick, is in the beam."""
         return any(distance_to(solid, self.start, self.end) == 0 for solid in seen.parts) or any(
-            _apart(self.start, self.end, a, b) < 0.25**2 for a, b in seen.segments
+            _near(self.start, self.end, a, b, 0.25)
+            and _apart(self.start, self.end, a, b) < 0.25**2
+            for a, b in seen.segments
         )
 
     def shown(self, seen: Seen) -> Box:
@@ -133,6 +135,12 @@ def _to_segment(point: Vector, a: Vector, b: Vector) -> float:
         t = min(1.0, max(0.0, t))
     nearest = plus(a, along, t)
     return sum((p - q) ** 2 for p, q in zip(point, nearest, strict=True))
+
+
+def _near(a: Vector, b: Vector, c: Vector, d: Vector, reach: float) -> bool:
+    """Whether spheres around two segments come within reach of each other."""
+    apart = math.dist(plus(a, b), plus(c, d)) / 2
+    return apart <= (math.dist(a, b) + math.dist(c, d)) / 2 + reach
 
 
 def _apart(a: Vector, b: Vector, c: Vector, d: Vector) -> float:

@@ -12,12 +12,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from trs80arm.arm.cell.device import Device, rises
+from trs80arm.arm.cell.device import Device, Site, rises
 from trs80arm.arm.contact.bodies import Body
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.contact.driven import EASE
 from trs80arm.arm.contact.scene import Scene
-from trs80arm.arm.contact.table import Plate
+from trs80arm.arm.contact.table import TABLE, Plate
 from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.events import EventKind, Happening, Reason
 from trs80arm.arm.forces import Strength
@@ -81,6 +81,11 @@ class Turntable(Device):
             return {"pulse": self.pulse}
         return {"pulse": self.pulse, "direction": self.direction}
 
+    @property
+    def state(self) -> str:
+        """How far it has been turned."""
+        return f"{360 * self.rotor / self.steps:.1f} deg"
+
     # The latch
 
     def connect(self, nibble: int) -> None:
@@ -94,7 +99,7 @@ class Turntable(Device):
             motor.turn_field(ROWS[nibble])
             motor.rotor = motor.target
 
-    def write(self, time: int, before: int, nibble: int, log: EventLog) -> None:
+    def write(self, time: int, before: int, nibble: int, site: Site, log: EventLog) -> None:
         """Other coils carry current, or a half-step is asked for."""
         if self.pulse is None:
             self._switch(time, nibble, log)
@@ -148,6 +153,10 @@ class Turntable(Device):
     def begin(self) -> None:
         """The plate stands where its motor is."""
         self.turned = float(self.rotor)
+
+    def carries(self, body: Body) -> bool:
+        """Whether a body stands on the plate."""
+        return TABLE in body.touching and self._under(body)
 
     # Time
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from trs80arm.arm.cell.device import NIBBLE, Device
+from trs80arm.arm.cell.device import NEVER, Device, Site
 from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.event_log import EventLog
+from trs80arm.arm.fixtures import Obstacle
 from trs80arm.arm.settings import ArmSettings
 
 
@@ -31,28 +32,34 @@ class WorkCell:
 
     def connect(self, nibble: int) -> None:
         """Hang on a latch that holds a nibble."""
-        self.nibble = nibble & NIBBLE
+        self.nibble = nibble & 0b1111
         for device in self.devices:
             device.connect(self.nibble)
 
-    def write(self, time: int, nibble: int, log: EventLog) -> bool:
+    def write(self, time: int, nibble: int, site: Site, log: EventLog) -> bool:
         """A write to the auxiliary latch; whether it changed anything that a device listens to.
 
         Args:
             time: T-states.
             nibble: as written.
+            site: the bench.
             log: for what there is to tell.
         """
-        before, self.nibble = self.nibble, nibble & NIBBLE
+        before, self.nibble = self.nibble, nibble & 0b1111
         changed = before ^ self.nibble
         heard = False
         for device in self.devices:
             if any(changed >> bit & 1 for bit in device.wires.values()):
-                device.write(time, before, self.nibble, log)
+                device.write(time, before, self.nibble, site, log)
                 heard = True
         return heard
 
     # The bench
+
+    @property
+    def obstacles(self) -> list[Obstacle]:
+        """What of the devices stands on the table now."""
+        return [each for device in self.devices for each in device.obstacles]
 
     def suit(self, settings: ArmSettings) -> None:
         """Take over the settings of the arm that works here."""
@@ -80,3 +87,15 @@ class WorkCell:
         """Move on a tick what devices move."""
         for device in self.devices:
             device.drive(scene)
+
+    @property
+    def alarm(self) -> int:
+        """T-state at which a device acts next of itself."""
+        return min((device.alarm for device in self.devices), default=NEVER)
+
+    def ring(self, site: Site, log: EventLog) -> None:
+        """That T-state has come: those act whose it is."""
+        time = self.alarm
+        for device in self.devices:
+            if device.alarm == time:
+                device.ring(site, log)

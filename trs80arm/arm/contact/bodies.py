@@ -23,9 +23,11 @@ from trs80arm.arm.contact.rotations import (
     transposed,
 )
 from trs80arm.arm.contact.solids import Solid, moments
-from trs80arm.arm.shapes import Vector
+from trs80arm.arm.shapes import Vector, dot, plus
 
 NOWHERE: Vector = (0.0, 0.0, 0.0)
+UPPER = 0.7
+"""Cosine to the vertical up to which a side is an upper one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,22 +185,20 @@ class Body:
 
 @dataclass(slots=True)
 class Fixed:
-    """Something that stands fast, or turns about the vertical as it is told (a turntable).
+    """Something that stands fast; what lies on it may be carried, as on a belt.
 
     Attributes:
         name: unique in its scene.
         solids: in the world's frame.
         friction: coefficient of its surface.
-        axis: x and y of the axis about which its surface turns.
-        spin: radians a second about that axis, counter-clockwise from above.
+        carries: level velocity of its upper side, inches a second.
         passes: names of links of the arm that never meet it, being joined to it.
     """
 
     name: str
     solids: tuple[Solid, ...]
     friction: float
-    axis: tuple[float, float] = (0.0, 0.0)
-    spin: float = 0.0
+    carries: Vector = NOWHERE
     passes: tuple[str, ...] = ()
     _solids: list[Placed] | None = field(default=None, repr=False, compare=False)
 
@@ -208,6 +208,12 @@ class Fixed:
     def __setstate__(self, state: dict[str, Any]) -> None:
         for name, value in state.items():
             setattr(self, name, value)
+
+    def surface(self, normal: Vector) -> Vector:
+        """Velocity of its surface where that faces along a normal, inches a second."""
+        if normal[2] < UPPER:
+            return NOWHERE
+        return plus(self.carries, normal, -dot(self.carries, normal))
 
     @property
     def placed(self) -> list[Placed]:

@@ -12,6 +12,8 @@ from trs80arm.arm.shapes import Vector, plus
 
 Key = tuple[str, str, int]
 """Of a contact: the two things' names, and which of their solids."""
+SOLIDS = 64
+"""The first thing's solid's number is multiplied by this in a key, and the second's added."""
 
 
 @dataclass(slots=True)

@@ -11,13 +11,13 @@ from dataclasses import dataclass, field
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed
 from trs80arm.arm.contact.bounds import greatest_speed, met, spheres_within
-from trs80arm.arm.contact.contacts import Contact, Key, Mobile, Side, total
+from trs80arm.arm.contact.contacts import SOLIDS, Contact, Key, Mobile, Side, total
 from trs80arm.arm.contact.driven import DrivenArm
 from trs80arm.arm.contact.manifold import Manifold, on_table
 from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.sixes import Six
-from trs80arm.arm.contact.table import TABLE, Plate, carried, surface
+from trs80arm.arm.contact.table import TABLE, Plate, surface
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
 MARGIN = 0.02
@@ -114,7 +114,7 @@ class Meeting:
                 for k, other in enumerate(thing.placed):
                     found = met(other, solid, margin)
                     if found is not None:
-                        key = (thing.name, body.name, 64 * k + i)
+                        key = (thing.name, body.name, SOLIDS * k + i)
                         rough = math.sqrt(thing.friction * body.friction)
                         self._add(key, found, _FAST, side, rough, thing)
             if self.arm_mobile is None or self.arm.linkage is None:
@@ -162,7 +162,7 @@ class Meeting:
                 # What lies calmly against a sleeper lets it sleep.
                 sides = Side(mobiles.get(other.name)), Side(mobiles[body.name])
                 rough = math.sqrt(body.friction * other.friction)
-                self._add((other.name, body.name, 64 * k + i), found, *sides, rough)
+                self._add((other.name, body.name, SOLIDS * k + i), found, *sides, rough)
 
     def _comes_upon(self, body: Body, found: Manifold) -> bool:
         """Whether a body touches a sleeper, or will in this step: what passes by does not."""
@@ -205,9 +205,9 @@ class Meeting:
         known = self.memory.known(key)
         points = found.points
         surfaces = None
-        if thing is not None and thing.spin:
-            x, y = thing.axis
-            surfaces = [carried(u - x, v - y, thing.spin, self.seconds) for (u, v, _), _ in points]
+        if thing is not None and thing.carries != NOWHERE:
+            if (carried := thing.surface(found.normal)) != NOWHERE:
+                surfaces = [carried] * len(points)
         elif self.plates and key[0] == TABLE:
             surfaces = [surface(self.plates, point, self.seconds) for point, _ in points]
         contact = Contact(key, points, found.normal, first, second, friction, surfaces)

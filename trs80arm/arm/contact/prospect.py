@@ -6,16 +6,16 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from trs80arm.arm.contact.bodies import Body, Fixed
+from trs80arm.arm.contact.bodies import NOWHERE, UPPER, Body, Fixed
 from trs80arm.arm.contact.bounds import box_around
-from trs80arm.arm.contact.coasting import MOST_STEPS, Coast, Mover, apart, even, join, pace
-from trs80arm.arm.contact.contacts import Contact, Mobile, total
+from trs80arm.arm.contact.coasting import MOST_STEPS, Coast, Move, Mover, apart, even, join, pace
+from trs80arm.arm.contact.contacts import SOLIDS, Contact, Mobile, total
 from trs80arm.arm.contact.driven import DrivenArm
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.sixes import STILL, Six
 from trs80arm.arm.contact.solver import Problem
 from trs80arm.arm.contact.table import TABLE
-from trs80arm.arm.shapes import cross, dot, plus
+from trs80arm.arm.shapes import cross, dot, minus, plus
 
 
 @dataclass(slots=True)
@@ -86,6 +86,8 @@ class Prospect:
             pressing = {contact.key[:2] for contact in self.contacts if any(contact.pressures)}
             resting = {pair for pair in touching if pair[0] == TABLE}
             lasting = self._apart(bodies, links, pressing | resting | passing, lasting)
+        if lasting >= h:
+            lasting = self._carried(moves, lasting)
         if lasting < h:
             return None
         course = [rate * h for rate in self.arm.way]
@@ -103,6 +105,26 @@ class Prospect:
             Mover(body.name, body.placed, body.place, body.shape.radius, body.velocity, body.spin)
             for body in awake
         ]
+
+    def _carried(self, moves: Sequence[Move], seconds: float) -> float:
+        """For how much of some time all that belts carry stays on them, as it moves now."""
+        going = {move.name: move for move in moves}
+        for contact in self.contacts:
+            name, other, number = contact.key
+            thing, move = self.fixed.get(name), going.get(other)
+            if thing is None or move is None or thing.carries == NOWHERE:
+                continue
+            middle = self.mobiles[other].place
+            solid = thing.placed[number // SOLIDS]
+            for normal, level in zip(solid.normals, solid.levels, strict=True):
+                if abs(normal[2]) > UPPER:
+                    continue
+                for point, _ in contact.points:
+                    velocity = plus(move.velocity, cross(move.spin, minus(point, middle)))
+                    room, closing = level - dot(normal, point), dot(normal, velocity)
+                    if closing * seconds > room:
+                        seconds = max(0.0, room / closing)
+        return seconds
 
     def _apart(
         self,

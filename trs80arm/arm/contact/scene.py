@@ -161,11 +161,11 @@ class Scene:
                 waiting += body.touching
                 body.touching = ()
 
-    def turn(self, name: str, spin: float) -> None:
-        """Have the surface of something fixed turn (radians a second) from now on."""
+    def carry(self, name: str, velocity: Vector) -> None:
+        """Have the upper side of something fixed carry what lies on it from now on."""
         thing = self.fixed[name]
-        if thing.spin != spin:
-            thing.spin = spin
+        if thing.carries != velocity:
+            thing.carries = velocity
             self._coast = None
             for body in list(self.bodies.values()):
                 if name in body.touching:
@@ -398,9 +398,8 @@ class Scene:
         )
 
     def _something_spins(self) -> bool:
-        """Whether any surface turns that stands fast itself."""
-        turning = any(plate.spin for plate in self.plates)
-        return turning or any(thing.spin for thing in self.fixed.values())
+        """Whether any plate turns."""
+        return any(plate.spin for plate in self.plates)
 
     def _go_on(self, coast: Coast, share: float) -> None:
         """A step in which everything goes on as it went in the one before."""
