@@ -131,7 +131,7 @@ def _photocell(bench: Bench, item: Table, conveyor: Conveyor) -> None:
     above = cell.number("above", 0.05, 10.0, 0.25)
     cell.done("name, along, above, bit, bank")
     ends = [place.point(along, side * (half[1] + BESIDE), half[2] + above) for side in (-1, 1)]
-    bench.sensors.append(LightBeam(bit, ends[0], ends[1], name, bank))
+    bench.add_sensor(LightBeam(bit, ends[0], ends[1], name, bank))
 
 
 def _turntable(bench: Bench, item: Table) -> None:

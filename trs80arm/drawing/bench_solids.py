@@ -6,13 +6,17 @@ from functools import lru_cache
 
 from trs80arm.arm.shapes import Box
 from trs80arm.drawing.materials import Material, part_material
-from trs80arm.drawing.readings import Kind, Thing
+from trs80arm.drawing.readings import SLAT, Kind, Thing
 from trs80arm.drawing.solids import Solids, box, cylinder
 
 FIRST_THING = 10
 """The body number of the first thing; the arm's own are below."""
 TABLE = ((-10.0, -15.0), (20.0, 15.0))
 """Two corners of the table, inches: the arm reaches 17.5."""
+BELT_WIDE = 0.9
+"""Part of a conveyor's width that its belt has."""
+SLAT_WIDE, SLAT_HIGH = 0.25, 0.02
+"""Of the slats that show how a belt moves, inches."""
 THICK = 0.6
 """Thickness of the table's top, inches."""
 
@@ -21,6 +25,7 @@ _MATERIAL = {
     Kind.TRAY: Material.FURNITURE,
     Kind.OBSTACLE: Material.OBSTACLE,
     Kind.TURNTABLE: Material.MOTOR,
+    Kind.CONVEYOR: Material.FURNITURE,
     Kind.SENSOR: Material.SENSOR,
 }
 _FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
@@ -44,11 +49,29 @@ def solids_of(thing: Thing, body: int) -> Solids:
     material = part_material(thing.colour) if thing.kind is Kind.PART else _MATERIAL[thing.kind]
     if thing.kind is Kind.TURNTABLE:
         return _plate(thing.box, material, body)
+    if thing.kind is Kind.CONVEYOR:
+        return _belt(thing, material, body)
     if thing.solids:
         return Solids.joined(
             tuple(Solids.of(corners, faces, material, body) for corners, faces in thing.solids)
         )
     return Solids.of(thing.box.corners(), _FACES, material, body)
+
+
+def _belt(thing: Thing, material: int, body: int) -> Solids:
+    """A belt on its frame, with slats across it that go along with it."""
+    (length, width, height), place = thing.box.half, thing.box
+    top, inner = height + SLAT_HIGH, width * BELT_WIDE
+    solids = [
+        box((-length, -width, -height), (length, width, height), material, body),
+        box((-length, -inner, height), (length, inner, top), Material.CABLE, body),
+    ]
+    at = thing.gone - length
+    while at + SLAT_WIDE < length:
+        low, high = (at, -inner, top), (at + SLAT_WIDE, inner, top + SLAT_HIGH)
+        solids.append(box(low, high, Material.JOINT, body))
+        at += SLAT
+    return Solids.joined(tuple(one.placed(place.center, place.axes) for one in solids))
 
 
 def _plate(shape: Box, material: int, body: int) -> Solids:

@@ -12,6 +12,7 @@ from math import tau
 from zlib import crc32
 
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.cell.conveyor import Conveyor
 from trs80arm.arm.cell.device import Device
 from trs80arm.arm.cell.inputs import Answer
 from trs80arm.arm.cell.turntable import Turntable
@@ -29,6 +30,8 @@ from trs80arm.trace.history import History
 RING = 8
 """Half-steps of one ring of Figure 8: what a motor loses, it loses in multiples of these."""
 
+SLAT = 1.0
+"""From one slat of a belt to the next, inches."""
 COLOURS = 6
 """How many colours parts can have."""
 _FLAT = 0.1
@@ -43,6 +46,7 @@ class Kind(Enum):
     TRAY = "tray"
     OBSTACLE = "obstacle"
     TURNTABLE = "turntable"
+    CONVEYOR = "conveyor"
     SENSOR = "sensor"
 
 
@@ -57,6 +61,10 @@ class Thing:
         held: whether the hand holds it.
         colour: of a part, a number; parts of one feeder have one.
         solids: of which it is made, if it is no box: the corners and faces of each.
+        state: of a device, what it does.
+        on: whether a device is at work, or a sensor answers.
+        moving: which way its upper side moves along its own first axis: 1, -1, or 0 for none.
+        gone: how far that has moved, inches.
     """
 
     kind: Kind
@@ -65,6 +73,10 @@ class Thing:
     held: bool = False
     colour: int = 0
     solids: tuple[Polyhedron, ...] = ()
+    state: str = ""
+    on: bool = False
+    moving: int = 0
+    gone: float = 0.0
 
     @property
     def corners(self) -> list[Vector]:
@@ -190,7 +202,7 @@ class Readings:
             pose=state.pose,
             force=state.force,
             held=state.held,
-            things=(*things_of(arm.bench), *map(_sensor, answers)),
+            things=(*things_of(arm.bench, rig.clock.now), *map(_sensor, answers)),
             answers=answers,
             events=arm.events,
             fittings=arm.settings,
@@ -200,14 +212,19 @@ class Readings:
         )
 
 
-def things_of(bench: Bench) -> Iterator[Thing]:
-    """Everything on a bench that is drawn, sensors and the arm's own base and body left out."""
+def things_of(bench: Bench, time: int = 0) -> Iterator[Thing]:
+    """Everything on a bench that is drawn, sensors and the arm's own base and body left out.
+
+    Args:
+        bench: as it is.
+        time: T-state, for what moves of itself.
+    """
     for tray in bench.trays:
         yield Thing(
             Kind.TRAY, tray.name, upright(tray.x, tray.y, 0.0, (tray.width, tray.depth, _FLAT), 0.0)
         )
     for device in bench.cell.devices:
-        yield from _device(device)
+        yield from _device(device, time)
     for feeder in bench.feeders:
         x, y, _ = feeder.size
         yield Thing(
@@ -226,16 +243,28 @@ def things_of(bench: Bench) -> Iterator[Thing]:
 
 
 def _sensor(answer: Answer) -> Thing:
-    return Thing(Kind.SENSOR, answer.name, answer.box)
+    return Thing(Kind.SENSOR, answer.name, answer.box, on=answer.given)
 
 
-def _device(device: Device) -> Iterator[Thing]:
+def _device(device: Device, time: int) -> Iterator[Thing]:
     """What is drawn of a device."""
     if isinstance(device, Turntable):
         plate = device.plate
         size = (2 * plate.radius, 2 * plate.radius, _FLAT)
         turn = tau * device.rotor / device.steps
-        yield Thing(Kind.TURNTABLE, device.name, upright(plate.x, plate.y, 0.0, size, turn))
+        place = upright(plate.x, plate.y, 0.0, size, turn)
+        yield Thing(Kind.TURNTABLE, device.name, place, state=device.state)
+    elif isinstance(device, Conveyor):
+        speed, gone = device.velocity(time), device.gone(time) % SLAT
+        yield Thing(
+            Kind.CONVEYOR,
+            device.name,
+            device.frame.box,
+            state=device.state,
+            on=speed != 0,
+            moving=(speed > 0) - (speed < 0),
+            gone=gone,
+        )
 
 
 def _batch(name: str) -> str:

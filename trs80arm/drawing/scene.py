@@ -15,7 +15,7 @@ from typing import TypeAlias
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box
 from trs80arm.drawing.canvas_ascii import Point
-from trs80arm.drawing.readings import Kind, Posture, Readings
+from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
 from trs80arm.drawing.rows import Ink
 
 PALM_HALF_WIDTH = 0.76
@@ -128,11 +128,28 @@ FILL = {
     Kind.TRAY: "_",
     Kind.OBSTACLE: "X",
     Kind.TURNTABLE: "@",
+    Kind.CONVEYOR: ":",
     Kind.SENSOR: "?",
 }
 """The glyph of each kind of thing."""
+ANSWERS = "!"
+"""The glyph of a sensor that answers."""
 INK = {kind: Ink.PART if kind is Kind.PART else Ink.FURNITURE for kind in Kind}
 """The ink of each kind of thing."""
+
+
+def fill(thing: Thing, heading: float) -> str:
+    """The glyph of a thing: of its kind, or of what it does.
+
+    Args:
+        thing: as it is.
+        heading: angle in the picture of its first axis, radians, for what moves along that.
+    """
+    if thing.kind is Kind.SENSOR and thing.on:
+        return ANSWERS
+    if thing.moving:
+        return ">^<v"[round(heading / QUARTER + (2 if thing.moving < 0 else 0)) % 4]
+    return FILL[thing.kind]
 
 
 def along(start: Point, angle: float, length: float) -> Point:

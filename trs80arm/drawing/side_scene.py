@@ -32,6 +32,7 @@ from trs80arm.drawing.scene import (
     along,
     around,
     differs_from_the_side,
+    fill,
     half_along,
     middle,
     skeleton,
@@ -176,7 +177,9 @@ def _side_corners(thing: Thing, base: float) -> tuple[Point, Point]:
 def _side_block(thing: Thing, base: float) -> Shape:
     """A thing as it is seen from the side: its outline, tilted as it is."""
     if thing.kind is not Kind.PART:
-        return Block(*_side_corners(thing, base), INK[thing.kind], FILL[thing.kind])
+        x, y, _ = thing.box.axes[0]
+        heading = 0.0 if turned((x, y), base)[0] >= 0 else 2 * QUARTER
+        return Block(*_side_corners(thing, base), INK[thing.kind], fill(thing, heading))
     corners = [(turned(corner, base)[0], corner[2]) for corner in thing.corners]
     return solid(corners, INK[thing.kind], FILL[thing.kind])
 

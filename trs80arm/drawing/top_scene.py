@@ -32,6 +32,7 @@ from trs80arm.drawing.scene import (
     along,
     around,
     differs_from_above,
+    fill,
     half_along,
     middle,
     solid,
@@ -107,15 +108,16 @@ def _top_block(thing: Thing) -> list[Shape]:
     (ux, uy, _), (vx, vy, _), _ = box.axes
     if thing.kind is Kind.PART:
         return [solid([corner[:2] for corner in thing.corners], ink, FILL[thing.kind])]
+    glyph = fill(thing, atan2(uy, ux))
     if abs(ux * uy) < TURNED or max(box.half[:2]) < 1:
-        return [Block(*_top_corners(thing), ink, FILL[thing.kind])]
+        return [Block(*_top_corners(thing), ink, glyph)]
     (x, y, _), (a, b, _) = box.center, box.half
     corners = [
         (x + i * a * ux + j * b * vx, y + i * a * uy + j * b * vy)
         for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))
     ]
     edges: list[Shape] = [Stroke(corners[place - 1], corners[place], ink) for place in range(4)]
-    return [*edges, Joint((x, y), ink, FILL[thing.kind], small=True)]
+    return [*edges, Joint((x, y), ink, glyph, small=True)]
 
 
 def _plate(box: Box) -> list[Shape]:

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Protocol
 
-from trs80arm.arm.cell.inputs import Seen
+from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.contact.bodies import Body, Fixed
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.scene import Scene

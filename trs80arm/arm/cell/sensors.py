@@ -103,8 +103,7 @@ class LightBeam:
     def answers(self, seen: Seen) -> bool:
         """Whether a part, or a link or finger half an inch thick, is in the beam."""
         return any(distance_to(solid, self.start, self.end) == 0 for solid in seen.parts) or any(
-            _near(self.start, self.end, a, b, 0.25)
-            and _apart(self.start, self.end, a, b) < 0.25**2
+            _near(self.start, self.end, a, b, 0.25) and _apart(self.start, self.end, a, b) < 0.25**2
             for a, b in seen.segments
         )
 
