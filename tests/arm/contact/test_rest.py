@@ -89,19 +89,17 @@ def test_what_stood_on_something_falls_when_that_is_taken_away() -> None:
     assert [b.place[2] for b in scene.bodies.values()] == pytest.approx([0.5, 1.5], abs=0.01)
 
 
-def test_a_turning_plate_takes_along_what_stands_on_it() -> None:
+def test_a_belt_takes_along_what_stands_on_it_until_it_stops() -> None:
     scene = Scene()
-    plate = Fixed("plate", (box((4.0, 4.0, 0.1)).moved((8.0, 0.0, 0.05)),), 0.5, (8.0, 0.0))
-    scene.fixed["plate"] = plate
-    cube = scene.add(Body("cube", Shape.of([box((1.0, 1.0, 1.0))], 2.0), 0.5, (9.0, 0.0, 0.6)))
+    belt = Fixed("belt", (box((9.0, 4.0, 0.1)).moved((8.0, 0.0, 0.05)),), 0.5)
+    scene.fixed["belt"] = belt
+    cube = scene.add(Body("cube", Shape.of([box((1.0, 1.0, 1.0))], 2.0), 0.5, (6.0, 0.0, 0.6)))
     scene.advance(T_STATES_PER_SECOND)
-    scene.turn("plate", math.pi / 4)
-    scene.advance(2 * T_STATES_PER_SECOND)
-    scene.turn("plate", 0.0)
-    scene.advance(4 * T_STATES_PER_SECOND)
-    x, y, _ = cube.place
-    assert math.degrees(math.atan2(y, x - 8)) == pytest.approx(45, abs=1.5)
-    assert math.hypot(x - 8, y) == pytest.approx(1, abs=0.01)
+    scene.carry("belt", (1.0, 0.5, 0.0))
+    scene.advance(3 * T_STATES_PER_SECOND)
+    scene.carry("belt", (0.0, 0.0, 0.0))
+    scene.advance(5 * T_STATES_PER_SECOND)
+    assert cube.place == pytest.approx((8.0, 1.0, 0.6), abs=0.02)
     assert scene.quiet
 
 
