@@ -6,12 +6,14 @@ score. `TRS80ARM_UPDATE_GOLDEN=1` writes them.
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
 
 from tests.goldens import check_golden
 from tests.own_places import PROGRAMS
+from tests.statements import done
 from trs80arm import Rig
 from trs80arm.arm import EventKind, benchfile
 from trs80arm.basic.activity import Waiting
@@ -87,6 +89,19 @@ def test_its_end_is_the_recorded_one_and_its_goals_are_met(name: str) -> None:
         assert rig.score().perfect
         assert rig.state.slipped == (0,) * 6
         assert not [event for event in rig.arm.events if event.kind is EventKind.DROPPED]
+        assert_the_score_agrees_with_the_parts(rig)
+
+
+def assert_the_score_agrees_with_the_parts(rig: Rig) -> None:
+    """The errors told are distances from where the corners of the parts are."""
+    places = [place for goal in rig.arm.bench.goals for place in getattr(goal, "places", ())]
+    marks = [mark for mark in rig.score().marks if mark.error is not None]
+    assert len(marks) == len(places)
+    for mark, place in zip(marks, places, strict=True):
+        placed = rig.arm.bench.parts[mark.part].placed
+        corners = [corner for solid in placed for corner in solid.vertices]
+        middle = [(min(values) + max(values)) / 2 for values in zip(*corners, strict=True)]
+        assert mark.error == pytest.approx(math.dist(middle[: len(place)], place), abs=1e-6)
 
 
 @pytest.mark.parametrize("name", sorted({*WITH_GOALS} - THERE_AND_BACK))
@@ -102,3 +117,27 @@ def test_the_arm_solution_is_the_article_s_line_for_line(path: Path) -> None:
     if 5180 in lines:
         shared = [number for number in ARM_SOLUTION if number in article]
         assert [lines.get(number) for number in shared] == [article[n] for n in shared]
+
+
+def test_draughts_takes_typed_moves_and_refuses_those_that_cannot_be() -> None:
+    rig = Rig(bench=benchfile.load(PROGRAMS / "draughts.toml"))
+    rig.load(PROGRAMS / "draughts.bas")
+    done(rig, '310 DATA ""')
+    printed = bytearray()
+    rig.listen(lambda code, is_echo: None if is_echo else printed.append(code))
+    rig.type("RUN\r")
+    moves = ("Z9-A1", "A1", "D4-E5", "A1-B9", "A1XC3", "A1-E3", "G5-H6", "B4XD6", "")
+    assert Operator(rig, moves).run(LONGEST) is Waiting.COMMAND
+    said = [line.strip() for line in printed.decode("latin-1").split("\r")]
+    assert [line for line in said if line.startswith("NO")] == [
+        "NOBODY IS ON Z9",
+        "NOT FREE:",
+        "NOBODY IS ON D4",
+        "NOT FREE: B9",
+        "NOBODY TO TAKE",
+        "NOT FREE: E3",
+    ]
+    parts = rig.arm.bench.parts
+    assert parts["white 3"].origin[:2] == pytest.approx((10, -3.5), abs=0.03)
+    assert parts["white 1"].origin[:2] == pytest.approx((10, 0.5), abs=0.03)
+    assert parts["black 1"].origin[:2] == pytest.approx((6.2, 5.4), abs=0.03)
