@@ -1,15 +1,18 @@
 """Makes the gallery: a picture of each task that comes along, and the page that shows them.
 
-    python docs/make_gallery.py
+    python docs/make_gallery.py [NAME ...]
 
-Writes docs/gallery.md and docs/gallery/*.svg. What the page says of a program is its line in
-programs/README.md. The machine's clock is held, so the pictures are the same every time.
+Writes docs/gallery.md and docs/gallery/*.svg, or of the pictures only those named. What the page
+says of a program is its line in programs/README.md. The machine's clock is held, so the pictures
+are the same every time.
 """
 
 from __future__ import annotations
 
 import asyncio
 import os
+import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -57,6 +60,8 @@ GALLERY = (
     Shown("sort", 92.0),
     Shown("hanoi", 66.0),
     Shown("tower", 66.0),
+    Shown("homing", 36.2),
+    Shown("guarded", 76.5),
 )
 
 
@@ -94,10 +99,12 @@ def page() -> str:
     return "\n".join(parts)
 
 
-async def main() -> None:
-    """Make all of it."""
+async def main(names: Sequence[str]) -> None:
+    """Make all of it, or the pictures of some programs."""
     FOLDER.mkdir(exist_ok=True)
     for shown in GALLERY:
+        if names and shown.name not in names:
+            continue
         scene = filling("space", at_work(shown))
         program = PROGRAMS / f"{shown.name}.bas"
         await shoot(
@@ -109,4 +116,4 @@ async def main() -> None:
 if __name__ == "__main__":
     os.environ["LANG"] = "C.UTF-8"
     os.environ.pop("NO_COLOR", None)
-    asyncio.run(main())
+    asyncio.run(main(sys.argv[1:]))
