@@ -86,7 +86,9 @@ class OpenScreen(Dialog[Path]):
             part = "" if wanted.endswith("/") else typed.name
         shelves = list(self.question.shelves)
         if not self._reach.refusal(folder, to_write=False):
-            shelves.append(Shelf(str(folder), program_files(folder)))
+            # What comes along is long, and last.
+            place = 0 if folder != self.question.folder else len(shelves) - 1
+            shelves.insert(place, Shelf(str(folder), program_files(folder)))
         for shelf in shelves:
             entries = [entry for entry in shelf.entries(part) if entry[0] not in self._gone]
             if entries:
