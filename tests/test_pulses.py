@@ -108,7 +108,7 @@ def test_what_trains_do_ahead_is_what_their_writes_do(burst: Pulses, time: int) 
         assert mine.gap <= theirs.gap
         for name in (
             "latch",
-            "count",
+            "steps",
             "way",
             "net",
             "low",
@@ -132,7 +132,7 @@ def test_the_bounds_on_sums_of_trains_hold_for_their_writes(
     burst: Pulses, instants: bool, sign: int, latches: set[int]
 ) -> None:
     motors, (left, right) = standing(burst), sorted(latches)
-    signs = {left: 1, right: sign}
+    signs = ((left, 1), (right, sign))
     one, other = PulsesAhead.of(motors, burst), ColumnsAhead.of(motors, burst.columns().arrays())
     assert one is not None
     assert other is not None
@@ -146,7 +146,7 @@ def test_what_makes_up_for_the_elbow_keeps_the_opening_exactly() -> None:
     burst = Pulses(0, 5000, 1, pair, [0] * 6, PHASES)
     ahead = PulsesAhead.of(standing(burst), burst)
     assert ahead is not None
-    assert ahead.together({5: 1, 2: 1}, instants=True) == (0, 0)
+    assert ahead.together(((5, 1), (2, 1)), instants=True) == (0, 0)
 
 
 def test_a_motor_that_stands_elsewhere_in_the_ring_is_not_looked_ahead_at() -> None:

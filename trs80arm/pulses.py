@@ -9,7 +9,7 @@ know of each other.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
 import numpy as np
@@ -20,6 +20,8 @@ Series: TypeAlias = Sequence[int] | npt.NDArray[np.int64]
 
 _ARRAY_FROM = 48
 """Writes from which arrays are quicker than a plain loop."""
+_FEW = 16
+"""Writes up to which it is quicker to look at each."""
 
 
 class Burst(Protocol):
@@ -120,6 +122,10 @@ class Columns:
             np.asarray(each, dtype=np.int64) for each in (self.times, self.latches, self.nibbles)
         )
         return Columns(times, latches, nibbles)
+
+
+NOTHING = Columns((), (), ())
+"""No writes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -265,7 +271,15 @@ class Pulses:
         """As in `Burst`."""
         if len(self.trains) == 1:
             return self._cut([count])
-        # The tick of the last write that belongs to the first part, and how many before it.
+        if count <= _FEW:
+            ticks = sorted(
+                (train.tick(step), order)
+                for order, train in enumerate(self.trains)
+                for step in range(train.begin, min(train.end, train.begin + count))
+            )
+            first = [order for _, order in ticks[:count]]
+            return self._cut([first.count(order) for order in range(len(self.trains))])
+        # The tick of the last write that belongs to the first part, and what comes before it.
         low, high = 0, max([train.tick(train.end - 1) for train in self.trains if train], default=0)
         while low < high:
             middle = (low + high) // 2
@@ -291,9 +305,12 @@ class Pulses:
         for train, count in zip(self.trains, done, strict=True):
             rows[train.motor] += train.direction * count
         return (
-            replace(self, trains=tuple([first for first, _ in pieces])),
-            replace(self, trains=tuple([rest for _, rest in pieces]), rows=tuple(rows)),
+            self._with([first for first, _ in pieces], self.rows),
+            self._with([rest for _, rest in pieces], rows),
         )
+
+    def _with(self, trains: Sequence[Train], rows: Sequence[int]) -> Pulses:
+        return Pulses(self.start, self.over, self.under, tuple(trains), rows, self.ring)
 
     def held(self) -> Iterable[tuple[int, int]]:
         """As in `Burst`."""

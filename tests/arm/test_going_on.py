@@ -6,14 +6,18 @@ import random
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from trs80arm.arm import MiniMover, benchfile
 from trs80arm.arm.course import Course
+from trs80arm.arm.geometry import inverse
 from trs80arm.arm.linkage import ArmLinkage
 from trs80arm.arm.model import Motor
 from trs80arm.arm.models import MODELS
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.stepping import SWITCH_CLOSED, PulseGenerator, delay_period
+from trs80arm.arm.sweep import Ranges
 
 USUAL, SLOW = delay_period(50), delay_period(100)
 
@@ -132,3 +136,51 @@ def test_a_part_that_is_lifted_off_the_table_goes_on_with_the_hand_after_a_few_l
     assert generator.arm.grip.part == "block"
     assert scene.solved - solved <= 3
     assert not any(scene.torques[:5])
+
+
+CROWDED = CELL + "".join(
+    f"[[part]]\nat = [{x}, {y}]\nsize = [1, 1, {z}]\nturn = {31 * y}\n"
+    for x, y, z in ((7, 3, 2), (9, 6, 5), (5, -4, 7), (12, -1, 1.5), (10, -6, 3))
+)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(0, 10**6), st.floats(0.0, 0.3))
+def test_where_a_sweep_is_clear_the_arm_has_room_everywhere_on_its_way(
+    seed: int, wide: float
+) -> None:
+    arm = MiniMover(bench=benchfile.parse(CROWDED))
+    chance, around = random.Random(seed), arm.world.around
+    here = [
+        chance.uniform(-1.2, 1.2),
+        chance.uniform(-0.2, 1.5),
+        chance.uniform(-1.5, 0.0),
+        chance.uniform(-2.0, 0.5),
+        chance.uniform(-2.0, 0.5),
+        chance.uniform(0.0, 2.0),
+    ]
+    ways = [chance.uniform(0.0, wide) for _ in here]
+    places = [
+        [at + way * chance.random() for at, way in zip(here, ways, strict=True)] for _ in range(12)
+    ]
+    if around.sweep_clear(Ranges.of(np.array(places).T)):
+        assert all(around.measured(place).enough for place in places)
+    one = places[0]
+    if around.sweep_clear(Ranges.at(one)):
+        assert around.measured(one).enough
+
+
+def test_ranges_are_within_themselves_and_not_within_less() -> None:
+    narrow = Ranges.at((0.1, 0.2, 0.3, 0.4, 0.5, 0.6))
+    wide = Ranges.of(np.array([[0.1, 0.2, 0.3, 0.4, 0.5, 0.6], [0.2, 0.2, 0.3, 0.4, 0.4, 0.6]]).T)
+    assert narrow.within(narrow)
+    assert narrow.within(wide)
+    assert not wide.within(narrow)
+
+
+def test_a_swing_above_everything_is_seen_to_be_clear_at_once() -> None:
+    arm = MiniMover(bench=benchfile.parse(CELL))
+    for height, clear in ((3.0, True), (0.6, False)):
+        at = inverse(arm.model, 8.0, 0.0, height, -90.0, 0.0).driven
+        ways = [(base, *at[1:], 0.6) for base in (-0.8, 0.8)]
+        assert arm.world.around.sweep_clear(Ranges.of(np.array(ways).T)) is clear

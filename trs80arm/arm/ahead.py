@@ -6,14 +6,14 @@ half-steps count: where a write is anything else, nothing is known ahead.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Protocol
+from collections.abc import Sequence
+from typing import NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
 from trs80arm.arm.forces import NEVER
+from trs80arm.arm.model import Signs
 from trs80arm.arm.motors import PHASES, RING, ROWS, StepperMotor
 from trs80arm.pulses import Burst, Columns, Pulses, Train
 
@@ -26,13 +26,12 @@ one of its own, and in one tick the one writes before the other."""
 _ROWS = np.array(ROWS, dtype=np.int8)
 
 
-@dataclass(frozen=True, slots=True)
-class Turning:
+class Turning(NamedTuple):
     """What a burst does to one motor.
 
     Attributes:
         latch: of the motor.
-        count: half-steps.
+        steps: half-steps.
         way: that of all of them, 1 or -1, or 0 where they differ.
         net: half-steps by which it is turned in the end.
         low, high: the least and the greatest of these on the way, 0 among them.
@@ -43,7 +42,7 @@ class Turning:
     """
 
     latch: int
-    count: int
+    steps: int
     way: int
     net: int
     low: int
@@ -66,13 +65,25 @@ class Ahead(Protocol):
     def ends(self) -> int:
         """T-state of the last write."""
 
-    def together(self, signs: Mapping[int, int], *, instants: bool = False) -> tuple[int, int]:
+    def together(self, signs: Signs, *, instants: bool = False) -> tuple[int, int]:
         """How far a sum of positions goes below and above where it is, at most.
 
         Args:
-            signs: how the motors count in the sum, by latch.
+            signs: of the sum.
             instants: whether only what holds when all writes of one time are done counts.
         """
+
+    def together_between(self, signs: Signs, since: int, until: int) -> tuple[int, int]:
+        """How low and how high, at most, a sum of half-steps is between two T-states.
+
+        Args:
+            signs: of the sum.
+            since: T-state; what comes before it is done.
+            until: T-state, before which all that matters is done.
+        """
+
+    def between(self, since: int, until: int) -> list[tuple[int, int]]:
+        """Between what half-steps each of the motors is in between two T-states."""
 
     def turned(self, times: Array) -> list[Array]:
         """Half-steps by which each of the motors is turned by the writes before some T-states."""
@@ -118,6 +129,11 @@ def _starts(motor: StepperMotor) -> int:
     return (motor.field if motor.row >= 0 else motor.rotor) & 7
 
 
+def _moving(turnings: Sequence[Turning], signs: Signs) -> list[tuple[Turning, int]]:
+    """The motors of a sum that turn, with how they count in it."""
+    return [(each, sign) for each in turnings for latch, sign in signs if each.latch == latch]
+
+
 def _ends_only(moving: Sequence[tuple[Turning, int]]) -> tuple[int, int] | None:
     """`Ahead.together` where it follows from each motor's own course."""
     if not moving:
@@ -140,7 +156,9 @@ class PulsesAhead:
         self._pulses = pulses
         self._trains = trains
         self._lasts = [train.tick(train.end - 1) for train in trains]
-        self.ends = pulses.time(max(self._lasts))
+        self._last = max(self._lasts)
+        self.ends = pulses.time(self._last)
+        self._sums: dict[tuple[Signs, bool], tuple[int, int]] = {}
         self.turnings = [
             self._turning(train, last) for train, last in zip(trains, self._lasts, strict=True)
         ]
@@ -174,27 +192,64 @@ class PulsesAhead:
             pulses.ring[(pulses.rows[train.motor] + net) & 7],
         )
 
-    def together(self, signs: Mapping[int, int], *, instants: bool = False) -> tuple[int, int]:
+    def together(self, signs: Signs, *, instants: bool = False) -> tuple[int, int]:
         """As in `Ahead`."""
-        moving = [(each, signs[each.latch]) for each in self.turnings if each.latch in signs]
-        found = _ends_only(moving)
-        if found is not None:
-            return found
-        trains = [train for train in self._trains if train.motor in signs]
-        if (
-            instants
-            and len({(each.end, each.phase, each.over, each.under) for each in trains}) == 1
-        ):
-            # In step with each other up to the end.
-            net = sum([sign * turning.net for turning, sign in moving])
-            return min(0, net), max(0, net)
-        # Where a train begins or ends the course of the sum may bend; between, it is straight.
-        bends = [tick for each in trains for tick in (each.tick(each.begin), each.tick(each.end))]
-        sums = [
-            sum([signs[each.motor] * each.direction * each.before(tick) for each in trains])
-            for tick in (*bends, max(self._lasts) + 1)
+        key = signs, instants
+        if key not in self._sums:
+            moving = _moving(self.turnings, signs)
+            found = _ends_only(moving)
+            if found is None and instants and self._in_step(signs):
+                net = sum([sign * turning.net for turning, sign in moving])
+                found = min(0, net), max(0, net)
+            if found is None:
+                found = self._course(signs, 0, self._last + 1)
+            self._sums[key] = found
+        return self._sums[key]
+
+    def _in_step(self, signs: Signs) -> bool:
+        """Whether motors make their half-steps at the same times, up to the end."""
+        latches = [latch for latch, _ in signs]
+        trains = [train for train in self._trains if train.motor in latches]
+        return len({(each.end, each.phase, each.over, each.under) for each in trains}) == 1
+
+    def together_between(self, signs: Signs, since: int, until: int) -> tuple[int, int]:
+        """As in `Ahead`."""
+        if self._is_all(since, until):
+            return self.together(signs)
+        first, last = self._pulses.first_tick_from(since), self._pulses.first_tick_from(until)
+        return self._course(signs, first, last)
+
+    def _course(self, signs: Signs, first: int, last: int) -> tuple[int, int]:
+        """How low and how high at most a sum is from one tick to another."""
+        trains = [
+            (train, sign * train.direction)
+            for train in self._trains
+            for latch, sign in signs
+            if train.motor == latch
         ]
-        return min(0, *sums) - UNEVEN, max(0, *sums) + UNEVEN
+        if not trains:
+            return 0, 0
+        ticks, stray = [first, last], 0
+        if any(way != trains[0][1] for _, way in trains):
+            # Where a train begins or ends the course of the sum may bend; between, it is straight.
+            bends = [
+                at for each, _ in trains for at in (each.tick(each.begin), each.tick(each.end))
+            ]
+            ticks += [tick for tick in bends if first < tick < last]
+            stray = UNEVEN
+        sums = [sum([way * train.before(tick) for train, way in trains]) for tick in ticks]
+        return min(sums) - stray, max(sums) + stray
+
+    def between(self, since: int, until: int) -> list[tuple[int, int]]:
+        """As in `Ahead`."""
+        if self._is_all(since, until):
+            return [(turning.low, turning.high) for turning in self.turnings]
+        ends = zip(self.turned_before(since), self.turned_before(until), strict=True)
+        return [(one, other) if one < other else (other, one) for one, other in ends]
+
+    def _is_all(self, since: int, until: int) -> bool:
+        """Whether that is nearly all of the burst, and its bounds need not be narrower."""
+        return 4 * (until - since) >= 3 * (self.ends - min([each.first for each in self.turnings]))
 
     def turned(self, times: Array) -> list[Array]:
         """As in `Ahead`."""
@@ -210,9 +265,15 @@ class PulsesAhead:
     def turned_at_last(self, order: int) -> list[int]:
         """As in `Ahead`."""
         tick = self._lasts[order]
+        if tick < self._last:
+            return [
+                train.direction * train.before(tick + 1 if place < order else tick)
+                for place, train in enumerate(self._trains)
+            ]
+        # It is in the very last tick: all have been done but those of its tick that come later.
         return [
-            train.direction * train.before(tick + 1 if place < order else tick)
-            for place, train in enumerate(self._trains)
+            turning.net - (turning.way if place >= order and last == tick else 0)
+            for place, (turning, last) in enumerate(zip(self.turnings, self._lasts, strict=True))
         ]
 
     def moments(self, order: int, first: int, end: int) -> list[int]:
@@ -286,20 +347,31 @@ class ColumnsAhead:
             turnings.append(_turning(latch, turns, when, int(nibbles[places[-1]]) & 15))
         return cls(times, all_places, all_turns, turnings)
 
-    def together(self, signs: Mapping[int, int], *, instants: bool = False) -> tuple[int, int]:
+    def together(self, signs: Signs, *, instants: bool = False) -> tuple[int, int]:
         """As in `Ahead`."""
-        moving = [(each, signs[each.latch]) for each in self.turnings if each.latch in signs]
-        found = _ends_only(moving)
+        found = _ends_only(_moving(self.turnings, signs))
         if found is not None:
             return found
-        times = self._times
+        times, counts = self._times, dict(signs)
         steps = np.zeros(len(times), dtype=np.int8)
         for turning, places, turns in zip(self.turnings, self._places, self._turns, strict=True):
-            steps[places] = signs.get(turning.latch, 0) * turns
+            steps[places] = counts.get(turning.latch, 0) * turns
         path = np.cumsum(steps)
         if instants:
             path = path[np.append(times[1:] != times[:-1], True)]
         return min(0, int(path.min())), max(0, int(path.max()))
+
+    def together_between(self, signs: Signs, since: int, until: int) -> tuple[int, int]:
+        """As in `Ahead`."""
+        return self.together(signs)
+
+    def between(self, since: int, until: int) -> list[tuple[int, int]]:
+        """As in `Ahead`."""
+        ends = zip(self.turned_before(since), self.turned_before(until), strict=True)
+        return [
+            (min(one, other), max(one, other)) if turning.way else (turning.low, turning.high)
+            for turning, (one, other) in zip(self.turnings, ends, strict=True)
+        ]
 
     def turned(self, times: Array) -> list[Array]:
         """As in `Ahead`."""

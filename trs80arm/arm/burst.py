@@ -215,7 +215,7 @@ class _Stretch:
     def _bench(self) -> None:
         """Ticks on which contact would have to be looked at."""
         n, arm = self.free_until, self.arm
-        ticks = arm.world.ticks_until(int(self.times[n - 1]))
+        ticks = np.arange(arm.world.due, int(self.times[n - 1]) + 1, TICK_STATES)
         before = np.searchsorted(self.times[:n], ticks) - 1
         rotors = np.where(before[:, None] < 0, np.array(arm.rotors), self.rotors[before])
         clear = arm.world.ticks_clear(rotors.T) if len(ticks) else 0

@@ -428,13 +428,23 @@ class MiniMover:
         self.peaks[:] = [0] * 6
 
     def period_at(self, latch: int, turn: int, rotors: Sequence[int]) -> int:
-        """T-states that a motor needs for a half-step with all rotors standing somewhere."""
-        turns = self._motor_kinds[latch]
+        """T-states that a motor needs for a half-step where nothing but weight bears on the arm.
+
+        Args:
+            latch: of the motor.
+            turn: which way it turns.
+            rotors: where all stand.
+        """
+        turns, burdens = self._motor_kinds[latch], self._world.burdens()
         if turns is Motor.HAND:
             squeeze = max(0, self.grip.contact - self.drive.cable(rotors))
             against = 16 * (squeeze / self.model.hand.pound_steps) if turn < 0 else 0.0
+        elif turns is Motor.BASE and not burdens:
+            against = 0.0
         else:
-            against = self._resistance(latch, turn, rotors)[0]
+            weight = self._weight(turns, burdens, rotors)
+            lifts = turns is Motor.BASE or turn * self.model.drives[latch].sign > 0
+            against = max(0.0, weight if lifts else -weight)
         return self.strength.curves[turns].period(against, self.settings.speed_margin)
 
     def _resistance(self, latch: int, turn: int, rotors: Sequence[int]) -> tuple[float, float]:

@@ -8,7 +8,7 @@ way from rotors to joints and back, for one position and for arrays of them.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Any
@@ -18,6 +18,8 @@ import numpy.typing as npt
 
 Rotors = Sequence[int] | npt.NDArray[np.int64]
 """Half-steps of six motors; or six arrays of them, as one array."""
+Signs = tuple[tuple[int, int], ...]
+"""Latches, each with how its half-steps count in a sum."""
 
 
 class Motor(IntEnum):
@@ -219,6 +221,8 @@ class ArmModel:
     sources: tuple[tuple[str, str], ...] = ()
     _motor_of: tuple[int, ...] = field(init=False, repr=False, compare=False)
     _scales: tuple[tuple[int, int, float], ...] = field(init=False, repr=False, compare=False)
+    _pays_out: Signs = field(init=False, repr=False, compare=False)
+    _gears: Mapping[int, Signs] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         turned = [drive.turns for drive in self.drives]
@@ -236,6 +240,12 @@ class ArmModel:
         object.__setattr__(self, "_motor_of", order)
         scales = tuple((m, self.drives[m].sign, self.drives[m].steps) for m in order[:5])
         object.__setattr__(self, "_scales", scales)
+        pays_out = (self.latch(Motor.HAND), 1), (self.latch(Motor.ELBOW), self.elbow_pays_out)
+        object.__setattr__(self, "_pays_out", pays_out)
+        left, right = self.latch(Motor.LEFT_WRIST), self.latch(Motor.RIGHT_WRIST)
+        signs = self.drives[left].sign, self.drives[right].sign
+        both = {side: ((left, signs[0]), (right, side * signs[1])) for side in (1, -1)}
+        object.__setattr__(self, "_gears", both)
 
     @property
     def reach(self) -> float:
@@ -260,6 +270,19 @@ class ArmModel:
     def hand_steps(self) -> float:
         """Half-steps of cable per inch of opening."""
         return self.drives[Motor.HAND].steps
+
+    @property
+    def pays_out(self) -> Signs:
+        """How half-steps count in the hand's cable, by latch."""
+        return self._pays_out
+
+    def gears(self, side: int) -> Signs:
+        """How half-steps of the wrist's gears count in twice what they turn the hand by, by latch.
+
+        Args:
+            side: 1 for pitch, -1 for roll.
+        """
+        return self._gears[side]
 
     # Rotors and joints
 

@@ -51,8 +51,8 @@ def note_stride(
         kind, motor, peak = arm.model.drives[latch].turns, arm.motors[latch], arm.peaks[latch]
         curve, torque = arm.strength.curves[kind], torques[latch]
         # Rings of pulses that begin before the stride, and those that do not.
-        gap, count, pulses = turning.gap, turning.count, motor.pulses
-        begin = [turning.first + k * gap - pulses[k + 1] for k in range(min(RING, count))]
+        gap, steps, pulses = turning.gap, turning.steps, motor.pulses
+        begin = [turning.first + k * gap - pulses[k + 1] for k in range(min(RING, steps))]
         span = max(1, min(RING * gap, *begin))
         if 100 * curve.used(torque, _PER_RING / span / margin) <= peak:
             continue
@@ -70,8 +70,8 @@ def note_stride(
         times, turns, turned = ahead.half_steps(order)
         rotors = np.empty((6, len(times)), dtype=np.int64)
         rotors[:] = np.array(arm.rotors)[:, None]
-        for other, steps in zip(ahead.turnings, turned, strict=True):
-            rotors[other.latch] += steps
+        for other, by in zip(ahead.turnings, turned, strict=True):
+            rotors[other.latch] += by
         bearing = against(arm, latch, turns, rotors)
         arm.note_use(latch, greatest(arm, latch, times, np.abs(turns), bearing))
 

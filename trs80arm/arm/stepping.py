@@ -22,7 +22,7 @@ SWITCH_CLOSED = (1, 0)
 def _train(motor: int, count: int, longest: int) -> Train:
     """The steps of a motor, spread evenly over those of the one that has most, from tick 1 on."""
     steps, sign = abs(count), 1 if count > 0 else -1
-    under = 2 * max(1, steps)
+    under = 2 * steps
     # Step i comes at the first tick by which i + 1/2 of its steps would have been made.
     return Train(motor, sign, 0, steps, longest + under - 1, 2 * longest, under)
 
@@ -76,7 +76,7 @@ class PulseGenerator:
         longest = max(abs(count) for count in wanted)
         if not longest:
             return 0
-        trains = tuple(_train(motor, count, longest) for motor, count in enumerate(wanted))
+        trains = tuple(_train(motor, count, longest) for motor, count in enumerate(wanted) if count)
         burst = Pulses(self.time, period, 1, trains, tuple(self._rows), PHASES)
         done = self.arm.follow(burst, stop)
         if not done:

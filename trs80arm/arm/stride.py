@@ -12,27 +12,20 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
-
 from trs80arm.arm.ahead import Ahead, look_ahead
 from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.forces import nearest_and_farthest
 from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import RING, ROWS
 from trs80arm.arm.peaks import note_stride
-from trs80arm.pulses import Burst
+from trs80arm.pulses import NOTHING, Burst
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from trs80arm.arm.minimover import MiniMover
 
-Array = npt.NDArray[np.int64]
-
 Span = tuple[float, float]
-
-_JOINTS = tuple(Motor)[:5]
 
 
 def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst | None:
@@ -59,8 +52,8 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
     for turning in ahead.turnings:
         low[turning.latch] += turning.low
         high[turning.latch] += turning.high
-    paid = ahead.together(_pays(arm))
-    pitched = ahead.together(_gears(arm, 1))
+    paid = ahead.together(arm.model.pays_out)
+    pitched = ahead.together(arm.model.gears(1))
     spans = _spans(arm, low, high)
     if not (
         _hand_stays(arm, paid, stop)
@@ -69,34 +62,18 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
         and (torques := _in_time(arm, ahead, spans, paid[0])) is not None
     ):
         return None
-    rest = burst.until(ahead.ends + 1)[1]
-    world = arm.world
-    if world.due <= ahead.ends and not world.far(*_gone(arm, low, high, paid, pitched)):
-        ticks = world.ticks_until(ahead.ends)
-        clear = world.ticks_clear(_on_ticks(arm, ahead, ticks))
-        if clear < len(ticks):
-            before, rest = burst.until(int(ticks[clear]))
-            if not len(before):
-                return burst
-            found = look_ahead(arm.motors, before)
-            assert found is not None
-            ahead = found
+    rest: Burst = NOTHING
+    look = arm.world.first_look(ahead)
+    if look is not None:
+        before, rest = burst.until(look)
+        if not before:
+            return burst
+        found = look_ahead(arm.motors, before)
+        assert found is not None
+        ahead = found
     note_stride(arm, ahead, torques, (*spans[1:3], _pitches(arm, pitched)))
     _arrive(arm, ahead)
     return rest
-
-
-def _pays(arm: MiniMover) -> dict[int, int]:
-    """By latch, how motors count in the hand's cable."""
-    model = arm.model
-    return {model.latch(Motor.HAND): 1, model.latch(Motor.ELBOW): model.elbow_pays_out}
-
-
-def _gears(arm: MiniMover, side: int) -> dict[int, int]:
-    """By latch, how motors count in twice the hand's pitch, or (`side` -1) in twice its roll."""
-    model = arm.model
-    left, right = model.latch(Motor.LEFT_WRIST), model.latch(Motor.RIGHT_WRIST)
-    return {left: model.drives[left].sign, right: side * model.drives[right].sign}
 
 
 def _hand_stays(arm: MiniMover, paid: tuple[int, int], stop: tuple[int, int] | None) -> bool:
@@ -120,12 +97,12 @@ def _load_stays(arm: MiniMover, ahead: Ahead, pitched: tuple[int, int]) -> bool:
     if world.gripped:
         return True
     # A step of the elbow and the hand's that makes up for it are one instant.
-    least, most = ahead.together(_pays(arm), instants=True)
+    least, most = ahead.together(arm.model.pays_out, instants=True)
     now = arm.drive.cable(arm.rotors)
     low, high = world.held_cables()
     if not (world.burdens() and low <= now + least and now + most <= high):
         return False
-    rolled = ahead.together(_gears(arm, -1))
+    rolled = ahead.together(arm.model.gears(-1))
     per_radian = 2 * arm.model.drives[arm.model.latch(Motor.LEFT_WRIST)].steps
     *_, left, right = arm.drive.driven(arm.rotors)
     level = abs(math.cos((left + right) / 2))
@@ -195,34 +172,6 @@ def _in_time(
     return found
 
 
-def _gone(
-    arm: MiniMover,
-    low: Sequence[int],
-    high: Sequence[int],
-    paid: tuple[int, int],
-    pitched: tuple[int, int],
-) -> tuple[list[float], float]:
-    """How far each coordinate goes at most, and both gears together."""
-    model, now = arm.model, arm.rotors
-    gone = []
-    for motor in _JOINTS:
-        latch = model.latch(motor)
-        most = max(high[latch] - now[latch], now[latch] - low[latch])
-        gone.append(most / model.drives[latch].steps)
-    gone.append(max(-paid[0], paid[1]) / model.hand_steps)
-    gear = model.drives[model.latch(Motor.LEFT_WRIST)].steps
-    return gone, max(-pitched[0], pitched[1]) / gear
-
-
-def _on_ticks(arm: MiniMover, ahead: Ahead, ticks: Array) -> Array:
-    """Positions of all rotors on some ticks, 6 x ticks."""
-    rotors = np.empty((6, len(ticks)), dtype=np.int64)
-    rotors[:] = np.array(arm.rotors)[:, None]
-    for turning, turned in zip(ahead.turnings, ahead.turned(ticks), strict=True):
-        rotors[turning.latch] += turned
-    return rotors
-
-
 def _arrive(arm: MiniMover, ahead: Ahead) -> None:
     """Leave the arm as the burst leaves it."""
     turnings = ahead.turnings
@@ -235,9 +184,9 @@ def _arrive(arm: MiniMover, ahead: Ahead) -> None:
         for each, turned in zip(turnings, ahead.turned_at_last(order), strict=True):
             stood[each.latch] += turned
         motor = arm.motors[turning.latch]
-        count = turning.count
-        motor.asked(ahead.moments(order, max(0, count - RING - 1), count), turning.turn)
-        motor.follow(count)
+        steps = turning.steps
+        motor.asked(ahead.moments(order, max(0, steps - RING - 1), steps), turning.turn)
+        motor.follow(steps)
         motor.moved = turning.last
         motor.done = turning.last + arm.period_at(turning.latch, turning.turn, stood)
         motor.field = (motor.field if motor.row >= 0 else motor.rotor) + turning.net

@@ -18,9 +18,8 @@ from trs80arm.arm.contact.rotations import apply
 from trs80arm.arm.course import Course, Floats, beyond, in_a_row
 from trs80arm.arm.linkage import FINGERS, ArmLinkage
 from trs80arm.arm.model import Link, Motor
-from trs80arm.arm.rings import Ring, around, link_slices, rolled_slices
 from trs80arm.arm.shapes import Vector, length, plus
-from trs80arm.arm.trigonometry import sin_cos
+from trs80arm.arm.sweep import Extents, Ranges, Sweep
 
 FAR = 100.0
 """More inches than there are."""
@@ -52,24 +51,40 @@ class Room:
         return self.beside >= 0.0 and self.low >= -HAIR
 
 
+@dataclass(frozen=True, slots=True)
+class _Mine:
+    """What follows from the shape of the arm and of its load.
+
+    Attributes:
+        load: what is carried, and where in the hand.
+        levers: inches that anything goes for a unit of each coordinate, at most.
+        extents: the boxes that it is made of.
+    """
+
+    load: list[object]
+    levers: tuple[float, ...]
+    extents: Extents
+
+
 class Surroundings:
     """What is around an arm, and how far."""
 
     def __init__(self, bench: Bench, linkage: ArmLinkage) -> None:
         self._bench = bench
         self._linkage = linkage
-        self._levers: tuple[float, ...] = ()
-        self._load: list[object] = []
+        self._mine: _Mine | None = None
 
     def __getstate__(self) -> dict[str, object]:
-        return {**self.__dict__, "_levers": (), "_load": []}
+        return {**self.__dict__, "_mine": None}
 
-    def levers(self) -> tuple[float, ...]:
-        """Inches that anything of arm and load goes for a unit of each coordinate, at most."""
-        load: list[object] = [(load.name, load.carried) for load in self._bench.scene.carried]
-        if not self._levers or self._load != load:
-            self._levers, self._load = self._longest_levers(), load
-        return self._levers
+    def _arm(self) -> _Mine:
+        """The arm with what it carries now."""
+        carried = self._bench.scene.carried
+        load: list[object] = [(load.name, load.carried) for load in carried]
+        if self._mine is None or self._mine.load != load:
+            extents = Extents(self._linkage.model, self._linkage.names, carried)
+            self._mine = _Mine(load, self._longest_levers(), extents)
+        return self._mine
 
     def _longest_levers(self) -> tuple[float, ...]:
         model = self._linkage.model
@@ -92,20 +107,9 @@ class Surroundings:
         }
         return tuple(levers[motor] for motor in Motor)
 
-    def ways(self, turned: Sequence[float]) -> list[float]:
-        """Inches that any point of arm and load goes at most.
-
-        Args:
-            turned: how far each coordinate goes, radians, and inches of the opening.
-
-        Returns:
-            By coordinate.
-        """
-        return [lever * abs(by) for lever, by in zip(self.levers(), turned, strict=True)]
-
     def travel(self, before: Sequence[float], after: Sequence[float]) -> tuple[float, float]:
         """Inches that any point of arm and load goes at most between two places, and goes down."""
-        a, b, c, d, e, f = self.levers()
+        a, b, c, d, e, f = self._arm().levers
         down = (
             b * abs(after[1] - before[1])
             + c * abs(after[2] - before[2])
@@ -156,6 +160,27 @@ class Surroundings:
                     least = _nearer(solid, other, least)
         return Room(least - NEAR, min(solid.low[2] for _, solid in mine))
 
+    def sweep_clear(self, ranges: Ranges) -> bool:
+        """Whether it is certain that the arm, with what it carries, has room on its way.
+
+        Args:
+            ranges: between which its joints stay.
+        """
+        scene = self._bench.scene
+        sweep = Sweep(self._arm().extents, ranges)
+        if sweep.low < -HAIR / 2:
+            return False
+        gap = NEAR + SPARE
+        return all(
+            sweep.clear_of(solid, thing.passes, gap)
+            for thing in scene.fixed.values()
+            for solid in thing.placed
+        ) and all(
+            sweep.clear_of(solid, (), gap)
+            for body in scene.sleepers(*sweep.around(gap))
+            for solid in body.placed
+        )
+
     def places_clear(self, joints: Floats) -> int:
         """At how many of some places in a row the arm has room, with what it carries.
 
@@ -197,49 +222,6 @@ class Surroundings:
             (u, v, w), (x, y, z) = solid.low, solid.high
             if a <= x and u <= d and b <= y and v <= e and c <= z and w <= f:
                 yield solid
-
-    def over_rings(self, opening: float) -> float:
-        """How far all is from the arm wherever the base turns, as it was on the last tick.
-
-        Args:
-            opening: of the hand, inches.
-        """
-        scene = self._bench.scene
-        s, c = sin_cos(scene.joints[0])
-        arm = scene.link_solids[:2]
-        mine = [ring for solid in arm for ring in link_slices(solid, c, s)]
-        joined = len(mine)
-        mine += self._hand_rings(c, s, opening)
-        least = min(each.low for each in mine)
-        # Base and body are joined to the arm's first links, and always behind a line across it.
-        for thing in scene.fixed.values():
-            for solid in thing.placed:
-                if thing.passes:
-                    ahead = max(length(x, y) for x, y, _ in solid.vertices if x >= 0)
-                    behind = max(length(x, y) for x, y, _ in solid.vertices)
-                    ring = Ring(-behind, ahead, solid.low[2], solid.high[2])
-                    least = min(least, *(each.apart(ring) for each in mine[joined:]))
-                else:
-                    ring = around(solid)
-                    least = min(least, *(each.apart(ring) for each in mine))
-        for body in scene.bodies.values():
-            if body.carried is None:
-                x, y, z = body.place
-                out, reach = length(x, y), body.shape.radius
-                ring = Ring(out - reach, out + reach, z - reach, z + reach)
-                if all(each.apart(ring) > least for each in mine):
-                    continue
-                for solid in body.placed:
-                    ring = around(solid)
-                    least = min(least, *(each.apart(ring) for each in mine))
-        return least - NEAR
-
-    def _hand_rings(self, c: float, s: float, opening: float) -> list[Ring]:
-        """Hand and load cut across, rolled about the hand's axis however they may be."""
-        frame = self._bench.scene.links[self._linkage.hand]
-        ahead, aside = self.extent(opening)
-        way = (frame.turn[0], frame.turn[3], frame.turn[6])
-        return rolled_slices(frame.place, way, ahead, aside, c, s)
 
 
 def _clear_of(corners: Floats, other: Placed) -> int:

@@ -15,12 +15,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from trs80arm.arm.ahead import Ahead
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.body import Body
 from trs80arm.arm.cell.inputs import IDLE, nibble
 from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.contact.clock import TICK_STATES
-from trs80arm.arm.contact.sixes import STILL, Six
+from trs80arm.arm.contact.sixes import Six
 from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.feeding import Feeding
@@ -33,8 +34,15 @@ from trs80arm.arm.model import Motor
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Vector
 from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings
+from trs80arm.arm.sweep import Ranges
 from trs80arm.arm.telling import Telling
 
+SWEPT = 4
+"""Motions whose room is remembered while nothing else moves."""
+CLOSELY = 8
+"""Ticks for which it does not pay to look at what is swept over by half of them."""
+HALVED = 2
+"""How often a motion is halved before it is looked at place by place."""
 GIVEN = 30
 """Ticks after which an arm that presses and stands has given all that it gives."""
 BY_HAND = 12
@@ -62,7 +70,7 @@ class World:
         self._rotors = [0] * 6
         self._ticked = [0] * 6
         self._looked: tuple[list[float], Room] | None = None
-        self._ringed: tuple[list[float], float] | None = None
+        self._swept: list[Ranges] = []
         self._easing: list[list[float]] = []
         self._jumped = False
         self._busy = True
@@ -86,7 +94,7 @@ class World:
         return {
             **self.__dict__,
             "_looked": None,
-            "_ringed": None,
+            "_swept": [],
             "_easing": [],
         }
 
@@ -109,7 +117,7 @@ class World:
         self._telling.clear()
         self._ticked[:] = self._rotors
         self._jumped, self._busy = False, True
-        self._looked = self._ringed = None
+        self._forget()
         bench.cell.begin()
 
     def refill(self) -> str | None:
@@ -199,7 +207,11 @@ class World:
         if not self._holds_on(commands):
             return False
         joints = self._led_to(commands)
-        if not self._surely_clear(joints) and not self._look(joints).enough:
+        if not (
+            self._surely_clear(joints)
+            or self._sweep_clear(Ranges.at(joints))
+            or self._look(joints).enough
+        ):
             return False
         if strained:
             self.bench.scene.ease(joints, commands)
@@ -214,44 +226,46 @@ class World:
             return driven.eased(driven.joints, driven.reached, commands, loaded=self._loaded)
         return [*commands[:5], driven.joints[5] if self._loaded else commands[5]]
 
-    def _surely_clear(
-        self, joints: Sequence[float], gone: Sequence[float] = STILL, pitched: float = 0.0
-    ) -> bool:
+    def _surely_clear(self, joints: Sequence[float]) -> bool:
         """Whether there must be room about somewhere, by the room there was where it was measured.
 
         How far the arm goes is a bound on how much nearer anything can be; the base takes nothing
-        nearer to the table, and nothing nearer to the rings around it.
+        nearer to the table.
 
         Args:
             joints: where.
-            gone: how far each coordinate goes on from there at most.
-            pitched: how far both gears do together.
         """
-        ways = self.around.ways(gone) if any(gone) else STILL
-        base, left, right = Motor.BASE, Motor.LEFT_WRIST, Motor.RIGHT_WRIST
-        on = sum(ways)
-        if self._looked is not None and self._looked[1].enough:
-            there, room = self._looked
-            way, down = self.around.travel(there, joints)
-            down += on - ways[base]
-            if way + on <= room.beside - SPARE and (
-                down <= room.low - SPARE or (down == 0.0 and room.low >= -HAIR / 2)
-            ):
-                return True
-        if self._ringed is None:
+        if self._looked is None or not self._looked[1].enough:
             return False
-        there, room_over = self._ringed
-        turned = [a - b for a, b in zip(joints, there, strict=True)]
-        pitched += abs(turned[left] + turned[right])
-        turned[base] = turned[left] = turned[right] = 0.0
-        way = sum(self.around.ways(turned)) + on - ways[base] - ways[left] - ways[right]
-        return way + self.around.levers()[left] * pitched <= room_over - SPARE
+        there, room = self._looked
+        way, down = self.around.travel(there, joints)
+        return way <= room.beside - SPARE and (
+            down <= room.low - SPARE or (down == 0.0 and room.low >= -HAIR / 2)
+        )
 
     def _look(self, joints: list[float]) -> Room:
         """What room there is somewhere; remembered for bounds."""
         room = self.around.measured(joints)
         self._looked = joints, room
         return room
+
+    def _sweep_clear(self, ranges: Ranges) -> bool:
+        """Whether it is certain that there is room about while the joints are in some ranges.
+
+        Where they were before and nothing has moved since, there still is.
+        """
+        if any(ranges.within(each) for each in self._swept):
+            return True
+        if not self.around.sweep_clear(ranges):
+            return False
+        self._swept.append(ranges)
+        del self._swept[:-SWEPT]
+        return True
+
+    def _forget(self) -> None:
+        """Something may have moved: what was known of the room about is so no longer."""
+        self._looked = None
+        self._swept.clear()
 
     def _holds_on(self, commands: list[float]) -> bool:
         """Whether the hand still holds its load as it took it up."""
@@ -285,7 +299,7 @@ class World:
         scene.tick()
         self._loaded = bool(scene.carried)
         self._ticked[:] = self._rotors
-        self._looked = self._ringed = None
+        self._forget()
         if not scene.went_on:
             self._grasp.look(loaded=self._loaded)
         self._telling.look(asleep)
@@ -420,9 +434,96 @@ class World:
 
     # How far from everything
 
-    def ticks_until(self, time: int) -> npt.NDArray[np.int64]:
-        """T-states of the ticks up to a time."""
-        return np.arange(self.due, time + 1, TICK_STATES)
+    def first_look(self, ahead: Ahead) -> int | None:
+        """T-state of the first tick of a burst on which something has to be looked at, or None.
+
+        Args:
+            ahead: the burst, the arm being free, or gripping.
+        """
+        ticks = range(self.due, ahead.ends + 1, TICK_STATES)
+        if not ticks:
+            return None
+        if self.gripped or self._strained:
+            clear = self.ticks_clear(self._on_ticks(ahead, ticks))
+        else:
+            clear = len(ticks)
+            if self._feeding.vacant:
+                joints = self._unstrained(self._on_ticks(ahead, ticks))
+                clear = self._feeding.places_unfed(joints)
+            # Where the burst ends the arm will be on the next tick.
+            ends = [*ticks[:clear], ahead.ends + 1]
+            if not self._sweep_clear(self._ranges(ahead, ends)) and clear:
+                clear = self._sweeps_clear(ahead, ends[:-1])
+        return ticks[clear] if clear < len(ticks) else None
+
+    def _sweeps_clear(self, ahead: Ahead, ticks: Sequence[int]) -> int:
+        """How many T-states in a row the arm has room at, by what it sweeps over between them.
+
+        Args:
+            ahead: the burst, the arm being free.
+            ticks: the T-states; what is written before is done.
+        """
+        pieces = [(0, len(ticks))]
+        while pieces:
+            begin, end = pieces.pop()
+            if self._sweep_clear(self._ranges(ahead, ticks[begin:end])):
+                continue
+            if end - begin > max(CLOSELY, len(ticks) >> HALVED):
+                middle = (begin + end) // 2
+                pieces += [(middle, end), (begin, middle)]
+                continue
+            joints = self._unstrained(self._on_ticks(ahead, ticks[begin:end]))
+            clear = self.around.places_clear(joints)
+            if clear < end - begin:
+                return begin + clear
+        return len(ticks)
+
+    def _on_ticks(self, ahead: Ahead, ticks: Sequence[int]) -> npt.NDArray[np.int64]:
+        """Positions of all rotors on some ticks, 6 x ticks."""
+        rotors = np.empty((6, len(ticks)), dtype=np.int64)
+        rotors[:] = np.array(self._rotors)[:, None]
+        turned = ahead.turned(np.array(ticks))
+        for turning, by in zip(ahead.turnings, turned, strict=True):
+            rotors[turning.latch] += by
+        return rotors
+
+    def _wanted(self, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
+        """Where motors want the arm's six coordinates, 6 x places, for positions of the rotors."""
+        drive, model = self.drive, self.model
+        opening = np.clip(drive.cable(rotors) / model.hand_steps, 0.0, model.hand.range)
+        return np.array((*drive.driven(rotors), opening))
+
+    def _unstrained(self, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
+        """The same with nothing in the arm's way but what rests in its hand."""
+        joints = self._wanted(rotors)
+        if self._loaded:
+            joints[5] = self.bench.scene.joints[5]
+        return joints
+
+    def _ranges(self, ahead: Ahead, ticks: Sequence[int]) -> Ranges:
+        """Between what the joints are on some ticks, nothing in their way."""
+        model, drive, here = self.model, self.drive, self._rotors
+        since, until = ticks[0], ticks[-1]
+        low, high = list(here), list(here)
+        for turning, (least, most) in zip(ahead.turnings, ahead.between(since, until), strict=True):
+            low[turning.latch] += least
+            high[turning.latch] += most
+        ends = zip(drive.driven(low), drive.driven(high), strict=True)
+        base, shoulder, elbow, _, _ = [(a, b) if a < b else (b, a) for a, b in ends]
+        *_, left, right = drive.driven(here)
+        both = 2 * model.drives[model.latch(Motor.LEFT_WRIST)].steps
+        least, most = ahead.together_between(model.gears(1), since, until)
+        pitch = (left + right) / 2 + least / both, (left + right) / 2 + most / both
+        least, most = ahead.together_between(model.gears(-1), since, until)
+        roll = (left - right) / 2 + least / both, (left - right) / 2 + most / both
+        if self._loaded:
+            opening = self.bench.scene.joints[5]
+            return Ranges(base, shoulder, elbow, pitch, roll, (opening, opening))
+        least, most = ahead.together_between(model.pays_out, since, until)
+        cable, per_inch, widest = drive.cable(here), model.hand_steps, model.hand.range
+        shut = min(widest, max(0, cable + least) / per_inch)
+        wide = min(widest, max(0, cable + most) / per_inch)
+        return Ranges(base, shoulder, elbow, pitch, roll, (shut, wide))
 
     def ticks_clear(self, rotors: npt.NDArray[np.int64]) -> int:
         """How many ticks in a row need not be looked at, the arm being free, or gripping.
@@ -430,18 +531,18 @@ class World:
         Args:
             rotors: positions on the ticks from the next on, 6 x ticks.
         """
-        drive, scene = self.drive, self.bench.scene
-        cable = np.clip(drive.cable(rotors) / self.model.hand_steps, 0.0, self.model.hand.range)
-        joints = np.array((*drive.driven(rotors), cable))
         if self.gripped:
-            return self._ticks_gripping(joints.T.tolist())
+            return self._ticks_gripping(self._wanted(rotors).T.tolist())
         if self._strained:
+            joints = self._wanted(rotors)
             self._ease(joints)
-        elif self._loaded:
-            joints[5] = scene.joints[5]
-        count = rotors.shape[1]
+        else:
+            joints = self._unstrained(rotors)
+        count = len(joints[0])
         if self._feeding.vacant:
             count = self._feeding.places_unfed(joints)
+        if count and self._sweep_clear(Ranges.of(joints[:, :count])):
+            return count
         return self.around.places_clear(joints[:, :count]) if count else 0
 
     def _ticks_gripping(self, commands: Sequence[list[float]]) -> int:
@@ -478,29 +579,6 @@ class World:
                     joints[5, tick:] = now[5]
                 break
 
-    def far(self, gone: Sequence[float], pitched: float) -> bool:
-        """Whether everything is so far that nothing has to be looked at, however the arm goes.
-
-        Args:
-            gone: how far each coordinate goes at most from where its rotor is.
-            pitched: how far both gears do together.
-        """
-        if self._strained or self.gripped:
-            return False
-        way = sum(self.around.ways(gone))
-        if self._feeding.vacant and self._feeding.room(self._rotors) <= way + SPARE:
-            return False
-        here = self._led_to(self._commands(self._rotors))
-        if self._surely_clear(here, gone, pitched):
-            return True
-        if self._looked is None or self.around.travel(self._looked[0], here)[0] > way / 4:
-            self._look(here)
-        if gone[Motor.BASE]:
-            self.show()
-            rings = self.around.over_rings(self.grip.opening)
-            self._ringed = list(self.bench.scene.joints), rings
-        return self._surely_clear(here, gone, pitched)
-
     # The operator's hands
 
     def place(self, before: Sequence[int], rotors: list[int]) -> str | None:
@@ -532,7 +610,8 @@ class World:
         self._turn_homes()
         self.grip.cable = self.drive.cable(rotors)
         scene.jump(there)
-        self._jumped, self._looked, self._ringed = False, None, None
+        self._jumped = False
+        self._forget()
         self._turn_hand(rotors, wanted)
         self._busy = True
         self._changed()
@@ -668,5 +747,5 @@ class World:
         if not self._feeding.vacant:
             return
         if self._feeding.give(self._rotors):
-            self._looked = self._ringed = None
+            self._forget()
         self._changed()
