@@ -404,14 +404,22 @@ def convert(source: Path, target: Path, keep_good: bool) -> None:
 @cli.command()
 def programs() -> None:
     """List the programs that come along; each opens by its name."""
+    import shutil
+    import textwrap
+
     from trs80arm.bundled import described
 
     listed = described()
     if not listed:
         fail("no programs were installed with trs80arm")
     width = max(len(name) for name, _ in listed) + 2
+    columns = shutil.get_terminal_size().columns if sys.stdout.isatty() else math.inf
     for name, words in listed:
-        click.echo(name.ljust(width) + words)
+        # A pipe has a line for each.
+        line = name.ljust(width) + words
+        if len(line) > columns:
+            line = textwrap.fill(line, int(columns), subsequent_indent=" " * width)
+        click.echo(line)
 
 
 @cli.command()
