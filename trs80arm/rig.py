@@ -548,6 +548,12 @@ class Rig:
         """What the bench's sensors say at this moment, by name, in whatever bank they are."""
         return {answer.name: answer for answer in self._works.arm.answers(self.clock.now)}
 
+    @property
+    def devices(self) -> dict[str, str]:
+        """What the devices on the auxiliary latch do at this moment, by what they are called."""
+        self._works.arm.advance(self.clock.now)
+        return {each.title: each.state for each in self._works.arm.bench.cell.devices}
+
     def score(self) -> Score:
         """How well the goals of the bench are done at this moment, from where its parts truly are.
 

@@ -15,7 +15,17 @@ from math import prod
 from typing import Any
 
 from trs80arm.arm import events, fixtures, forces, geometry, goals, motors, shapes
-from trs80arm.arm.cell import conveyor, home, inputs, mounted, sensors, turntable
+from trs80arm.arm.cell import (
+    commanded_feeder,
+    conveyor,
+    device,
+    home,
+    inputs,
+    machine,
+    mounted,
+    sensors,
+    turntable,
+)
 from trs80arm.arm.contact import bodies, coasting, solids, table
 from trs80arm.arm.linkage import FINGERS
 from trs80arm.arm.model import ArmModel, Link, Motor, Pose
@@ -121,6 +131,9 @@ OBJECTS: dict[str, type] = _by_name(
         turntable.Turntable,
         home.HomeSwitch,
         conveyor.Conveyor,
+        commanded_feeder.CommandedFeeder,
+        machine.Machine,
+        device.Lamp,
         bodies.Fixed,
         table.Plate,
         coasting.Coast,

@@ -70,8 +70,8 @@ def test_the_example_of_the_manual_is_a_bench() -> None:
         (
             "colour='red'",
             "b.toml: colour: expected nothing by that name; the keys here are name, "
-            "arm, part, feeder, tray, obstacle, conveyor, turntable, selector, proximity, tactile, "
-            "beam, force, home, goal",
+            "arm, part, feeder, tray, obstacle, conveyor, machine, turntable, selector, proximity, "
+            "tactile, beam, force, home, goal",
         ),
         (
             "[arm]\nat=[30,0,0]",

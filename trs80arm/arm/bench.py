@@ -31,7 +31,7 @@ from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.fixtures import Feeder, Obstacle, Part, Tray
 from trs80arm.arm.goals import Goal, Score, score
-from trs80arm.arm.linkage import link_name
+from trs80arm.arm.linkage import link_name, said
 from trs80arm.arm.model import Pose
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import SKIN, Box, Vector, plus, upright
@@ -171,6 +171,7 @@ class Bench:
 
     def refill(self) -> None:
         """Put the parts back to where they were at the beginning, feeders and trays too."""
+        self.cell.begin()
         self.scene.clear()
         for part in self.beginning:
             self.scene.add(replace(part))
@@ -210,6 +211,22 @@ class Bench:
                 return part.name
         return None
 
+    def in_the_way(self, solids: Sequence[Placed], but: str = "") -> str | None:
+        """Name of anything that some solids are in, the arm and what it holds included.
+
+        Args:
+            solids: where they are to stand.
+            but: name of a part that does not matter.
+        """
+        links = zip(self.scene.driven.names, self.scene.link_solids, strict=True)
+        there = [(said(name), [solid]) for name, solid in links]
+        there += [(each.name, each.placed) for each in (*self.obstacles, *self.cell.obstacles)]
+        there += [(part.name, part.placed) for part in self.parts.values() if part.name != but]
+        for name, theirs in there:
+            if any(deep(mine, other) for mine in solids for other in theirs):
+                return name
+        return None
+
     # How parts come, rest and go
 
     def settle(self) -> None:
@@ -245,7 +262,7 @@ class Bench:
         return [
             feeder
             for feeder in self.feeders
-            if not feeder.empty and self.found_at(feeder.placed) is None
+            if not (feeder.empty or feeder.commanded) and self.found_at(feeder.placed) is None
         ]
 
     def feed(self, feeder: Feeder) -> Part:
@@ -257,10 +274,11 @@ class Bench:
         self.news.append((EventKind.FED, f"{feeder.name} gives {name}"))
         solids = feeder.solids or (box(feeder.size),)
         turn = oriented(math.degrees(feeder.turn))
-        place = feeder.x, feeder.y, 0.0
+        place = feeder.x, feeder.y, feeder.bottom
         part = self.make(solids, name, feeder.weight, *place, turn, feeder.friction)
         self.scene.add(part)
-        part.asleep, part.touching = True, (TABLE,)
+        if not feeder.bottom:
+            part.asleep, part.touching = True, (TABLE,)
         part.began = (part.place, part.upwards)
         return part
 

@@ -10,22 +10,32 @@ import math
 from collections.abc import Mapping
 
 from trs80arm.arm.bench import Bench, obstacle
-from trs80arm.arm.bench_forms import FAR, read_friction, refuse_overlap
+from trs80arm.arm.bench_forms import FAR, read_friction, read_size, refuse_overlap
 from trs80arm.arm.bench_sensors import wired
+from trs80arm.arm.cell.commanded_feeder import CommandedFeeder
 from trs80arm.arm.cell.conveyor import Conveyor
+from trs80arm.arm.cell.device import Device, Lamp
+from trs80arm.arm.cell.machine import BUSY, DONE, ERROR, Machine
 from trs80arm.arm.cell.sensors import LightBeam
 from trs80arm.arm.cell.turntable import Turntable
+from trs80arm.arm.contact.forms import tray
 from trs80arm.arm.contact.rotations import oriented
 from trs80arm.arm.contact.solids import box
 from trs80arm.arm.contact.table import Plate
+from trs80arm.arm.fixtures import Feeder
+from trs80arm.arm.shapes import Vector, upright
 from trs80arm.plain_values import Table
 
-DEVICES = "conveyor, turntable"
+DEVICES = "conveyor, machine, turntable"
 """The tables of devices."""
 FASTEST = 20.0
 """Inches a second that a belt makes at most."""
 BESIDE = 0.25
 """Inches beside the belt at which a photocell and its lamp stand."""
+WALL = 0.1
+"""Thickness of a machine's hood, inches."""
+LAMP = 0.15
+"""Size that answers are drawn with, inches."""
 DRIVES = ("coils", "pulse")
 """How a turntable's motor hangs on the latch."""
 
@@ -38,6 +48,8 @@ def read_devices(bench: Bench, top: Table) -> None:
     """
     for item in top.tables("conveyor"):
         _conveyor(bench, item)
+    for item in top.tables("machine"):
+        _machine(bench, item)
     for item in _tables(top, "turntable"):
         _turntable(bench, item)
 
@@ -59,7 +71,7 @@ def _name(bench: Bench, item: Table, kind: str) -> str:
     return name
 
 
-class _Wires:
+class Wires:
     """The bits of the auxiliary latch that one device takes."""
 
     def __init__(self, bench: Bench, item: Table) -> None:
@@ -107,7 +119,7 @@ def _conveyor(bench: Bench, item: Table) -> None:
     turn = oriented(item.number("turn", -360, 360, 0.0))
     speed, ramp = item.number("speed", 0.05, FASTEST), item.number("ramp", 0.01, 10.0, 0.25)
     friction = read_friction(item)
-    wires = _Wires(bench, item)
+    wires = Wires(bench, item)
     run, reverse = wires.bit("run"), wires.optional("reverse")
     frame = obstacle(name, (box((length, width, height)),), x, y, 0.0, turn)
     conveyor = Conveyor(name, frame, speed, ramp, run, reverse, friction)
@@ -134,6 +146,82 @@ def _photocell(bench: Bench, item: Table, conveyor: Conveyor) -> None:
     bench.add_sensor(LightBeam(bit, ends[0], ends[1], name, bank))
 
 
+def _machine(bench: Bench, item: Table) -> None:
+    """[[machine]]."""
+    name = _name(bench, item, Machine.kind)
+    x, y = item.vector("at", 2, -FAR, FAR)
+    turn = item.number("turn", -360, 360, 0.0)
+    size, height = read_size(item), item.number("height", 0, 10.0, 0.0)
+    seconds = item.number("seconds", 0.001, 3600.0)
+    press = item.number("press", 0.05, size[2]) if "press" in item.data else None
+    start = Wires(bench, item).bit("start")
+    outer = (size[0] + 2 * WALL, size[1] + 2 * WALL, size[2] + WALL)
+    # A tray turned over: four walls and a roof.
+    over = oriented(turn, 0.0, 180.0)
+    hood = obstacle(f"{name} hood", tray(outer, WALL), x, y, height, over)
+    inside = obstacle(name, (box(size),), x, y, height, oriented(turn)).box
+    block = None
+    if height:
+        base = (outer[0], outer[1], height)
+        block = obstacle(name, (box(base),), x, y, 0.0, oriented(turn))
+        refuse_overlap(bench, item, "at", block.placed)
+    refuse_overlap(bench, item, "at", hood.placed)
+    machine = Machine(name, inside, hood, block, seconds, start, press)
+    bench.cell.devices.append(machine)
+    for place, key in enumerate((BUSY, DONE, ERROR)):
+        if key in item.data or key == DONE:
+            along = LAMP * (2 * place + 1) - inside.half[0]
+            middle = inside.point(along, -inside.half[1] - WALL - LAMP, LAMP - inside.half[2])
+            read_lamp(bench, item, key, machine, middle)
+    item.done("name, at, turn, size, height, seconds, press, start, busy, done, error")
+
+
+def read_command(bench: Bench, item: Table, feeder: Feeder) -> str:
+    """The keys `give` and `there` of a feeder: who commands it, and what it answers.
+
+    Args:
+        bench: so far.
+        item: the feeder's table.
+        feeder: that it describes.
+
+    Returns:
+        The keys that it may have, for errors.
+    """
+    if not feeder.commanded:
+        return "give"
+    device = CommandedFeeder(feeder.name, feeder, Wires(bench, item).bit("give"))
+    bench.cell.devices.append(device)
+    if "there" in item.data:
+        place = feeder.place
+        beside = place.point(0.0, -place.half[1] - 2 * LAMP, LAMP - place.half[2])
+        read_lamp(bench, item, "there", device, beside)
+    return "give, there"
+
+
+def read_lamp(bench: Bench, item: Table, key: str, device: Device, at: Vector) -> None:
+    """An answer of a device: `key = 2`, a bit of the input nibble, or `{ bit = 2, bank = 1 }`.
+
+    Args:
+        bench: so far.
+        item: the device's table.
+        key: that names the answer.
+        device: that gives it.
+        at: where drawings have it.
+
+    Raises:
+        SettingsError: it cannot be.
+    """
+    if not isinstance(item.data.get(key), Mapping):
+        item.data[key] = {"bit": item.integer(key, 1, 3)}
+    table = item.table(key)
+    assert table is not None
+    bit, bank, name = wired(bench, table, key, f"{device.name} {key}")
+    table.done("name, bit, bank")
+    x, y, z = at
+    lamp = upright(x, y, z - LAMP / 2, (LAMP, LAMP, LAMP), 0.0)
+    bench.add_sensor(Lamp(device, key, name, bit, bank, lamp))
+
+
 def _turntable(bench: Bench, item: Table) -> None:
     """[turntable] or [[turntable]]."""
     name = _name(bench, item, Turntable.kind)
@@ -143,7 +231,7 @@ def _turntable(bench: Bench, item: Table) -> None:
     drive = item.data.pop("drive", DRIVES[0])
     if drive not in DRIVES:
         raise item.fail("drive", f"one of {', '.join(DRIVES)}")
-    wires, pulse, direction = _Wires(bench, item), None, None
+    wires, pulse, direction = Wires(bench, item), None, None
     if drive == "coils":
         wires.all("drive")
         item.done("name, at, radius, steps, drive")

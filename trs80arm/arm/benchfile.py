@@ -11,7 +11,7 @@ import tomllib
 from pathlib import Path
 
 from trs80arm.arm.bench import Bench, BenchError, around, deep, obstacle
-from trs80arm.arm.bench_devices import DEVICES, read_devices
+from trs80arm.arm.bench_devices import DEVICES, read_command, read_devices
 from trs80arm.arm.bench_forms import (
     FAR,
     KEYS,
@@ -168,10 +168,22 @@ def _feeder(bench: Bench, item: Table) -> None:
     solids = read_solids(item, shape)
     weight, friction = item.number("weight", 0.01, 1600, 2.0), read_friction(item)
     count = item.integer("count", 1, 1_000_000) if "count" in item.data else None
-    item.done(f"name, at, turn, shape, {KEYS[shape]}, weight, friction, count")
+    bottom = item.number("bottom", 0, FAR, 0.0)
     feeder = Feeder(
-        name, x, y, turn, around(solids), weight, count, solids=solids, friction=friction
+        name,
+        x,
+        y,
+        turn,
+        around(solids),
+        weight,
+        count,
+        solids=solids,
+        friction=friction,
+        bottom=bottom,
+        commanded="give" in item.data,
     )
+    answers = read_command(bench, item, feeder)
+    item.done(f"name, at, bottom, turn, shape, {KEYS[shape]}, weight, friction, count, {answers}")
     refuse_overlap(bench, item, "at", feeder.placed)
     for other in bench.feeders:
         if any(deep(mine, theirs) for mine in feeder.placed for theirs in other.placed):

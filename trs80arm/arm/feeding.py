@@ -49,8 +49,10 @@ class Feeding:
         for number, feeder in enumerate(bench.feeders):
             name, *stood = self._standing.get(number, ("",))
             part = bench.parts.get(str(name))
-            if feeder.empty or (
-                part is not None and not part.held and [part.place, part.turn] == stood
+            if (
+                feeder.empty
+                or feeder.commanded
+                or (part is not None and not part.held and [part.place, part.turn] == stood)
             ):
                 # What stood at its place still does.
                 continue

@@ -98,6 +98,8 @@ class Feeder:
         given: how many it has given so far.
         solids: that make up each part, around its middle; a box of that size unless given.
         friction: coefficient of their surface; the table's unless given.
+        bottom: height of the place, inches.
+        commanded: whether it gives a part only when told.
     """
 
     name: str
@@ -110,6 +112,8 @@ class Feeder:
     given: int = 0
     solids: tuple[Solid, ...] = ()
     friction: float | None = None
+    bottom: float = 0.0
+    commanded: bool = False
     _placed: list[Placed] | None = field(default=None, init=False, repr=False, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -119,7 +123,7 @@ class Feeder:
     @property
     def place(self) -> Box:
         """Where the next part will stand."""
-        return upright(self.x, self.y, 0.0, self.size, self.turn)
+        return upright(self.x, self.y, self.bottom, self.size, self.turn)
 
     @property
     def placed(self) -> list[Placed]:
@@ -128,7 +132,9 @@ class Feeder:
             solids = self.solids or (box(self.size),)
             turn = about((0.0, 0.0, 1.0), math.degrees(self.turn))
             low = min(z for solid in solids for _, _, z in solid.vertices)
-            self._placed = [Placed(solid, (self.x, self.y, -low), matrix(turn)) for solid in solids]
+            self._placed = [
+                Placed(solid, (self.x, self.y, self.bottom - low), matrix(turn)) for solid in solids
+            ]
         return self._placed
 
     @property

@@ -26,6 +26,7 @@ _MATERIAL = {
     Kind.OBSTACLE: Material.OBSTACLE,
     Kind.TURNTABLE: Material.MOTOR,
     Kind.CONVEYOR: Material.FURNITURE,
+    Kind.MACHINE: Material.MOTOR,
     Kind.SENSOR: Material.SENSOR,
 }
 _FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))

@@ -6,7 +6,7 @@ Panels never hold the rig. The program reads it once and hands the same frozen `
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from math import tau
 from zlib import crc32
@@ -15,6 +15,7 @@ from trs80arm.arm.bench import Bench
 from trs80arm.arm.cell.conveyor import Conveyor
 from trs80arm.arm.cell.device import Device
 from trs80arm.arm.cell.inputs import Answer
+from trs80arm.arm.cell.machine import BUSY, Machine
 from trs80arm.arm.cell.turntable import Turntable
 from trs80arm.arm.events import ArmEvent
 from trs80arm.arm.fixtures import Polyhedron
@@ -47,6 +48,7 @@ class Kind(Enum):
     OBSTACLE = "obstacle"
     TURNTABLE = "turntable"
     CONVEYOR = "conveyor"
+    MACHINE = "machine"
     SENSOR = "sensor"
 
 
@@ -122,6 +124,7 @@ class Readings:
         slipped: how far each rotor is from where its field should have taken it, half-steps.
         coils: the seven latches' nibbles, phi1 as bit 3; the last is the auxiliary output.
         inputs: the input nibble: bit 0 the grip switch, 0 closed; the others free.
+        devices: on the auxiliary latch: what each is called, and what it does.
         answers: of the sensors on the free bits, whichever the selector shows.
         motors_on: whether any motor carries current.
         posture: how the arm truly stands.
@@ -147,6 +150,7 @@ class Readings:
     slipped: tuple[int, ...] = (0,) * 6
     coils: tuple[int, ...] = (0,) * 7
     inputs: int = 0b1111
+    devices: tuple[tuple[str, str], ...] = ()
     motors_on: bool = False
     answers: tuple[Answer, ...] = ()
     believed: Posture | None = None
@@ -197,6 +201,7 @@ class Readings:
             slipped=state.slipped,
             coils=state.coils,
             inputs=arm.inputs(rig.clock.now),
+            devices=tuple(rig.devices.items()),
             motors_on=state.motors_on,
             believed=believed,
             pose=state.pose,
@@ -265,6 +270,19 @@ def _device(device: Device, time: int) -> Iterator[Thing]:
             moving=(speed > 0) - (speed < 0),
             gone=gone,
         )
+    elif isinstance(device, Machine):
+        nest, works = device.nest, device.phase == BUSY
+        bottom = nest.center[2] - nest.half[2]
+        floor = replace(
+            nest,
+            center=(*nest.center[:2], bottom + _FLAT / 4),
+            half=(*nest.half[:2], _FLAT / 4),
+        )
+        for box in (floor, *(each.box for each in device.obstacles if each is not device.hood)):
+            yield Thing(Kind.MACHINE, device.name, box, state=device.state, on=works)
+        if works:
+            hood, shape = device.hood, device.hood.polyhedra
+            yield Thing(Kind.MACHINE, hood.name, hood.box, solids=shape, on=True)
 
 
 def _batch(name: str) -> str:

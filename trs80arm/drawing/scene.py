@@ -129,6 +129,7 @@ FILL = {
     Kind.OBSTACLE: "X",
     Kind.TURNTABLE: "@",
     Kind.CONVEYOR: ":",
+    Kind.MACHINE: "%",
     Kind.SENSOR: "?",
 }
 """The glyph of each kind of thing."""

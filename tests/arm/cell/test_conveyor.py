@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from tests.arm.cell.cells import at_the_cell, run
 from trs80arm import Rig
 from trs80arm.arm import BenchError, benchfile
 from trs80arm.arm.cell.conveyor import Conveyor
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.minimover import MiniMover, Pose
 from trs80arm.arm.stepping import PulseGenerator
-
-from .cells import at_the_cell, run
 
 BELT = """
 [[conveyor]]

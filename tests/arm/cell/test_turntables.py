@@ -6,13 +6,12 @@ import math
 
 import pytest
 
+from tests.arm.cell.cells import at_the_cell, run
 from trs80arm import Rig
 from trs80arm.arm.cell.turntable import Turntable
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.minimover import MiniMover
-
-from .cells import at_the_cell, run
 
 TWO = """
 [[turntable]]

@@ -35,11 +35,8 @@ class Site(Protocol):
     def parts(self) -> dict[str, Part]:
         """By name, in the order in which they came."""
 
-    def found_at(self, solids: Sequence[Placed]) -> str | None:
-        """Name of something, what is in the hand left out, that some solids are in."""
-
-    def room_for(self, solids: Sequence[Placed]) -> bool:
-        """Whether solids are in neither the table nor anything that stands there."""
+    def in_the_way(self, solids: Sequence[Placed], but: str = "") -> str | None:
+        """Name of anything that some solids are in, the arm and what it holds included."""
 
     def feed(self, feeder: Feeder) -> Part:
         """Let a feeder give its next part."""
@@ -151,6 +148,7 @@ class Lamp:
     Attributes:
         device: that gives it.
         key: that names it in the bench file.
+        name: by which people call it.
         bit: of the input nibble, 1 to 3.
         bank: of the selector.
         box: where drawings have it.
@@ -158,14 +156,10 @@ class Lamp:
 
     device: Device
     key: str
+    name: str
     bit: int
     bank: int
     box: Box
-
-    @property
-    def name(self) -> str:
-        """By which people call it."""
-        return f"{self.device.name} {self.key}"
 
     def answers(self, seen: Seen) -> bool:
         """Whether it is given."""
@@ -188,8 +182,7 @@ def stand(scene: Scene, obstacle: Obstacle, friction: float, passes: tuple[str, 
     name = fixed_name(obstacle.name)
     while name in scene.fixed:
         name = fixed_name(name)
-    scene.fixed[name] = Fixed(name, obstacle.standing, friction, passes=passes)
-    return scene.fixed[name]
+    return scene.stand(Fixed(name, obstacle.standing, friction, passes=passes))
 
 
 def rises(before: int, nibble: int, bit: int) -> bool:

@@ -6,11 +6,12 @@ Each is described around its own middle, upright, as a `size` along x, y and z. 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from trs80arm.arm.contact.bodies import Shape
 from trs80arm.arm.contact.rotations import Quaternion, apply, matrix
 from trs80arm.arm.contact.solids import Solid, box, cylinder
-from trs80arm.arm.shapes import Vector
+from trs80arm.arm.shapes import Vector, dot, plus
 
 
 def tray(size: Vector, wall: float) -> tuple[Solid, ...]:
@@ -65,6 +66,25 @@ def peg_board(
     up = (size[2] + height) / 2
     peg = cylinder(radius, height)
     return (box(size), *(peg.moved((x, y, up)) for x, y in pegs))
+
+
+def flattened(shape: Shape, turn: Quaternion, factor: float) -> Shape:
+    """A body's shape pressed together along the world's vertical, its weight kept.
+
+    Args:
+        shape: of the body.
+        turn: how it lies.
+        factor: by which its height becomes less.
+    """
+    m = matrix(turn)
+    up = m[6], m[7], m[8]
+
+    def press(point: Vector) -> Vector:
+        return plus(point, up, (factor - 1) * dot(point, up))
+
+    solids = [Solid.of([press(v) for v in solid.vertices], solid.faces) for solid in shape.solids]
+    # Its middle stays its middle.
+    return replace(Shape.of(solids, shape.mass), offset=press(shape.offset))
 
 
 def standing(

@@ -114,6 +114,21 @@ class Scene:
         self._roster.strike(body)
         self._memory.forget(name)
 
+    def stand(self, thing: Fixed) -> Fixed:
+        """Have something stand fast from now on."""
+        self._coast = None
+        self.fixed[thing.name] = thing
+        return thing
+
+    def take_away(self, name: str) -> None:
+        """Have something fixed stand no more; what leaned on it wakes."""
+        self._coast = None
+        del self.fixed[name]
+        self._memory.forget(name)
+        for body in list(self.bodies.values()):
+            if name in body.touching:
+                self.wake(body.name)
+
     def clear(self) -> None:
         """Take all loose bodies away."""
         self._coast = None

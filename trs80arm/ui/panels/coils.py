@@ -40,7 +40,7 @@ switch, then the three free inputs, lit when closed or answering.
         self.redraw()
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
-        """A row a latch, with what the motors and the hand do below or beside."""
+        """A row a latch, with what motors, hand and devices do below or beside."""
         wide = width >= _WIDE
         gap = "" if wide and width < _SPACED else " "
         motor_names = readings.model.motor_names
@@ -58,7 +58,8 @@ switch, then the three free inputs, lit when closed or answering.
         )
         holds = _state("holds", readings.held or "nothing", readings.held is not None)
         if wide:
-            beside = [motors, grip, holds]
+            devices = [_state(*device, remarkable=False) for device in readings.devices]
+            beside = [motors, grip, holds, *devices[: len(rows) - 3]]
             if height < len(rows) and width >= _VERY_WIDE:
                 beside += rows[6:]
                 del rows[6:]

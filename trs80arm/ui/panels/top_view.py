@@ -19,8 +19,8 @@ turns them. (The caption counts the roll as Table 4 does, with the base's turn t
 
 In bare lines `O` is the axis of the base, the two bars at the fingertips are the fingers, and,
 small as they are, one of `|` `/` `-` `\\` shows how they lie; `[#]` is a part, `=` a feeder, `_` or
-a frame a tray, `X` an obstacle, `@` a turntable, `:` a belt and arrows one that runs, `?` a sensor
-and `!` one that answers. Dots `::` lead to where the fingertip would be if no motor had slipped; a
-solid drawing has a dim twin there. On request `+` outlines how far the arm reaches, and `,` marks
-where the fingertip has been.
+a frame a tray, `X` an obstacle, `@` a turntable, `:` a belt and arrows one that runs, `%` a
+machine, `?` a sensor and `!` one that answers. Dots `::` lead to where the fingertip would be if no
+motor had slipped; a solid drawing has a dim twin there. On request `+` outlines how far the arm
+reaches, and `,` marks where the fingertip has been.
 """
