@@ -6,7 +6,10 @@ for: the tube, the registers, the pose, traces.
 
 from __future__ import annotations
 
+import io
+import json
 import sys
+from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -20,6 +23,7 @@ from trs80arm.files import FileFormatError, load_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.operator import Hold, Operator, ScriptError, parse_holds
 from trs80arm.reasons import one_line
+from trs80arm.report import ended, report
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.teletype import ENTER, Teletype
 from trs80arm.trace import PoseTrace, Trace, TraceError
@@ -44,21 +48,31 @@ class BatchOptions:
     screen: bool = False
     registers: bool = False
     pose: bool = False
+    as_json: bool = False
     trace: Path | None = None
     trace_pose: Path | None = None
     trace_rate: float | None = None
     rig: RigSettings = field(default_factory=RigSettings)
 
 
-def run_program(options: BatchOptions, out: TextIO | None = None) -> int:
-    """Run a program as the options say, printing to `out` (standard output by default).
+def run_program(
+    options: BatchOptions,
+    out: TextIO | None = None,
+    stopwatch: Callable[[], float] | None = None,
+) -> int:
+    """Run a program as the options say.
+
+    Args:
+        options: what to run, and what to tell of it.
+        out: what is printed to; standard output unless given.
+        stopwatch: seconds of the wall's clock, for JSON to tell how long the run took.
 
     Returns:
         The exit code: 0 ended or limit reached, 1 stopped on a BASIC error, 2 unusable.
     """
     stream = out or sys.stdout
     try:
-        return _run(options, stream)
+        return _run(options, stream, stopwatch)
     except BrokenPipeError:
         raise
     except (UnusableError, ScriptError, FileFormatError, BenchError, TraceError, OSError) as error:
@@ -68,8 +82,10 @@ def run_program(options: BatchOptions, out: TextIO | None = None) -> int:
     return 2
 
 
-def _run(options: BatchOptions, stream: TextIO) -> int:
+def _run(options: BatchOptions, stream: TextIO, stopwatch: Callable[[], float] | None) -> int:
     _check_traces(options)
+    if options.as_json and (options.screen or options.registers or options.pose):
+        raise UnusableError("--json has screen, registers and pose in it: give it without them")
     lines = load_program(options.program)
     bench = options.bench or bench_beside(options.program)
     sets = [parse_holds(holds) for holds in options.sets]
@@ -80,12 +96,26 @@ def _run(options: BatchOptions, stream: TextIO) -> int:
             f"{0x4000 + 1024 * options.rig.ram_kib - 1}, or nothing"
         )
     rig.load_lines(lines)
+    begun = stopwatch() if stopwatch else 0.0
+    printed = io.StringIO() if options.as_json else stream
     with ExitStack() as traces:
         if options.trace:
             traces.enter_context(Trace(rig, options.trace))
         if options.trace_pose:
             traces.enter_context(PoseTrace(rig, options.trace_pose, options.trace_rate))
-        waiting = _from_run_to_end(rig, options, sets, stream)
+        waiting, spent = _from_run_to_end(rig, options, sets, printed)
+    if isinstance(printed, io.StringIO):
+        told = {
+            "program": str(options.program),
+            "ended": ended(rig.outcome, waiting),
+            "output": printed.getvalue(),
+            **report(rig),
+            "seconds": {
+                "virtual": round(spent, 6),
+                "wall": round(stopwatch() - begun, 6) if stopwatch else None,
+            },
+        }
+        print(json.dumps(told, indent=1), file=stream)
     if options.screen:
         print("\n".join(rig.screen()), file=stream)
     if options.registers:
@@ -94,7 +124,7 @@ def _run(options: BatchOptions, stream: TextIO) -> int:
         pose = rig.pose
         values = (pose.x, pose.y, pose.z, pose.pitch, pose.roll, pose.opening)
         print(*(f"{value + 0.0:.4f}" for value in values), file=stream)
-    if rig.arm.bench.goals:
+    if rig.arm.bench.goals and not options.as_json:
         print(rig.score().text(), file=stream)
     stream.flush()
     return _verdict(rig, options, waiting)
@@ -111,8 +141,12 @@ def _check_traces(options: BatchOptions) -> None:
 
 def _from_run_to_end(
     rig: Rig, options: BatchOptions, sets: list[list[Hold]], stream: TextIO
-) -> Waiting:
-    """Type RUN and let the program run until it ends, waits in vain, or its time is over."""
+) -> tuple[Waiting, float]:
+    """Type RUN and let the program run until it ends, waits in vain, or its time is over.
+
+    Returns:
+        What the machine waits for then, and the virtual seconds from RUN on.
+    """
     teletype = Teletype(stream)
     start: list[int] = []
     after_the_end = bytearray()
@@ -138,7 +172,7 @@ def _from_run_to_end(
     for code in after_the_end.partition(b"READY")[0]:
         teletype(code)
     teletype.end_line()
-    return waiting
+    return waiting, (rig.clock.now - start[0]) / T_STATES_PER_SECOND
 
 
 def _verdict(rig: Rig, options: BatchOptions, waiting: Waiting) -> int:

@@ -301,8 +301,9 @@ def serve(host: str, port: int, program: Path | None, allow_files: bool) -> None
 @click.option("--screen", is_flag=True, help="Print the final 16 lines of the tube.")
 @click.option("--registers", is_flag=True, help="Print J1 to J6 at the end.")
 @click.option("--pose", is_flag=True, help="Print x y z pitch roll opening at the end.")
+@click.option("--json", "as_json", is_flag=True, help="Print the whole run as one JSON object.")
 @click.option("--trace", type=A_PATH, help="Latch writes to a .csv, .npz or .vcd file.")
-@click.option("--trace-pose", type=A_PATH, help="Angles, pose, force, switch to .csv or .npz.")
+@click.option("--trace-pose", type=A_PATH, help="Angles, pose, grip and loads to .csv or .npz.")
 @click.option(
     "--trace-rate",
     type=Finite(min=0, max=100_000, min_open=True),
@@ -315,10 +316,13 @@ def run(**given: Any) -> None:
     What the program prints goes to standard output. It runs until it ends, until the limit of
     virtual seconds, or until it waits for input or an @SET that the options do not have.
     """
+    from time import perf_counter
+
     from trs80arm.batch import BatchOptions, run_program
 
     settings = _take_settings(given)
-    sys.exit(run_program(BatchOptions(rig=settings.rig(), **given)))
+    options = BatchOptions(rig=settings.rig(), **given)
+    sys.exit(run_program(options, stopwatch=perf_counter))
 
 
 @cli.command()

@@ -6,6 +6,8 @@ from math import radians
 
 from trs80arm.arm.events import ArmEvent, EventKind, Reason
 from trs80arm.arm.geometry import JointAngles, pose_of
+from trs80arm.arm.loads import GripLoad, Loads, MotorLoad
+from trs80arm.arm.model import Motor
 from trs80arm.arm.models import MINIMOVER5
 from trs80arm.arm.shapes import upright
 from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
@@ -39,6 +41,22 @@ EVENTS = (
 )
 
 
+LOADS = Loads(
+    tuple(
+        MotorLoad(name, motor, *values, energised=True)
+        for name, motor, values in (
+            ("base", Motor.BASE, (0.0, 0.0, 0.0, 370.0, 0.0, 31.0, 0.884, 89)),
+            ("shoulder", Motor.SHOULDER, (232.0, 3.78, 154.7, -238.0, 232.0, 230.1, 1.008, 104)),
+            ("elbow", Motor.ELBOW, (-27.2, -0.75, 30.8, 120.0, 0.0, 170.0, 0.035, 12)),
+            ("left wrist", Motor.LEFT_WRIST, (9.6, 0.72, 29.5, 0.0, 9.6, 122.0, 0.079, 8)),
+            ("right wrist", Motor.RIGHT_WRIST, (9.6, 0.72, 29.5, 0.0, 9.6, 122.0, 0.079, 8)),
+            ("hand", Motor.HAND, (-9.3, -0.23, 9.4, 0.0, 9.3, 48.0, 0.194, 21)),
+        )
+    ),
+    GripLoad(0.58, 12.0, 0.75),
+)
+
+
 def readings(stands: Posture = ABOVE_THE_PART, **others: object) -> Readings:
     """Readings of an arm on a bench with two parts and a tray."""
     values: dict[str, object] = {
@@ -64,6 +82,7 @@ def slipped() -> Readings:
         believed=ABOVE_THE_PART,
         force=0.58,
         held="block",
+        loads=LOADS,
         things=(TRAY, held, FAR_PART),
         events=EVENTS,
     )

@@ -11,10 +11,16 @@ from typing import Any
 import numpy as np
 import pytest
 
+import trs80arm
 from tests.machine.bench_top import Machine
+from trs80arm.arm import Bench
+from trs80arm.arm.loads import unloaded
+from trs80arm.arm.models import MINIMOVER5
 from trs80arm.machine.coordination import Pace
 from trs80arm.pulses import Burst
 from trs80arm.trace import PoseTrace, TraceError
+
+MOTORS = ("base", "shoulder", "elbow", "left_wrist", "right_wrist", "hand")
 
 
 @dataclass
@@ -68,6 +74,8 @@ class Follower:
 
 
 class Rig(Machine):
+    loads = unloaded(MINIMOVER5)
+
     @property
     def state(self) -> State:
         return State(self.card.plug.writes)
@@ -107,7 +115,22 @@ def test_the_columns_are_degrees_inches_pounds_and_the_switch(tmp_path):
         "opening": "0.7500",
         "force": "0.1250",
         "switch": "1",
+        **{f"{name}_{of}": "0.0000" for name in MOTORS for of in ("torque", "used")},
+        "grip_needed": "0.0000",
     }
+
+
+def test_the_columns_tell_what_the_motors_use_before_one_slips(tmp_path):
+    rig = trs80arm.Rig(bench=Bench("empty"))
+    for joint, value in (("elbow", 0), ("pitch", 0), ("shoulder", 2)):
+        rig.move_joint(joint, value)
+    with PoseTrace(rig, tmp_path / "a.csv"):
+        rig.type("@STEP 80,0,-40\r")
+        rig.run_until_waiting()
+    table = rows(tmp_path / "a.csv")
+    assert max(float(row["shoulder_used"]) for row in table) == pytest.approx(92, abs=1)
+    assert max(float(row["shoulder_torque"]) for row in table) == pytest.approx(196, abs=0.5)
+    assert {row["grip_needed"] for row in table} == {"0.0000"}
 
 
 def test_npz_holds_the_same_columns(tmp_path):

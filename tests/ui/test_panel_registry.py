@@ -50,7 +50,7 @@ def importers(module: str) -> set[str]:
     return found
 
 
-@pytest.mark.parametrize("name", ["coils", "events", "pose", "registers"])
+@pytest.mark.parametrize("name", ["coils", "effort", "events", "pose", "registers"])
 def test_only_the_registry_knows_a_panel(name: str) -> None:
     assert importers(f"trs80arm.ui.panels.{name}") == {REGISTRY.name}
 
@@ -70,7 +70,7 @@ async def test_a_row_brings_a_panel_to_the_screen(
             assert "WEATHER AT COMMAND" in screen_text(sitting.app)
         assert desk.zoomed == "weather"
         desk.zoom("weather")
-        for _ in range(12):
+        for _ in PANELS:
             desk.next_bottom()
             if desk.bottom == "weather":
                 break

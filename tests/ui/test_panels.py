@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from textual.events import MouseScrollDown, MouseScrollUp
 
@@ -10,6 +12,7 @@ from trs80arm.basic.activity import Waiting
 from trs80arm.drawing.rows import Ink, clock_text, text_of
 from trs80arm.machine.driver import Mode
 from trs80arm.ui.panels.coils import CoilsPanel
+from trs80arm.ui.panels.effort import EffortPanel
 from trs80arm.ui.panels.events import EventsLog, collapsed
 from trs80arm.ui.panels.panel import Panel
 from trs80arm.ui.panels.pose import PosePanel
@@ -18,7 +21,7 @@ from trs80arm.ui.panels.side_view import SideView
 from trs80arm.ui.panels.status import Pace, StatusLine, doing_text
 from trs80arm.ui.panels.top_view import TopView
 
-PANELS = [RegistersPanel, PosePanel, CoilsPanel, EventsLog]
+PANELS = [RegistersPanel, PosePanel, CoilsPanel, EventsLog, EffortPanel]
 
 
 def drawing(panel: Panel, width: int, height: int) -> str:
@@ -55,6 +58,29 @@ def test_a_slipped_joint_is_marked_by_glyph_and_ink() -> None:
 def test_a_joint_moved_without_a_command_is_not_called_slipped() -> None:
     rows = RegistersPanel().draw(samples.readings(joints=(5, 0, 0, 0, 0, 0)), 16, 6)
     assert text_of(rows[0]).endswith("~")
+
+
+def test_a_motor_near_its_limit_is_told_by_glyph_and_ink_and_so_is_one_beyond() -> None:
+    rows = EffortPanel().draw(samples.slipped(), 80, 7)
+    told = {text_of(row)[:11].strip(): row[1] for row in rows}
+    assert told["J1 base"] == (" 89 % ! ", Ink.WARNING)
+    assert told["J2 shoulder"] == ("101 % !!", Ink.ALARM)
+    assert told["J3 elbow"] == ("  4 %   ", Ink.PLAIN)
+    assert "0.58 lb, holding takes 0.50" in text_of(rows[5])
+
+
+def test_bars_are_of_plain_characters_where_everything_is() -> None:
+    panel = EffortPanel()
+    panel.ascii = True
+    assert all(text_of(row).isascii() for row in panel.draw(samples.slipped(), 100, 7))
+
+
+def test_the_registers_name_the_motor_that_is_near_its_limit() -> None:
+    safe = replace(samples.slipped(), slipped=(0,) * 6)
+    assert text_of(RegistersPanel().draw(safe, 16, 9)[-1]) == "shoulder 101 %"
+    assert RegistersPanel().draw(safe, 16, 9)[-1][0][1] is Ink.ALARM
+    narrow = RegistersPanel().draw(safe, 10, 9)[-1]
+    assert text_of(narrow) == "J2 101 %"
 
 
 def test_lamps_change_glyph_as_well_as_ink() -> None:

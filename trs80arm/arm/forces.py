@@ -74,19 +74,27 @@ class Curve:
         return int(T_STATES_PER_SECOND / rate) if rate > 1.0 else NEVER
 
     def has(self, rate: float) -> float:
-        """Torque that it has left at a rate, half-steps per second; at least 0."""
-        return max(0.0, (self.idle - rate * rate) / self.fall)
+        """Torque that it has at a rate, half-steps per second; at least 0."""
+        return min(self.stall, max(0.0, (self.idle - rate * rate) / self.fall))
 
-    def used(self, torque: Any, rate: Any) -> Any:
+    def used(self, torque: float, rate: float) -> float:
         """Which share of what it has a torque and a rate take together.
 
-        At 1 it just keeps up: `period` is then the time from pulse to pulse. Arrays for arrays.
+        At 1 it just keeps up: `period` is then the time from pulse to pulse, or the torque is all
+        that it can turn.
 
         Args:
             torque: that it turns against; 0 where the torque helps it.
             rate: half-steps per second, as a motor of no other than the listed speed would make.
         """
-        return (self.fall * torque + rate * rate) / self.idle
+        return max((self.fall * torque + rate * rate) / self.idle, torque / self.stall)
+
+    def uses(
+        self, torques: npt.NDArray[np.float64], rates: npt.NDArray[np.float64]
+    ) -> npt.NDArray[np.float64]:
+        """`used` for arrays, equal to the last bit."""
+        shares = (self.fall * torques + rates * rates) / self.idle
+        return np.maximum(shares, torques / self.stall)
 
     def periods(self, torques: npt.NDArray[np.float64], margin: float) -> npt.NDArray[np.int64]:
         """`period` for an array of torques, equal to the last T-state."""

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import ceil, tau
 
-from trs80arm.arm.forces import Curve
-from trs80arm.arm.model import Drive, Motor
+from trs80arm.arm.forces import Curve, Strength
+from trs80arm.arm.model import ArmModel, Drive, Motor
 from trs80arm.arm.motors import HALF_STEPS_PER_TURN, StepperMotor
 
 NEAR = 0.85
@@ -59,14 +59,24 @@ class MotorLoad:
         return 1.0 - self.used
 
     @property
+    def left(self) -> float:
+        """Torque that it still has; negative where it has less than it bears."""
+        return self.has - self.against
+
+    @property
     def per_cent(self) -> int:
         """`used` in whole per cent, rounded up as `peak` is."""
         return per_cent(self.used)
 
     @property
+    def grips(self) -> bool:
+        """Whether it is the hand's."""
+        return self.motor is Motor.HAND
+
+    @property
     def unit(self) -> str:
         """Of the torques at the joint."""
-        return "oz" if self.motor is Motor.HAND else "oz in"
+        return "oz" if self.grips else "oz in"
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,6 +131,25 @@ class Loads:
     def of(self, motor: Motor) -> MotorLoad:
         """What the motor that turns something bears."""
         return next(load for load in self.motors if load.motor is motor)
+
+
+def unloaded(model: ArmModel) -> Loads:
+    """An arm that nothing weighs on, its motors off: what is read before anything is."""
+    strength = Strength.of(model)
+    motors = (
+        motor_load(
+            StepperMotor(),
+            drive,
+            strength.curves[drive.turns],
+            torque=0.0,
+            against=0.0,
+            rate=0.0,
+            margin=1.0,
+            peak=0,
+        )
+        for drive in model.drives
+    )
+    return Loads(tuple(motors), GripLoad(0.0, 0.0, 1.0))
 
 
 def motor_load(

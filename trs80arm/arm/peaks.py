@@ -126,5 +126,5 @@ def greatest(
     span = np.maximum(1, pulses[place + RING] - pulses[place])
     rate = _PER_RING / span / arm.settings.speed_margin
     curve = arm.strength.curves[arm.model.drives[latch].turns]
-    shares = curve.used(torque, rate)[asked > 0]
+    shares = curve.uses(torque, rate)[asked > 0]
     return per_cent(float(shares.max())) if len(shares) else 0

@@ -20,6 +20,7 @@ from trs80arm.arm.cell.turntable import Turntable
 from trs80arm.arm.events import ArmEvent
 from trs80arm.arm.fixtures import Polyhedron
 from trs80arm.arm.geometry import ArmPoints, JointAngles, forward, inverse
+from trs80arm.arm.loads import Loads, unloaded
 from trs80arm.arm.model import ArmModel, Pose
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box, Vector, upright
@@ -131,6 +132,7 @@ class Readings:
         believed: how it would stand had no motor slipped; None while none has.
         pose: where the fingertip truly is.
         force: of the grip, pounds.
+        loads: what motors and hand bear, and what they have to bear it with.
         held: the name of the part in the hand, or None.
         things: what stands on the table, the arm's own base left out.
         events: what happened to the arm, oldest first.
@@ -156,6 +158,7 @@ class Readings:
     believed: Posture | None = None
     pose: Pose = field(default_factory=lambda: ArmSettings().arm_model.start)
     force: float = 0.0
+    loads: Loads = field(default_factory=lambda: unloaded(ArmSettings().arm_model))
     held: str | None = None
     things: tuple[Thing, ...] = ()
     events: Sequence[ArmEvent] = ()
@@ -206,6 +209,7 @@ class Readings:
             believed=believed,
             pose=state.pose,
             force=state.force,
+            loads=rig.loads,
             held=state.held,
             things=(*things_of(arm.bench, rig.clock.now), *map(_sensor, answers)),
             answers=answers,

@@ -23,6 +23,7 @@ class Ink(StrEnum):
     FURNITURE = "furniture"
     GHOST = "ghost"
     TRAIL = "trail"
+    WARNING = "warning"
     ALARM = "alarm"
     LAMP_ON = "lamp-on"
     LAMP_OFF = "lamp-off"

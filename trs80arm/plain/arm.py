@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from trs80arm.arm.loads import NEAR, per_cent
 from trs80arm.bundled import BENCH_SUFFIX, named
 from trs80arm.desk.hands import joint_values, move_by_hand, typed_move
 from trs80arm.desk.workbench import STANDARD_BENCH
@@ -33,6 +34,36 @@ def show_pose(sitting: Sitting, _: str) -> None:
         f"X {pose.x:.2f}, Y {pose.y:.2f}, Z {pose.z:.2f} inches, pitch {pose.pitch:.1f}, "
         f"roll {pose.roll:.1f} degrees, hand open {pose.opening:.2f} inches{held}"
     )
+
+
+def show_effort(sitting: Sitting, _: str) -> None:
+    """What each motor uses of what it has, and the grip."""
+    loads = sitting.session.rig.loads
+    for load in loads.motors:
+        does = f"turning {abs(load.rate):.0f} a second" if load.rate else "standing"
+        if not load.energised:
+            does = "off"
+        bears = round(load.torque, 1) + 0.0
+        sitting.tell(
+            f"{load.name}: {load.per_cent} %{_WARNINGS[load.used > 1, load.used >= NEAR]}, "
+            f"peak {load.peak} %, {does}, bears {bears:.1f} {load.unit}, {load.left:.1f} left, "
+            f"cable {load.cable:.1f} oz"
+        )
+    grip = loads.grip
+    if grip.used is None:
+        sitting.tell("grip: nothing between the fingers")
+    else:
+        sitting.tell(
+            f"grip: {grip.force:.2f} lb, holding takes {grip.needed:.2f}, {per_cent(grip.used)} %"
+        )
+
+
+_WARNINGS = {
+    (False, False): "",
+    (False, True): ", near its limit",
+    (True, True): ", more than it can",
+}
+"""What is said beside a share, by whether it is more than all, and whether it is near."""
 
 
 def _events(sitting: Sitting, _: str) -> None:
@@ -95,6 +126,13 @@ GROUP = Group(
     (
         LineCommand("registers", "counted and true steps", show_registers),
         LineCommand("pose", "where the hand is", show_pose),
+        LineCommand(
+            "effort",
+            "what each motor uses of what it has, and the grip",
+            show_effort,
+            more="100 % is as much as a motor can at its rate; beyond that it slips. The peak is "
+            "the most since @RESET.",
+        ),
         LineCommand("events", "what happened last; it is told as it happens, too", _events),
         LineCommand(
             "hand",

@@ -194,7 +194,7 @@ class History:
         rate /= self._rig.arm.settings.speed_margin
         torque = self.quantity(f"torque {joint}", times)
         way = 1.0 if drive.turns is Motor.BASE else np.sign(rate) * drive.sign
-        moving = 1 - curve.used(np.maximum(0.0, torque * way), rate)
+        moving = 1 - curve.uses(np.maximum(0.0, torque * way), rate)
         left: npt.NDArray[np.float64] = 100 * np.where(
             np.abs(rate) < 1, 1 - np.abs(torque) / curve.holds, moving
         )

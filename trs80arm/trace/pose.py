@@ -1,4 +1,4 @@
-"""The eye on the arm: joint angles, hand pose, grip force and switch, at each step or at a rate.
+"""The eye on the arm: angles, pose, grip, and what the motors bear, at each step or at a rate.
 
 It is clipped on to the card as an observer that looks after every instant of a burst, and then asks
 the rig where the arm truly is.
@@ -17,20 +17,31 @@ from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
 import numpy as np
 
+from trs80arm.arm.model import Motor
 from trs80arm.machine.card import Card, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.pulses import Series
 from trs80arm.trace.files import kind_of, seconds, trace_file
 
 if TYPE_CHECKING:
+    from trs80arm.arm.loads import Loads
     from trs80arm.arm.minimover import ArmState
+
+_MOTORS = tuple(motor.name.lower() for motor in Motor)
 
 COLUMNS = (
     *("base", "shoulder", "elbow", "hand_pitch", "hand_roll"),
     *("x", "y", "z", "pitch", "roll", "opening", "force", "switch"),
+    *(f"{name}_torque" for name in _MOTORS),
+    *(f"{name}_used" for name in _MOTORS),
+    "grip_needed",
 )
-"""Joint angles in degrees, shoulder, elbow and hand pitch from the horizontal; then the hand's pose
-in inches and degrees, the grip's force in pounds, and the switch, 1 when closed."""
+"""Joint angles in degrees, shoulder, elbow and hand pitch from the horizontal; the hand's pose in
+inches and degrees, the grip's force in pounds, and the switch, 1 when closed; by motor, the torque
+at its joint, ounce-inches (ounces at the fingers for the hand), and how much of what it has is
+used, per cent; the pounds of grip that holding what is between the fingers takes."""
+
+_SWITCH = COLUMNS.index("switch")
 
 
 class Watched(Protocol):
@@ -50,6 +61,10 @@ class Watched(Protocol):
     @property
     def state(self) -> ArmState:
         """Where the arm is."""
+
+    @property
+    def loads(self) -> Loads:
+        """What its motors and its hand bear."""
 
 
 class PoseSink(Protocol):
@@ -72,10 +87,10 @@ class CsvSink:
 
     def row(self, time: int, values: Sequence[float]) -> None:
         """Add one line."""
-        *numbers, switch = values
         # Adding 0 to the rounded number turns -0.0 into 0.0.
-        texts = (f"{round(number, 4) + 0.0:.4f}" for number in numbers)
-        self._rows.writerow((time, seconds(time), *texts, int(switch)))
+        texts = [f"{round(number, 4) + 0.0:.4f}" for number in values]
+        texts[_SWITCH] = str(int(values[_SWITCH]))
+        self._rows.writerow((time, seconds(time), *texts))
 
     def finish(self) -> None:
         """Leave the file to whoever opened it."""
@@ -133,7 +148,7 @@ class PoseTrace:
         self._interval = None if rate is None else T_STATES_PER_SECOND / rate
         self._start = rig.clock.now
         self._looks = 0
-        self._last = values_of(rig.state)
+        self._last = values_of(rig)
         self._opened = ExitStack()
         file = self._opened.enter_context(trace_file(path))
         self._sink: PoseSink = CsvSink(file) if kind == ".csv" else NpzSink(file)
@@ -146,10 +161,10 @@ class PoseTrace:
         """Look at the arm after an instant's writes (the card calls this)."""
         time = int(times[-1])
         if self._interval is None:
-            self._sink.row(time, values_of(self._rig.state))
+            self._sink.row(time, values_of(self._rig))
         else:
             self._stand_still(time)
-            self._last = values_of(self._rig.state)
+            self._last = values_of(self._rig)
 
     def close(self) -> None:
         """End the trace and let the file have its name."""
@@ -176,8 +191,10 @@ class PoseTrace:
         self.close()
 
 
-def values_of(state: ArmState) -> tuple[float, ...]:
-    """The values of `COLUMNS` for a state of the arm."""
+def values_of(rig: Watched) -> tuple[float, ...]:
+    """The values of `COLUMNS` at this moment."""
+    state, loads = rig.state, rig.loads
+    motors = [loads.of(motor) for motor in Motor]
     angles, pose = state.angles, state.pose
     joints = (angles.base, angles.shoulder, angles.elbow, angles.pitch, angles.roll)
     return (
@@ -185,4 +202,7 @@ def values_of(state: ArmState) -> tuple[float, ...]:
         *(pose.x, pose.y, pose.z, pose.pitch, pose.roll, pose.opening),
         state.force,
         float(state.switch_closed),
+        *(load.torque for load in motors),
+        *(100 * load.used for load in motors),
+        loads.grip.needed,
     )

@@ -45,6 +45,7 @@ class Panel(LateComponents, can_focus=False):
         & > .panel--furniture { color: $text-secondary; }
         & > .panel--ghost { color: $text-error; }
         & > .panel--trail { color: $text-success; }
+        & > .panel--warning { color: $text-warning; text-style: bold; }
         & > .panel--alarm { color: $text-error; text-style: bold; }
         & > .panel--lamp-on { color: $text-warning; text-style: bold; }
         & > .panel--lamp-off { color: $text-muted; }
@@ -72,6 +73,7 @@ class Panel(LateComponents, can_focus=False):
         &:ansi:dark > .panel--alarm { color: ansi_bright_red; }
         &:ansi:light > .panel--arm { color: ansi_blue; }
         &:ansi:light > .panel--part { color: ansi_red; }
+        &:ansi:light > .panel--warning { color: ansi_red; }
         &:ansi:light > .panel--lamp-on { color: ansi_red; }
     }
     """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from trs80arm.arm.loads import NEAR
 from trs80arm.drawing.readings import RING, Readings
 from trs80arm.drawing.rows import Ink, Row
 from trs80arm.ui.panels.panel import Panel
@@ -20,7 +21,8 @@ class RegistersPanel(Panel):
 The registers count the half-steps that were *commanded* since `@RESET`; nothing on the arm tells
 the computer whether they were made. Beside them stands where each joint *truly* is, in the same
 steps. `!` marks a motor that has slipped, by multiples of 8 half-steps; `~` a joint that was moved
-otherwise: by hand, or by OUT. `@RESET` sets both to zero.
+otherwise: by hand, or by OUT. `@RESET` sets both to zero. The last line names the motor that is
+near to slipping, and how much of what it has it uses; all of them are in the panel Effort.
 """
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
@@ -93,6 +95,13 @@ def _summary(readings: Readings, width: int) -> Row:
         names = ",".join(f"J{joint + 1}" for joint in lost)
         text = f"slipped: {names}"
         return ((text if len(text) <= width else f"slip {len(lost)} motors", Ink.ALARM),)
+    hardest = readings.loads.hardest
+    if hardest.used >= NEAR:
+        use = f" {hardest.per_cent} %"
+        name = hardest.name
+        if len(name) + len(use) > width:
+            name = f"J{readings.loads.motors.index(hardest) + 1}"
+        return ((name + use, Ink.ALARM if hardest.used > 1 else Ink.WARNING),)
     moved = any(
         register != true for register, true in zip(readings.registers, readings.joints, strict=True)
     )

@@ -12,6 +12,7 @@ from enum import Enum
 
 from trs80arm.ui import layout
 from trs80arm.ui.panels.coils import CoilsPanel
+from trs80arm.ui.panels.effort import EffortPanel
 from trs80arm.ui.panels.events import EventsLog
 from trs80arm.ui.panels.inspector import ListingPanel, PaperPanel, VariablesPanel
 from trs80arm.ui.panels.matrix import MatrixView
@@ -99,6 +100,16 @@ PANELS: tuple[PanelRow, ...] = (
         Cadence.NUMBERS,
         layout.NUMBERS,
         fills="The pose fills the screen.",
+    ),
+    PanelRow(
+        "effort",
+        "Effort",
+        EffortPanel,
+        Cadence.NUMBERS,
+        "effort",
+        shows="What each motor uses of what it has, and the grip: why it slips.",
+        key="shift+f4,f16,ctrl+f4",
+        fills="The motors' effort fills the screen.",
     ),
     PanelRow(
         "coils",
