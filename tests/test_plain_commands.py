@@ -251,6 +251,20 @@ def test_the_tour_in_lines_is_begun_from_the_shell(words: list[str]) -> None:
     assert "Tour 2/13" in done.output
 
 
+def test_sensors_are_told_with_bit_bank_and_what_they_say(tmp_path: Path) -> None:
+    bench = tmp_path / "sensing.toml"
+    bench.write_text(
+        "[[part]]\nname='block'\nat=[8, 0]\nsize=[1, 1, 1]\n"
+        "[[tactile]]\nname='plate'\nat=[8, 0]\nsize=[1, 1]\nbit=2\n"
+        "[[home]]\njoint='base'\nat=5\nbit=3\n"
+    )
+    said = talk(".sensors", session=Session(bench=bench))
+    assert "plate: bit 2, answers\nbase home: bit 3, idle\n" in said
+    bench.write_text("[selector]\nbits=[0]\n[[home]]\njoint='base'\nat=-5\nbit=3\nbank=1\n")
+    assert "base home: bit 3 in bank 1, answers\n" in talk(".sensors", session=Session(bench=bench))
+    assert "There are no sensors." in talk(".sensors")
+
+
 def test_the_score_is_told_when_a_program_ends_and_on_demand(tmp_path: Path) -> None:
     bench = tmp_path / "one.toml"
     bench.write_text(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import radians
 
+from trs80arm.arm.cell.inputs import Answer
 from trs80arm.arm.events import ArmEvent, EventKind, Reason
 from trs80arm.arm.geometry import JointAngles, pose_of
 from trs80arm.arm.loads import GripLoad, Loads, MotorLoad
@@ -39,6 +40,14 @@ EVENTS = (
     ArmEvent(2, 1_990_000, EventKind.SLIP, 1, 24, Reason.CONTACT, "shoulder slipped 24 steps"),
     ArmEvent(3, 240_000_000, EventKind.TAKEN, None, 0, None, "block in the hand"),
 )
+
+_ANYWHERE = upright(0.0, 0.0, 0.0, (0.1, 0.1, 0.1), 0.0)
+ANSWERS = (
+    Answer("left tip", 1, 0, False, _ANYWHERE),
+    Answer("palm", 3, 0, True, _ANYWHERE),
+    Answer("shoulder", 2, 1, True, _ANYWHERE),
+)
+BELT = Thing(Kind.CONVEYOR, "belt", upright(6, -6, 0.0, (6, 2, 0.5), 0.0), state="runs", on=True)
 
 
 LOADS = Loads(
@@ -84,6 +93,8 @@ def slipped() -> Readings:
         held="block",
         loads=LOADS,
         things=(TRAY, held, FAR_PART),
+        answers=ANSWERS,
+        bank=1,
         events=EVENTS,
     )
 

@@ -50,7 +50,7 @@ def importers(module: str) -> set[str]:
     return found
 
 
-@pytest.mark.parametrize("name", ["coils", "effort", "events", "pose", "registers"])
+@pytest.mark.parametrize("name", ["cell", "coils", "effort", "events", "pose", "registers"])
 def test_only_the_registry_knows_a_panel(name: str) -> None:
     assert importers(f"trs80arm.ui.panels.{name}") == {REGISTRY.name}
 

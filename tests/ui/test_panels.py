@@ -11,6 +11,7 @@ from trs80arm.arm.events import ArmEvent, EventKind, Reason
 from trs80arm.basic.activity import Waiting
 from trs80arm.drawing.rows import Ink, clock_text, text_of
 from trs80arm.machine.driver import Mode
+from trs80arm.ui.panels.cell import CellPanel
 from trs80arm.ui.panels.coils import CoilsPanel
 from trs80arm.ui.panels.effort import EffortPanel
 from trs80arm.ui.panels.events import EventsLog, collapsed
@@ -21,7 +22,7 @@ from trs80arm.ui.panels.side_view import SideView
 from trs80arm.ui.panels.status import Pace, StatusLine, doing_text
 from trs80arm.ui.panels.top_view import TopView
 
-PANELS = [RegistersPanel, PosePanel, CoilsPanel, EventsLog, EffortPanel]
+PANELS = [RegistersPanel, PosePanel, CoilsPanel, CellPanel, EventsLog, EffortPanel]
 
 
 def drawing(panel: Panel, width: int, height: int) -> str:
@@ -81,6 +82,23 @@ def test_the_registers_name_the_motor_that_is_near_its_limit() -> None:
     assert RegistersPanel().draw(safe, 16, 9)[-1][0][1] is Ink.ALARM
     narrow = RegistersPanel().draw(safe, 10, 9)[-1]
     assert text_of(narrow) == "J2 101 %"
+
+
+def test_an_input_that_the_selector_does_not_show_is_dim_and_still_told() -> None:
+    heading, *rows = CellPanel().draw(samples.slipped(), 40, 9)
+    assert text_of(heading) == "the selector shows bank 1"
+    assert [(text_of(row), row[1][1], row[2][1]) for row in rows] == [
+        ("bank 0 bit 1 ○ left tip", Ink.LAMP_OFF, Ink.LABEL),
+        ("bank 0 bit 3 ● palm", Ink.LAMP_ON, Ink.LABEL),
+        ("bank 1 bit 2 ● shoulder", Ink.LAMP_ON, Ink.STRONG),
+    ]
+
+
+def test_devices_are_told_with_what_they_do() -> None:
+    rows = CellPanel().draw(samples.readings(things=(samples.BELT,)), 40, 9)
+    assert [text_of(row) for row in rows] == ["belt runs"]
+    nothing = CellPanel().draw(samples.readings(), 40, 9)
+    assert text_of(nothing[0]) == "no sensors, no devices"
 
 
 def test_lamps_change_glyph_as_well_as_ink() -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from itertools import count
 from typing import TypeVar
 
 from trs80arm.arm.bench import Bench
@@ -69,7 +70,7 @@ def wired(bench: Bench, item: Table, kind: str, called: str | None = None) -> tu
         bench: so far.
         item: its table.
         kind: by which it is called, with a number.
-        called: its name if the file has none, instead of that.
+        called: its name if the file has none, instead of that; with a number if it is taken.
     """
     bit = item.integer("bit", 1, 3)
     bank = 0
@@ -81,16 +82,14 @@ def wired(bench: Bench, item: Table, kind: str, called: str | None = None) -> tu
         if (other.bit, other.bank) == (bit, bank):
             where = "input bit" if bench.selector is None else "input bit and bank"
             raise item.fail("bit", f"an {where} that no other sensor uses")
-    name = item.text("name", called or _unused(bench, kind))
-    if any(other.name == name for other in bench.sensors):
+    names = {sensor.name for sensor in bench.sensors}
+    if called is None or called in names:
+        first, kind = (1, kind) if called is None else (2, called)
+        called = next(f"{kind} {n}" for n in count(first) if f"{kind} {n}" not in names)
+    name = item.text("name", called)
+    if name in names:
         raise item.fail("name", "a name that no other sensor has")
     return bit, bank, name
-
-
-def _unused(bench: Bench, kind: str) -> str:
-    """A name for one more sensor of a kind."""
-    names = {sensor.name for sensor in bench.sensors}
-    return next(f"{kind} {n}" for n in range(1, len(names) + 2) if f"{kind} {n}" not in names)
 
 
 def _vector(values: tuple[float, ...]) -> Vector:
@@ -107,12 +106,13 @@ def _on(item: Table, choices: Mapping[str, T]) -> T:
 
 def _proximity(bench: Bench, item: Table) -> Answering:
     """[[proximity]]: on the table, or in the palm."""
-    bit, bank, name = wired(bench, item, "proximity")
     if "on" in item.data:
         _on(item, {"palm": None})
+        bit, bank, name = wired(bench, item, "proximity", "palm")
         eye = PalmProximity(name, bit, bank, item.number("range", 0.05, FAR))
         item.done("on, range, bit, bank, name")
         return eye
+    bit, bank, name = wired(bench, item, "proximity")
     place = _vector(item.vector("at", 3, -FAR, FAR))
     sensor = Proximity(bit, place, item.number("range", 0.05, FAR), name, bank)
     item.done("at, range, bit, bank, name")
@@ -121,15 +121,17 @@ def _proximity(bench: Bench, item: Table) -> Answering:
 
 def _tactile(bench: Bench, item: Table) -> Answering:
     """[[tactile]]: on the table, or on the arm."""
-    bit, bank, name = wired(bench, item, "tactile")
     if "on" in item.data:
         on = _on(item, _LINKS)
         face = None
         if on in FINGERS:
             face = item.take("face", Face, Face.TIP)
+        where = f"{_WORDS[on]} {face.value}" if face is not None else _WORDS[on]
+        bit, bank, name = wired(bench, item, "tactile", where)
         mounted = TactilePad(name, bit, bank, on, face, item.number("threshold", *_OUNCES, 1.0))
         item.done(f"on, {'face, ' if on in FINGERS else ''}threshold, bit, bank, name")
         return mounted
+    bit, bank, name = wired(bench, item, "tactile")
     x, y = item.vector("at", 2, -FAR, FAR)
     width, depth = item.vector("size", 2, 0.1, FAR)
     height = item.number("height", 0, FAR, 0.0)
@@ -151,8 +153,8 @@ def _beam(bench: Bench, item: Table) -> Answering:
 
 def _force(bench: Bench, item: Table) -> Answering:
     """[[force]]."""
-    bit, bank, name = wired(bench, item, "force")
     on = _on(item, {each.value: each for each in Tension})
+    bit, bank, name = wired(bench, item, "force", f"{on.value} tension")
     sensor = ForceSensor(name, bit, bank, on, item.number("threshold", *_OUNCES))
     item.done("on, threshold, bit, bank, name")
     return sensor
@@ -160,10 +162,10 @@ def _force(bench: Bench, item: Table) -> Answering:
 
 def _home(bench: Bench, item: Table) -> Answering:
     """[[home]]."""
-    bit, bank, name = wired(bench, item, "home")
     joint = item.data.pop("joint", None)
     if not isinstance(joint, str) or joint not in JOINTS:
         raise item.fail("joint", f"one of {', '.join(JOINTS)}")
+    bit, bank, name = wired(bench, item, "home", f"{joint} home")
     low, high = _range(bench.settings.arm_model.limits, JOINTS[joint])
     mark, play = item.number("at", low, high), item.number("play", 0, MOST_PLAY, PLAY)
     item.done("joint, at, play, bit, bank, name")
@@ -183,7 +185,8 @@ def _range(limits: Limits, motor: Motor) -> tuple[float, float]:
     return round(math.degrees(low), 6), round(math.degrees(high), 6)
 
 
-_LINKS = {link.name.lower().replace("_", " "): link for link in Link}
+_WORDS = {link: link.name.lower().replace("_", " ") for link in Link}
+_LINKS = {word: link for link, word in _WORDS.items()}
 _OUNCES = 0.1, 200.0
 """Between which the threshold of a force lies."""
 

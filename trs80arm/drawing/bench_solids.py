@@ -27,7 +27,7 @@ _MATERIAL = {
     Kind.TURNTABLE: Material.MOTOR,
     Kind.CONVEYOR: Material.FURNITURE,
     Kind.MACHINE: Material.MOTOR,
-    Kind.SENSOR: Material.SENSOR,
+    Kind.SENSOR: Material.IDLE,
 }
 _FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
 """Of a box, by the corners as `Box.corners` lists them, counter-clockwise from outside."""
@@ -48,6 +48,8 @@ def solids_of(thing: Thing, body: int) -> Solids:
         body: the number by which the picture tells it from others.
     """
     material = part_material(thing.colour) if thing.kind is Kind.PART else _MATERIAL[thing.kind]
+    if thing.kind is Kind.SENSOR and thing.on:
+        material = Material.SENSOR
     if thing.kind is Kind.TURNTABLE:
         return _plate(thing.box, material, body)
     if thing.kind is Kind.CONVEYOR:

@@ -39,8 +39,9 @@ class Material(IntEnum):
     FURNITURE = 10
     OBSTACLE = 11
     SENSOR = 12
-    GHOST = 13
-    FIRST_PART = 14
+    IDLE = 13
+    GHOST = 14
+    FIRST_PART = 15
 
 
 _FINISH = {
@@ -56,7 +57,8 @@ _FINISH = {
     Material.PAD: Finish(Ink.METAL, 0.6),
     Material.FURNITURE: Finish(Ink.FURNITURE, 0.6),
     Material.OBSTACLE: Finish(Ink.OBSTACLE, 0.8),
-    Material.SENSOR: Finish(Ink.LAMP_ON, 0.8),
+    Material.SENSOR: Finish(Ink.LAMP_ON),
+    Material.IDLE: Finish(Ink.LAMP_OFF, 0.75),
     Material.GHOST: Finish(Ink.GHOST, 0.4),
 }
 FINISHES: tuple[Finish, ...] = (

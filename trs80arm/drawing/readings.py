@@ -127,6 +127,7 @@ class Readings:
         inputs: the input nibble: bit 0 the grip switch, 0 closed; the others free.
         devices: on the auxiliary latch: what each is called, and what it does.
         answers: of the sensors on the free bits, whichever the selector shows.
+        bank: that the selector shows; None without one.
         motors_on: whether any motor carries current.
         posture: how the arm truly stands.
         believed: how it would stand had no motor slipped; None while none has.
@@ -155,6 +156,7 @@ class Readings:
     devices: tuple[tuple[str, str], ...] = ()
     motors_on: bool = False
     answers: tuple[Answer, ...] = ()
+    bank: int | None = None
     believed: Posture | None = None
     pose: Pose = field(default_factory=lambda: ArmSettings().arm_model.start)
     force: float = 0.0
@@ -187,7 +189,7 @@ class Readings:
         """Read the rig, and hand on what is known of its past."""
         state = rig.state
         arm = rig.arm
-        answers = arm.answers(rig.clock.now)
+        answers, selector = arm.answers(rig.clock.now), arm.bench.selector
         believed = None
         if any(abs(steps) >= RING for steps in state.slipped):
             cable = arm.drive.cable(state.fields) / arm.model.hand_steps
@@ -213,6 +215,7 @@ class Readings:
             held=state.held,
             things=(*things_of(arm.bench, rig.clock.now), *map(_sensor, answers)),
             answers=answers,
+            bank=None if selector is None else selector.bank(arm.bench.cell.nibble),
             events=arm.events,
             fittings=arm.settings,
             keys_down=rig.held,

@@ -84,6 +84,17 @@ def _parts(sitting: Sitting, words: str) -> None:
         sitting.tell(f"{name}: {part.weight:.1f} oz, {where}")
 
 
+def _sensors(sitting: Sitting, _: str) -> None:
+    rig = sitting.session.rig
+    selector = rig.arm.bench.selector
+    for sensor in rig.sensors.values():
+        bank = "" if selector is None else f" in bank {sensor.bank}"
+        answers = "answers" if sensor.given else "idle"
+        sitting.tell(f"{sensor.name}: bit {sensor.bit}{bank}, {answers}")
+    if not rig.sensors:
+        sitting.tell("There are no sensors.")
+
+
 def _score(sitting: Sitting, _: str) -> None:
     sitting.tell(sitting.session.rig.score().text())
 
@@ -145,6 +156,7 @@ GROUP = Group(
             "turns the motors off.",
         ),
         LineCommand("parts", "where the parts are; back puts them back", _parts, "[back]"),
+        LineCommand("sensors", "what the sensors on the free inputs say", _sensors),
         LineCommand("score", "how well the goals of the bench are met", _score),
         LineCommand(
             "bench",

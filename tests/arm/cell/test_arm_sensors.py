@@ -204,7 +204,7 @@ def test_a_links_pad_feels_whatever_presses_on_the_link() -> None:
     generator = ready(text)
     assert generator.arm.inputs(generator.time) == 0b1111
     generator.step((200,), SLOW)
-    assert answering(generator) == {"tactile 2"}
+    assert answering(generator) == {"forearm"}
     assert generator.arm.inputs(generator.time) == 0b1011
 
 
@@ -235,7 +235,7 @@ def test_the_palm_sees_what_is_in_the_hand() -> None:
     generator = ready(FACES + "[[proximity]]\non = 'palm'\nrange = 1.7\nbit = 3\nbank = 3\n")
     generator.close(SLOW, 40)
     generator.step((0, -100), SLOW)
-    assert "proximity 1" in answering(generator)
+    assert "palm" in answering(generator)
 
 
 @pytest.mark.parametrize(
@@ -285,3 +285,46 @@ def test_a_sensor_of_the_arm_that_cannot_be_gets_one_line(text: str, line: str) 
         benchfile.parse(text, "b.toml")
     assert str(caught.value).startswith(f"b.toml: {line}")
     assert "\n" not in str(caught.value)
+
+
+def test_a_sensor_without_a_name_is_called_by_where_it_is() -> None:
+    text = """
+    [selector]
+    bits = [0, 1]
+    [[proximity]]
+    on = "palm"
+    range = 1
+    bit = 1
+    [[proximity]]
+    at = [8, 0, 0]
+    range = 1
+    bit = 2
+    [[tactile]]
+    on = "right finger"
+    face = "outer"
+    bit = 3
+    [[tactile]]
+    on = "right finger"
+    face = "outer"
+    threshold = 10
+    bit = 1
+    bank = 1
+    [[force]]
+    on = "elbow"
+    threshold = 4
+    bit = 2
+    bank = 1
+    [[home]]
+    joint = "left wrist"
+    at = 0
+    bit = 3
+    bank = 1
+    """
+    assert [sensor.name for sensor in benchfile.parse(text).sensors] == [
+        "palm",
+        "proximity 1",
+        "right finger outer",
+        "right finger outer 2",
+        "elbow tension",
+        "left wrist home",
+    ]

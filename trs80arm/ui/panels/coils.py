@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, Span
-from trs80arm.ui.panels.panel import Panel
+from trs80arm.ui.panels.glyph_panels import LampPanel
 
 _WIDE = 34
 _SPACED = 40
 _VERY_WIDE = 52
-_LAMPS = ("●", "○")
-_ASCII_LAMPS = ("*", ".")
 
 
-class CoilsPanel(Panel):
+class CoilsPanel(LampPanel):
     """A lamp for every bit that goes down the cable or comes up it."""
 
     HELP = """
@@ -24,20 +22,6 @@ A lamp for each of the four coils of each motor, phi 1 to phi 4, as the card's l
 row of the article's Figure 8. Below are the auxiliary output and the input nibble: `g`, the grip
 switch, then the three free inputs, lit when closed or answering.
 """
-
-    def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
-        super().__init__(id=id, classes=classes)
-        self._ascii = False
-
-    @property
-    def ascii(self) -> bool:
-        """Whether lamps are `*` and `.` instead of circles."""
-        return self._ascii
-
-    @ascii.setter
-    def ascii(self, value: bool) -> None:
-        self._ascii = value
-        self.redraw()
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
         """A row a latch, with what motors, hand and devices do below or beside."""
@@ -74,12 +58,7 @@ switch, then the three free inputs, lit when closed or answering.
 
     def _lamps(self, nibble: int, gap: str) -> list[Span]:
         """Four lamps, phi 1 first."""
-        on, off = _ASCII_LAMPS if self._ascii else _LAMPS
-        spans: list[Span] = []
-        for bit in (3, 2, 1, 0):
-            lit = nibble >> bit & 1
-            spans.append(((on if lit else off) + gap, Ink.LAMP_ON if lit else Ink.LAMP_OFF))
-        return spans
+        return [self.lamp(bool(nibble >> bit & 1), gap) for bit in (3, 2, 1, 0)]
 
 
 def _answers(readings: Readings) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from trs80arm.arm.loads import NEAR, GripLoad, MotorLoad, per_cent
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, Span
-from trs80arm.ui.panels.panel import Panel
+from trs80arm.ui.panels.glyph_panels import GlyphPanel
 
 _WIDE = 36
 _ROOMY = 64
@@ -28,7 +28,7 @@ def mark_of(used: float) -> str:
     return "!!" if used > 1 else "! " if used >= NEAR else "  "
 
 
-class EffortPanel(Panel):
+class EffortPanel(GlyphPanel):
     """A bar for each motor: how much of what it has is used."""
 
     HELP = """
@@ -45,20 +45,6 @@ and the pull on the motor's cable.
 While something is between the fingers the hand's line has the grip's force, and what of it holding
 takes: the weight on the pads, by their friction.
 """
-
-    def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
-        super().__init__(id=id, classes=classes)
-        self._ascii = False
-
-    @property
-    def ascii(self) -> bool:
-        """Whether bars are of `#` and `.` instead of blocks."""
-        return self._ascii
-
-    @ascii.setter
-    def ascii(self, value: bool) -> None:
-        self._ascii = value
-        self.redraw()
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
         """A row a motor, and the grip where there is room."""
@@ -118,7 +104,7 @@ takes: the weight on the pads, by their friction.
         return tuple(spans)
 
     def _bar(self, used: float, cells: int) -> Span:
-        full, empty = _ASCII_BARS if self._ascii else _BARS
+        full, empty = _ASCII_BARS if self.ascii else _BARS
         lit = min(cells, max(0, round(cells * min(used, 1.0))))
         return full * lit + empty * (cells - lit), ink_of(used)
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from trs80arm.ui import layout
+from trs80arm.ui.panels.cell import CellPanel
 from trs80arm.ui.panels.coils import CoilsPanel
 from trs80arm.ui.panels.effort import EffortPanel
 from trs80arm.ui.panels.events import EventsLog
@@ -119,6 +120,15 @@ PANELS: tuple[PanelRow, ...] = (
         layout.MOTORS,
         shows="The coils of the motors, and the inputs.",
         fills="The coils fill the screen.",
+    ),
+    PanelRow(
+        "cell",
+        "Cell",
+        CellPanel,
+        Cadence.NUMBERS,
+        "cell",
+        shows="What answers on the free inputs, and what the devices do.",
+        fills="Inputs and devices fill the screen.",
     ),
     PanelRow(
         "scope",
