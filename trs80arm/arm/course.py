@@ -14,7 +14,7 @@ import numpy.typing as npt
 from trs80arm.arm.contact.bodies import Body
 from trs80arm.arm.contact.rotations import apply
 from trs80arm.arm.linkage import FINGERS, ArmLinkage
-from trs80arm.arm.model import Link
+from trs80arm.arm.model import ArmModel, Link
 from trs80arm.arm.shapes import Vector, plus
 
 Floats = npt.NDArray[np.float64]
@@ -68,11 +68,18 @@ class Course:
             self._corners[index] = place + along * x + across * y + up * z
         return self._corners[index]
 
-    @property
-    def fingertip(self) -> Floats:
-        """x, y and z of the fingertip, 3 x places."""
-        (left, *_), (right, *_) = (self._frames[finger] for finger in FINGERS)
-        return (left + right) / 2
+
+def fingertips(model: ArmModel, joints: Floats) -> tuple[Floats, Floats]:
+    """X and y of the fingertip at many places.
+
+    Args:
+        model: of the arm.
+        joints: its six coordinates, 6 x places.
+    """
+    base, shoulder, elbow, left, right, _ = joints
+    out = model.link * (np.cos(shoulder) + np.cos(elbow))
+    out += model.hand_length * np.cos((left + right) / 2)
+    return out * np.cos(base), out * np.sin(base)
 
 
 def _frames(linkage: ArmLinkage, joints: Floats) -> dict[Link, _Frame]:

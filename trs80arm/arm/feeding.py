@@ -7,13 +7,15 @@ from typing import Any
 
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.course import Course, Floats, in_a_row
+from trs80arm.arm.course import Floats, fingertips, in_a_row
 from trs80arm.arm.fixtures import Feeder
-from trs80arm.arm.geometry import CableDrive, forward
+from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.linkage import ArmLinkage
-from trs80arm.arm.shapes import Vector, length
-from trs80arm.arm.surroundings import FAR, SPARE
+from trs80arm.arm.shapes import SKIN, Vector, length
+from trs80arm.arm.surroundings import FAR, SPARE, Surroundings
 
+DEPTHS = (2.0, 1.0, 0.5, 0.2, 0.1)
+"""Inches by which a link may be in a feeder's place: how far it has to go at least to be out."""
 CLEARANCE = 2.5
 """A feeder gives its next part when the fingertip is this far from its middle, inches."""
 
@@ -22,19 +24,20 @@ class Feeding:
     """The feeders of a bench, and an arm that works there.
 
     Attributes:
-        vacant: feeders with parts to give at whose place nothing stands.
+        vacant: feeders with parts to give at whose place nothing stands, by number.
     """
 
-    def __init__(self, bench: Bench, linkage: ArmLinkage, drive: CableDrive) -> None:
-        self.vacant: list[Feeder] = []
+    def __init__(self, bench: Bench, linkage: ArmLinkage, around: Surroundings) -> None:
+        self.vacant: dict[int, Feeder] = {}
         self._bench = bench
         self._linkage = linkage
-        self._drive = drive
+        self._around = around
         self._standing: dict[int, tuple[object, ...]] = {}
+        self._barred: dict[int, tuple[list[float], float]] = {}
 
     def __getstate__(self) -> dict[str, Any]:
         # What stands at the feeders' places is found anew.
-        return {**self.__dict__, "_standing": {}}
+        return {**self.__dict__, "_standing": {}, "_barred": {}}
 
     def begin(self) -> None:
         """Give the first parts, but where the arm is."""
@@ -45,7 +48,7 @@ class Feeding:
     def look(self) -> None:
         """Parts have moved: see which feeders have room."""
         bench = self._bench
-        self.vacant = []
+        self.vacant = {}
         for number, feeder in enumerate(bench.feeders):
             name, *stood = self._standing.get(number, ("",))
             part = bench.parts.get(str(name))
@@ -58,37 +61,42 @@ class Feeding:
                 continue
             found = bench.found_at(feeder.placed)
             if found is None:
-                self.vacant.append(feeder)
+                self.vacant[number] = feeder
             elif found in bench.parts:
                 part = bench.parts[found]
                 self._standing[number] = (found, part.place, part.turn)
 
-    def give(self, rotors: Sequence[int]) -> bool:
-        """Have vacant feeders give their next part that are clear of the hand; whether any has.
+    def give(self, joints: Sequence[float]) -> bool:
+        """Have vacant feeders give their next part that are clear of the arm; whether any has.
 
         Args:
-            rotors: positions.
+            joints: where motors want the arm's six coordinates; its links stand as in the scene.
         """
-        tip, given = self._fingertip(rotors), False
-        for feeder in self.vacant:
+        tip, given = self._fingertip(joints), False
+        for number, feeder in self.vacant.items():
             placed = feeder.placed
-            if (
-                _too_near(feeder, tip) <= 0.0
-                and self._bench.room_for(placed)
-                and not self._touches(placed)
-            ):
-                self._bench.feed(feeder)
-                given = True
+            if _too_near(feeder, tip) > 0.0 or not self._bench.room_for(placed):
+                continue
+            if self._touches(placed):
+                by = next((by for by in DEPTHS if self._touches(placed, SKIN + by)), 0.0)
+                self._barred[number] = list(self._bench.scene.joints), by
+                continue
+            self._bench.feed(feeder)
+            given = True
         return given
 
-    def room(self, rotors: Sequence[int]) -> float:
-        """Inches that the fingertip may go until a vacant feeder can give; 0 where one can.
+    def room(self, joints: Sequence[float]) -> float:
+        """Inches that anything of the arm may go until a vacant feeder can give; 0 where one can.
 
         Args:
-            rotors: positions.
+            joints: the arm's six coordinates.
         """
-        tip = self._fingertip(rotors)
-        return max(0.0, min((_too_near(feeder, tip) for feeder in self.vacant), default=FAR))
+        tip, least = self._fingertip(joints), FAR
+        for number, feeder in self.vacant.items():
+            stood, by = self._barred.get(number, (joints, 0.0))
+            barred = by - self._around.travel(stood, joints)[0] if by else 0.0
+            least = min(least, max(_too_near(feeder, tip), barred))
+        return max(0.0, least)
 
     def places_unfed(self, joints: Floats) -> int:
         """At how many of some places in a row no vacant feeder can give its next part.
@@ -96,20 +104,24 @@ class Feeding:
         Args:
             joints: the arm's six coordinates, 6 x places.
         """
-        x, y, _ = Course(self._linkage, joints, ()).fingertip
+        x, y = fingertips(self._linkage.model, joints)
         count = len(x)
-        for feeder in self.vacant:
+        for number, feeder in self.vacant.items():
             far = CLEARANCE + feeder.place.radius - SPARE
-            out = (x - feeder.x) ** 2 + (y - feeder.y) ** 2
-            count = min(count, in_a_row(out < far * far))
+            unfed = (x - feeder.x) ** 2 + (y - feeder.y) ** 2 < far * far
+            if number in self._barred:
+                stood, by = self._barred[number]
+                unfed |= self._around.travels(stood, joints) < by - SPARE
+            count = min(count, in_a_row(unfed))
         return count
 
-    def _fingertip(self, rotors: Sequence[int]) -> Vector:
-        return forward(self._linkage.model, self._drive.angles(rotors)).fingertip
+    def _fingertip(self, joints: Sequence[float]) -> Vector:
+        return forward(self._linkage.model, JointAngles.of_gears(*joints[:5])).fingertip
 
-    def _touches(self, solids: Sequence[Placed]) -> bool:
-        """Whether a link or finger is in some solids."""
-        return any(deep(mine, other) for mine in self._bench.scene.link_solids for other in solids)
+    def _touches(self, solids: Sequence[Placed], depth: float = SKIN) -> bool:
+        """Whether a link or finger is in some solids by more than a depth, inches."""
+        links = self._bench.scene.link_solids
+        return any(deep(mine, other, depth) for mine in links for other in solids)
 
 
 def _too_near(feeder: Feeder, tip: Vector) -> float:

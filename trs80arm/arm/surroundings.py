@@ -119,6 +119,12 @@ class Surroundings:
         )
         return down + a * abs(after[0] - before[0]), down
 
+    def travels(self, before: Sequence[float], joints: Floats) -> Floats:
+        """`travel` from one place to many, 6 x places."""
+        gone = np.abs(joints - np.array(before)[:, None])
+        ways: Floats = (np.array(self._arm().levers)[:, None] * gone).sum(axis=0)
+        return ways
+
     def extent(self, opening: float) -> tuple[float, float]:
         """How far hand, fingers and load reach from the wrist, ahead and to any side, inches."""
         ahead, aside = self._linkage.model.hand_length, 0.0

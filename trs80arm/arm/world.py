@@ -79,7 +79,7 @@ class World:
         self._telling = Telling(bench)
         self._grasp = Grasp(bench, self._linkage, self.grip, self._telling)
         self.around = Surroundings(bench, self._linkage)
-        self._feeding = Feeding(bench, self._linkage, drive)
+        self._feeding = Feeding(bench, self._linkage, self.around)
         bench.cell.suit(settings)
         bench.lay()
         bench.scene.arm = self._linkage
@@ -176,7 +176,7 @@ class World:
             self._ticked[:] = self._rotors
             self._let_alone()
             self._busy = self._strained and not self.gripped
-            if self._feeding.vacant and not self._feeding.room(self._rotors):
+            if self._feeding.vacant and not self._feeding.room(self._commands(self._rotors)):
                 self.show()
                 self._feed()
             return
@@ -746,6 +746,6 @@ class World:
         """Feeders whose place is free, and clear of the hand, give their next part."""
         if not self._feeding.vacant:
             return
-        if self._feeding.give(self._rotors):
+        if self._feeding.give(self._commands(self._rotors)):
             self._forget()
         self._changed()
