@@ -25,6 +25,7 @@ from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import box
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import PulseGenerator, delay_period
+from trs80arm.machine.card import Observer
 from trs80arm.operator import Operator, parse_holds
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -149,11 +150,14 @@ FREE = """10 @STEP 50,0,-207,290
 
 
 class Counter:
-    """An analyser on the latches that counts their writes."""
+    """An analyser on the latches that counts their writes.
 
-    each_step = False
+    Args:
+        each_step: whether the arm has to be seen after every instant.
+    """
 
-    def __init__(self) -> None:
+    def __init__(self, *, each_step: bool) -> None:
+        self.each_step = each_step
         self.writes = 0
 
     def wrote(self, times: Sequence[int], latches: Sequence[int], nibbles: Sequence[int]) -> None:
@@ -161,16 +165,54 @@ class Counter:
         self.writes += len(times)
 
 
-def stepped(seconds: float) -> tuple[float, int]:
-    """Processor seconds of free `@STEP`s from BASIC to the arm, and the writes to its latches."""
+def stepped(seconds: float, observer: Observer | None = None) -> float:
+    """Processor seconds of free `@STEP`s from BASIC to the arm.
+
+    Args:
+        seconds: virtual ones.
+        observer: who sees the latches.
+    """
     rig = Rig(bench=Bench("empty"))
     rig.type(FREE.replace("\n", "\r") + "RUN\r")
     rig.run_for(30)
-    counter = Counter()
-    rig.watch_latches(counter)
+    if observer is not None:
+        rig.watch_latches(observer)
     begin = time.process_time()
     rig.run_for(seconds)
-    return time.process_time() - begin, counter.writes
+    return time.process_time() - begin
+
+
+def free_steps() -> None:
+    """Time free `@STEP`s: seen by nobody, seen write by write, and with the arm looked at each."""
+    counter = Counter(each_step=False)
+    stepped(600, counter)
+    writes = counter.writes
+    times = [stepped(600) for _ in range(ROUNDS)]
+    report("free @STEPs, BASIC to arm", times, writes, 600)
+    print(f"{'':44} {writes / min(times) / 1e6:.1f} million latch writes a second at best")
+    times = [stepped(600, Counter(each_step=False)) for _ in range(ROUNDS)]
+    report("the same, each write seen", times, writes, 600)
+    times = [stepped(60, Counter(each_step=True)) for _ in range(ROUNDS)]
+    report("the same, the arm looked at after each", times, writes // 10, 60)
+
+
+def lengths() -> None:
+    """Time motions of five motors there and back, by how many half-steps the longest makes."""
+    for longest in (30, 100, 300, 1000):
+        counts = (longest, -longest // 30, longest // 30, -longest // 4, longest // 4)
+        motions, times = 3000 // longest + 20, []
+        for _ in range(ROUNDS):
+            generator = PulseGenerator(MiniMover(bench=Bench("empty")))
+            generator.step((0, -207, 290), D50)
+            begin, start = time.process_time(), generator.time
+            for _ in range(motions):
+                generator.step(counts, D50)
+                generator.step([-count for count in counts], D50)
+            times.append(time.process_time() - begin)
+            virtual = (generator.time - start) / T_STATES_PER_SECOND
+        writes = 2 * motions * (sum(map(abs, counts)) + abs(counts[2]))
+        report(f"motions of {longest} half-steps, five motors", times, writes, virtual)
+        print(f"{'':44} {min(times) / motions / 2 * 1e6:.0f} microseconds each at best")
 
 
 CUBE = Shape.of([box((1.0, 1.0, 1.0))], 2.0)
@@ -265,14 +307,11 @@ def main() -> None:
     report(f"Table 4, {taken} cycles of pick and place", times, taken * 4600, virtual)
     times = [on_the_rig("table4", 60) for _ in range(5)]
     report("Table 4 with BASIC, driver, card and bench", times, 60 * 650, 60)
-    runs = [taught(40) for _ in range(5)]
+    runs = [taught(200) for _ in range(5)]
     seconds = runs[0][1]
-    report("Table 3, 40 cycles as taught", [run[0] for run in runs], 40 * 4600, seconds)
-    steps = [stepped(600) for _ in range(5)]
-    writes = steps[0][1]
-    report("free @STEPs, BASIC to arm", [run[0] for run in steps], writes, 600)
-    best = min(run[0] for run in steps)
-    print(f"{'':44} {writes / best / 1e6:.1f} million latch writes a second at best")
+    report("Table 3, 200 cycles as taught", [run[0] for run in runs], 200 * 4600, seconds)
+    free_steps()
+    lengths()
     for count in (1, 3, 10):
         contact(f"{count} in a row, pushed on and on", lambda count=count: row(count), push, 2400)
     contact("10 in a crowd, pushed apart", lambda: crowd(10), push, 400)

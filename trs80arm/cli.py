@@ -128,7 +128,7 @@ _SETTING_FLAGS = {
     "memory-size": ("machine.memory_size", "What is typed at MEMORY SIZE?"),
     "tapes": ("machine.tapes", "The folder of the cassettes."),
     "printer": ("machine.printer", "The file for the printer's paper."),
-    "arm": ("arm.model", "The arm on the cable: minimover5 or teachmover."),
+    "arm": ("arm.model", "The arm on the cable: {arms}."),
 }
 _SCREEN_FLAGS = {
     "speed": (
@@ -150,12 +150,26 @@ LONGEST_FILM = 600.0
 """Virtual seconds of a film at most."""
 
 
+class Told(click.Option):
+    """An option whose help has words that are looked up only when somebody wants to read it."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        """What `--help` says of it."""
+        record = super().get_help_record(ctx)
+        if record is None or "{arms}" not in record[1]:
+            return record
+        from trs80arm.arm.models import MODELS
+
+        flag, text = record
+        return flag, text.format(arms=" or ".join(MODELS))
+
+
 def _settings_options(flags: dict[str, tuple[str, str]]) -> Callable[[Command], Command]:
     """The flags that are settings; each stands for `--option TABLE.KEY=VALUE`."""
 
     def decorate(command: Command) -> Command:
         for name, (_, text) in reversed(flags.items()):
-            command = click.option(f"--{name}", metavar="VALUE", help=text)(command)
+            command = click.option(f"--{name}", metavar="VALUE", help=text, cls=Told)(command)
         return command
 
     return decorate

@@ -148,3 +148,5 @@ def test_run_takes_the_arm_by_its_name(model: ArmModel, tmp_path: Path) -> None:
     unknown = CliRunner().invoke(cli, ["run", str(tmp_path / "lift.bas"), "--arm", "robko"])
     assert unknown.exit_code != 0
     assert "there are minimover5, teachmover" in unknown.output
+    told = CliRunner().invoke(cli, ["run", "--help"])
+    assert model.name in told.output

@@ -35,7 +35,7 @@ class ArmSettings:
     """The open choices about arm and hand.
 
     Attributes:
-        model: name of the make of arm: minimover5 or teachmover.
+        model: name of the make of arm, one of those that `--help` lists at `--arm`.
         speed_margin: a motor keeps up to this multiple of Table 1's speed. The article's own
             program drives the shoulder 10 % above the speed listed (facts 8), so the list
             cannot be the limit.
