@@ -166,12 +166,14 @@ def test_where_a_sweep_is_clear_the_arm_has_room_everywhere_on_its_way(
     if around.sweep_clear(Ranges.of(np.array(places).T)):
         assert all(around.measured(place).enough for place in places)
     one = places[0]
-    if around.sweep_clear(Ranges.at(one)):
+    if around.sweep_clear(Ranges.about(one, wide / 10)):
+        near = [at + wide / 10 * chance.uniform(-1, 1) for at in one]
         assert around.measured(one).enough
+        assert around.measured(near).enough
 
 
 def test_ranges_are_within_themselves_and_not_within_less() -> None:
-    narrow = Ranges.at((0.1, 0.2, 0.3, 0.4, 0.5, 0.6))
+    narrow = Ranges.about((0.1, 0.2, 0.3, 0.4, 0.5, 0.6), 0.0)
     wide = Ranges.of(np.array([[0.1, 0.2, 0.3, 0.4, 0.5, 0.6], [0.2, 0.2, 0.3, 0.4, 0.4, 0.6]]).T)
     assert narrow.within(narrow)
     assert narrow.within(wide)

@@ -110,6 +110,7 @@ class MiniMover:
         self.model = self.settings.arm_model
         self.motors = [StepperMotor() for _ in range(6)]
         self.strength = Strength.of(self.model)
+        self._most_squeeze = self.model.hand.most_squeeze
         self._motor_kinds = tuple(drive.turns for drive in self.model.drives)
         self._stops_off = 0
         self.peaks = [0] * 6
@@ -485,12 +486,15 @@ class MiniMover:
         Something presses on the arm or is pushed by it, the hand is pulled at or has something
         heavy in it, or its cable is too tight. Full load is nothing to a motor that stands.
         """
-        world, model = self._world, self.model
+        world = self._world
         if self._pull is not None or world.strained:
             return True
-        if world.grip.squeeze > model.hand.most_squeeze:
+        if world.grip.squeeze > self._most_squeeze:
             return True
-        return sum(burden.weight for burden in world.burdens()) > model.full_load
+        burdens = world.burdens()
+        if not burdens:
+            return False
+        return sum([burden.weight for burden in burdens]) > self.model.full_load
 
     def _give_way(self) -> None:
         """Motors that stand and bear more than they hold are turned by it.

@@ -55,16 +55,23 @@ class Ranges:
         )
 
     @classmethod
-    def at(cls, joints: Sequence[float]) -> Ranges:
-        """One place only.
+    def about(cls, joints: Sequence[float], by: float) -> Ranges:
+        """One place, and what is about it.
 
         Args:
             joints: the arm's six coordinates.
+            by: radians, and inches of the opening, to either side.
         """
         base, shoulder, elbow, left, right, opening = joints
-        six = base, shoulder, elbow, (left + right) / 2, (left - right) / 2, opening
-        one, two, three, four, five, last = [(each, each) for each in six]
-        return cls(one, two, three, four, five, last)
+        pitch, roll = (left + right) / 2, (left - right) / 2
+        return cls(
+            (base - by, base + by),
+            (shoulder - by, shoulder + by),
+            (elbow - by, elbow + by),
+            (pitch - by, pitch + by),
+            (roll - by, roll + by),
+            (opening - by, opening + by),
+        )
 
     @classmethod
     def of(cls, joints: npt.NDArray[np.float64]) -> Ranges:

@@ -37,6 +37,8 @@ from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings
 from trs80arm.arm.sweep import Ranges
 from trs80arm.arm.telling import Telling
 
+ABOUT = 0.05
+"""Radians, and inches of the opening, about a place in which room is looked for at once."""
 SWEPT = 4
 """Motions whose room is remembered while nothing else moves."""
 CLOSELY = 8
@@ -209,7 +211,8 @@ class World:
         joints = self._led_to(commands)
         if not (
             self._surely_clear(joints)
-            or self._sweep_clear(Ranges.at(joints))
+            or self._known_clear(Ranges.about(joints, 0.0))
+            or self._sweep_clear(Ranges.about(joints, ABOUT))
             or self._look(joints).enough
         ):
             return False
@@ -250,17 +253,18 @@ class World:
         return room
 
     def _sweep_clear(self, ranges: Ranges) -> bool:
-        """Whether it is certain that there is room about while the joints are in some ranges.
-
-        Where they were before and nothing has moved since, there still is.
-        """
-        if any(ranges.within(each) for each in self._swept):
+        """Whether it is certain that there is room about while the joints are in some ranges."""
+        if self._known_clear(ranges):
             return True
         if not self.around.sweep_clear(ranges):
             return False
         self._swept.append(ranges)
         del self._swept[:-SWEPT]
         return True
+
+    def _known_clear(self, ranges: Ranges) -> bool:
+        """Whether that was found before, and nothing else has moved since."""
+        return any(ranges.within(each) for each in self._swept)
 
     def _forget(self) -> None:
         """Something may have moved: what was known of the room about is so no longer."""
@@ -713,7 +717,7 @@ class World:
 
     def _stirred(self) -> None:
         """A device has done something: have all be looked at."""
-        self._looked = self._ringed = None
+        self._forget()
         self._busy = True
         self._changed()
 
