@@ -34,6 +34,12 @@ def along(name: str) -> Path:
     return (programs_folder() or Path("programs")) / name
 
 
+def comes_along(path: Path) -> bool:
+    """Whether a file is one of those that come along."""
+    folder = programs_folder()
+    return folder is not None and path.resolve().parent == folder.resolve()
+
+
 def named(path: Path, suffix: str) -> Path:
     """The file that somebody means by a name.
 

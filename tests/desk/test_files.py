@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.desk.sitting import Sitting
+from tests.own_places import PROGRAMS
 from trs80arm.desk.asking import FileQuestion, Listing, ProgramQuestion
 from trs80arm.desk.files import PLAYING
 from trs80arm.desk.recovery import copy_label
@@ -194,6 +195,19 @@ def test_a_new_program_is_proposed_a_name_and_saved_as_text(sitting: Sitting) ->
     sitting.answer(path)
     sitting.files.save()
     assert sitting.person.asked[1].own == path
+
+
+def test_a_program_that_comes_along_is_saved_elsewhere_unless_its_user_says_otherwise(
+    sitting: Sitting,
+) -> None:
+    sitting.files.load_file(PROGRAMS / "table4.bas")
+    sitting.answer(sitting.folder / "mine.bas")
+    sitting.files.save()
+    [question] = sitting.person.asked
+    assert isinstance(question, FileQuestion)
+    assert question.proposal == "table4.bas"
+    assert question.own is None
+    assert (sitting.folder / "mine.bas").read_bytes() == (PROGRAMS / "table4.bas").read_bytes()
 
 
 def test_there_is_nothing_to_save_in_an_empty_memory(sitting: Sitting) -> None:

@@ -119,3 +119,31 @@ def test_a_rest_below_a_t_state_is_not_paid_over_and_over() -> None:
     pacer = paced(desk, 1.0)
     desk.pass_wall(pacer, 5.0)
     assert desk.slices < 5 * 60 * 6
+
+
+def test_the_way_back_to_a_saved_state_is_no_speed() -> None:
+    desk = Desk()
+    pacer = paced(desk, 1.0)
+    desk.pass_wall(pacer, 3.0)
+    desk.time -= 2.0
+    desk.pass_wall(pacer, 1.5)
+    assert pacer.achieved == pytest.approx(1.0, abs=0.05)
+
+
+def test_another_speed_is_not_judged_by_the_one_before() -> None:
+    desk = Desk()
+    pacer = paced(desk, 2.0)
+    desk.pass_wall(pacer, 3.0)
+    pacer.set_speed(20.0)
+    assert pacer.achieved == 20.0
+
+
+def test_after_a_pause_the_speed_is_what_it_was() -> None:
+    desk = Desk()
+    pacer = paced(desk, 1.0)
+    desk.pass_wall(pacer, 3.0)
+    pacer.pause(True)
+    desk.pass_wall(pacer, 3.0)
+    pacer.pause(False)
+    pacer.advance()
+    assert pacer.achieved == pytest.approx(1.0, abs=0.05)

@@ -49,6 +49,7 @@ class Shown:
         self.arm_style = ArmStyle.ASCII
         self.no_pixels = "no pixels here"
         self.cursor_style = CursorStyle.BLINK
+        self.zoomed: str | None = None
         self.glyph_set = GlyphSet.SEXTANT
         self.done: list[tuple[str, ...]] = []
         self.opened: list[Dialog[Any]] = []
@@ -316,6 +317,8 @@ def test_a_bench_is_chosen_among_those_beside_the_program(desk: Desk) -> None:
     labels = [choice.label for choice in desk.person.asked[0].choices]
     assert labels[0] == "table"
     assert {"own", "bad", "table4"} <= set(labels)
+    notes = {choice.label: choice.note for choice in desk.person.asked[0].choices}
+    assert (notes["own"], notes["table4"]) == (str(desk.folder), "comes along")
     assert list(desk.session.rig.arm.bench.parts) == ["cube"]
     desk.arm.choose_bench()
     assert "bad.toml" in desk.person.errors[-1]

@@ -10,6 +10,7 @@ from textual.widgets import Input, OptionList, Static
 from tests.sixty_lines import LISTING
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
+from tests.ui.screen_text import screen_text
 from trs80arm.rig import Waiting
 from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.debugger import DebuggerScreen
@@ -60,6 +61,22 @@ async def stopped_at(sitting: Sitting, listing: str, line: int) -> None:
         if isinstance(sitting.app.screen, DebuggerScreen):
             return
     pytest.fail("it never stopped")
+
+
+@pytest.mark.parametrize("size", [(120, 40), (200, 60)])
+@piloted
+async def test_beside_the_tube_the_debugger_leaves_the_status_line_whole(
+    sit_down: Opener, size: tuple[int, int]
+) -> None:
+    async with sit_down(*size) as sitting:
+        notice = "This is as long as notices are, and longer than the tube is wide."
+        sitting.app.say(notice)
+        await sitting.press("f7")
+        await sitting.pass_time(0.3)
+        assert debugger(sitting)
+        status = screen_text(sitting.app).splitlines()[-2]
+        assert status.startswith("0:00")
+        assert status.endswith(notice)
 
 
 @pytest.mark.parametrize(("width", "height"), [(80, 24), (120, 40)])

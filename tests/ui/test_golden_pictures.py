@@ -22,7 +22,10 @@ SIZES = [(80, 24), (100, 30), (120, 40), (200, 60)]
 AT_WORK = {"program": PROGRAMS / "table4.bas", "arm": ArmStyle.ASCII}
 BELOW = 2
 """Rows below the panels: the status, and the keys."""
-STYLES = [ArmStyle.ASCII, ArmStyle.HALF, ArmStyle.SEXTANT, ArmStyle.BRAILLE]
+SHOWN_BY = {"side": "zoom", "space": "fill_space", "scope": "fill_scope"}
+"""The commands that bring views to all of the screen."""
+STYLES = [ArmStyle.HALF, ArmStyle.SEXTANT, ArmStyle.BRAILLE]
+"""Those whose characters are shapes; the others are in the pictures at all sizes."""
 
 
 async def carry_a_part(sitting: Sitting) -> None:
@@ -66,35 +69,22 @@ async def test_layouts_while_the_arm_works(sit_down: Opener, width: int, height:
 async def test_the_views_that_fill_the_screen(sit_down: Opener, width: int, height: int) -> None:
     async with sit_down(width, height, **AT_WORK) as sitting:
         await carry_a_part(sitting)
-        await sitting.app.run_action("do('fill_space')")
-        await sitting.settle()
-        check_panels(f"large-space-{shape(width, height)}", sitting.app)
-        sitting.app.desk.zoom("space")
-        await sitting.app.run_action("do('fill_scope')")
-        await sitting.settle()
-        check_panels(f"large-scope-{shape(width, height)}", sitting.app)
-        await sitting.press("alt+down", "alt+down")
-        await sitting.settle()
-        check_panels(f"large-strips-{shape(width, height)}", sitting.app)
-
-
-@pytest.mark.parametrize("style", STYLES)
-@piloted
-async def test_the_arm_in_space_in_colours(sit_down: Opener, style: ArmStyle) -> None:
-    async with sit_down(100, 30, **{**AT_WORK, "arm": style}) as sitting:
-        await carry_a_part(sitting)
-        await sitting.app.run_action("do('fill_space')")
-        await sitting.settle()
-        check_picture(f"large-space-{style}", sitting.app)
+        for name in ("side", "space", "scope", "strips"):
+            if name == "strips":
+                await sitting.press("alt+down", "alt+down")
+            else:
+                await sitting.app.run_action(f"do('{SHOWN_BY[name]}')")
+            await sitting.settle()
+            check_panels(f"large-{name}-{shape(width, height)}", sitting.app)
+            check_picture(f"large-{name}-{shape(width, height)}", sitting.app)
 
 
 @piloted
-async def test_scope_and_strip_charts_in_colours(sit_down: Opener) -> None:
-    async with sit_down(120, 40, **AT_WORK) as sitting:
+async def test_the_arm_in_space_in_all_styles(sit_down: Opener) -> None:
+    async with sit_down(100, 30, **AT_WORK) as sitting:
         await carry_a_part(sitting)
-        await sitting.app.run_action("do('fill_scope')")
-        await sitting.settle()
-        check_picture("large-scope", sitting.app)
-        await sitting.press("alt+down", "alt+down")
-        await sitting.settle()
-        check_picture("large-strips", sitting.app)
+        await sitting.app.run_action("do('fill_space')")
+        for style in STYLES:
+            sitting.app.desk.use_arm_style(style)
+            await sitting.settle()
+            check_picture(f"large-space-{style}", sitting.app)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from trs80arm.machine.keys import Key
+from trs80arm.ui.commands.table import COMMANDS
 from trs80arm.ui.keys.host_keys import trs80_keys
 
 
@@ -47,3 +48,9 @@ def test_a_key_is_what_it_means(name: str, text: str | None, keys: tuple[Key, ..
 )
 def test_the_rest_is_not_the_machines(name: str, text: str | None) -> None:
     assert trs80_keys(name, text) is None
+
+
+def test_no_key_of_a_command_is_one_of_the_machines() -> None:
+    keys = [key for command in COMMANDS for key in command.keys.split(",") if key]
+    assert [key for key in keys if trs80_keys(key, None)] == []
+    assert sorted(keys) == sorted(set(keys))

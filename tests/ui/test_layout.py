@@ -12,6 +12,8 @@ from trs80arm.ui.layout import (
     FURNITURE,
     KEYBOARD,
     NUMBERS,
+    SCOPE,
+    SPACE,
     TUBE_LINES,
     Arrangement,
     Lead,
@@ -100,6 +102,12 @@ def test_where_the_arm_leads_it_has_most_of_the_room(size: tuple[int, int]) -> N
     assert ahead["tube"].height >= TUBE_LINES
     assert ahead["tube"].width == behind["tube"].width
     assert "registers" in ahead
+
+
+@pytest.mark.parametrize("group", [SPACE, SCOPE])
+def test_a_picture_that_is_asked_for_is_never_a_few_rows(group: str) -> None:
+    for size in [(80, 24), (100, 30), (120, 40)]:
+        assert plan(GROUPS, *size, group, lead=Lead.ARM)[group].height >= 14
 
 
 def test_what_is_switched_in_is_seen_whatever_leads() -> None:

@@ -88,6 +88,34 @@ async def test_the_room_can_be_given_at_a_key_and_back(sit_down: Opener) -> None
         assert rows(sitting)[0] == 16
 
 
+@pytest.mark.parametrize("size", [(80, 24), (100, 30)])
+@pytest.mark.parametrize("name", ["space", "scope"])
+@piloted
+async def test_a_picture_that_is_asked_for_has_room_to_be_read(
+    sit_down: Opener, name: str, size: tuple[int, int]
+) -> None:
+    async with sit_down(*size) as sitting:
+        await sitting.app.run_action(f"do('show_{name}')")
+        await sitting.settle()
+        await sitting.settle()
+        panel = sitting.app.desk.panels[name]
+        assert panel.size.height >= 14
+        assert panel.has_class("leading")
+        assert rows(sitting)[0] >= 6
+        await sitting.press("ctrl+e")
+        await sitting.settle()
+        assert rows(sitting)[0] == 16
+
+
+@piloted
+async def test_where_there_is_room_for_all_the_scope_leads_nothing(sit_down: Opener) -> None:
+    async with sit_down(120, 40) as sitting:
+        await sitting.app.run_action("do('show_scope')")
+        await sitting.settle()
+        await sitting.settle()
+        assert sitting.app.desk.tube.has_class("leading")
+
+
 @pytest.mark.parametrize("size", [(50, 20), (60, 60)])
 @piloted
 async def test_a_window_narrower_than_the_tube_follows_the_cursor(

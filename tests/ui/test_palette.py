@@ -10,6 +10,7 @@ from textual.command import CommandPalette
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from trs80arm.ui.commands.palette import Palette
+from trs80arm.ui.commands.table import COMMANDS, key_names
 
 
 @piloted
@@ -33,21 +34,39 @@ async def found(sitting: Sitting, query: str) -> list[str]:
 @pytest.mark.parametrize(
     ("query", "title"),
     [
-        ("quit", "Leave  (F10)"),
-        ("exit", "Leave  (F10)"),
-        ("load", "Program: open  (F2)"),
+        ("quit", "Leave  (F10, Ctrl+Q)"),
+        ("exit", "Leave  (F10, Ctrl+Q)"),
+        ("load", "Program: open  (F2, Ctrl+O)"),
         ("screenshot", "Screen: save as picture"),
         ("green", "Theme: green"),
         ("amber", "Theme: amber"),
         ("zoom", "View: arm large, and back  (F11)"),
         ("tour", "Session: demonstration"),
         ("restart", "Machine: off and on"),
+        ("save file", "Program: save  (F3, Ctrl+S)"),
     ],
 )
 @piloted
 async def test_commands_are_found_by_other_words(sit_down: Opener, query: str, title: str) -> None:
     async with sit_down() as sitting:
         assert title in (await found(sitting, query))[:4]
+
+
+@piloted
+async def test_every_command_is_found_by_its_title_its_other_words_and_its_keys(
+    sit_down: Opener,
+) -> None:
+    async with sit_down() as sitting:
+        shown = [hit async for hit in Palette(sitting.app.screen).discover()]
+        titles = {str(hit.display) for hit in shown}
+        for command in COMMANDS:
+            if command.name == "palette":
+                continue
+            keys = key_names(command)
+            title = f"{command.title}  ({', '.join(keys)})" if keys else command.title
+            assert title in titles
+            for words in (command.title, *command.also.split(), *keys):
+                assert title in await found(sitting, words), (words, title)
 
 
 @piloted

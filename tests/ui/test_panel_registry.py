@@ -77,6 +77,19 @@ async def test_a_row_brings_a_panel_to_the_screen(
         assert desk.bottom == "weather"
 
 
+@piloted
+async def test_one_large_panel_follows_another_and_f11_goes_back(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        desk = sitting.app.desk
+        for name in ("space", "scope"):
+            await sitting.app.run_action(f"do('fill_{name}')")
+            await sitting.pass_time(0.2)
+            assert desk.zoomed == name
+            assert "F11 goes back to all panels." in screen_text(sitting.app)
+        await sitting.press("f11")
+        assert desk.zoomed is None
+
+
 def test_every_group_can_be_brought_under_the_tube_where_not_all_is_shown() -> None:
     names = groups((*PANELS, WEATHER))
     assert set(layout.bottoms(names, 64, 24)) == set(names) - {"tube"}

@@ -204,9 +204,19 @@ def test_the_machines_state_is_seen_beside_a_notice(width: int) -> None:
     assert len(text) <= width
 
 
-def test_a_long_notice_leaves_the_state_its_shortest_words() -> None:
+LONG = "The registers are read back from the listing, and line 120 names a point that is not there."
+
+
+@pytest.mark.parametrize("width", [40, 60, 64, 80, 100])
+@pytest.mark.parametrize("paused", [False, True])
+def test_a_notice_is_never_cut_and_state_and_pause_stay(width: int, paused: bool) -> None:
     line = StatusLine()
-    notice = "The tube's text is copied (some terminals do not allow it)."
-    line.show(samples.readings(waiting=Waiting.SET), Pace(), "repeat", notice)
-    [row] = line.draw(samples.readings(waiting=Waiting.SET), 80, 1)
-    assert text_of(row) == f"@SET: 0 ends  {notice}"
+    readings = samples.readings(waiting=Waiting.SET)
+    for notice in (LONG, LONG.partition(",")[0], "Speed 2."):
+        line.show(readings, Pace(paused=paused), "repeat", notice)
+        rows = [text_of(row) for row in line.draw(readings, width, 3)]
+        assert " ".join(rows).count(notice) == 1
+        assert all(len(row) <= width for row in rows)
+        assert "0 ends" in rows[-1]
+        assert ("PAUSED" in rows[-1]) or not paused
+        assert len(rows) == 1 or notice not in rows[-1]

@@ -42,6 +42,8 @@ IN_MANUAL_MODE = "0 ends"
 """What the status line says in `@SET`, in many words or in few."""
 MODES = re.compile(rb"\x1b\[\?([\d;]+)([hl])")
 STACK = re.compile(rb"\x1b\[([<>])(\d*)u")
+COLOURS = re.compile(r"\x1b\[[\d;]*m")
+PLACE = re.compile(r"\x1b\[(\d+);(\d+)H")
 
 
 class Terminal:
@@ -139,6 +141,17 @@ class Terminal:
         self.read(seconds)
         for character in characters:
             self.send(self._up(character))
+
+    def click(self, word: str, since: int) -> None:
+        """Click on a word that was drawn since so many bytes of output."""
+        self.wait_for(word, since)
+        drawn = COLOURS.sub("", self.output[since:].decode(errors="replace"))
+        before = drawn[: drawn.rindex(word)]
+        # Every row that is drawn begins with its place.
+        *_, at = PLACE.finditer(before)
+        row, column = int(at[1]), int(at[2]) + len(before) - at.end()
+        self.send(f"\x1b[<0;{column};{row}M", 0.1)
+        self.send(f"\x1b[<0;{column};{row}m")
 
     def until(self, so: Callable[[], bool]) -> None:
         """Wait until something is so."""
@@ -263,6 +276,24 @@ def test_ctrl_c_twice_leaves_the_terminal_as_it_was(tmp_path: Path, reports: boo
         one.send("\x1b[99;5u\x1b[99;5:3u" if reports else "\x03")
         one.wait_for("Leave trs80arm?")
         one.send("\x1b[99;5u\x1b[99;5:3u" if reports else "\x03")
+        assert one.leave() == 0
+        assert one.is_as_it_was()
+
+
+@pytest.mark.parametrize("reports", [True, False])
+def test_buttons_of_a_dialog_are_clicked_with_the_mouse(tmp_path: Path, reports: bool) -> None:
+    with terminal(tmp_path, reports=reports) as one:
+        one.read(0.3)
+        for button in (" Back ", " Leave "):
+            since = len(one.output)
+            one.send("\x1b[99;5u\x1b[99;5:3u" if reports else "\x03")
+            # The last of what is drawn of them.
+            one.wait_for(" Back ", since)
+            after = len(one.output)
+            one.click(button, since)
+            if button == " Back ":
+                # What the dialog had covered.
+                one.wait_for("ESCAPE IS BREAK", after)
         assert one.leave() == 0
         assert one.is_as_it_was()
 

@@ -8,11 +8,12 @@ from pathlib import Path
 import pytest
 from textual import events
 
-from tests.ui.conftest import Opener
+from tests.ui.conftest import PROGRAMS, Opener
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
 from tests.ui.test_file_dialogs import type_name
 from trs80arm.rig import RigSettings, Waiting
+from trs80arm.ui.app import NOTICE_SECONDS
 
 
 @pytest.mark.parametrize(
@@ -44,6 +45,39 @@ async def test_a_notice_stands_beside_what_the_machine_waits_for(sit_down: Opene
         assert "@SET" in status
         assert "0 ends" in status
         assert "Position 1 is taught." in status
+
+
+@piloted
+async def test_a_notice_that_is_too_long_has_lines_of_its_own_for_as_long_as_it_stands(
+    sit_down: Opener,
+) -> None:
+    async with sit_down(60, 60) as sitting:
+        before = screen_text(sitting.app).splitlines()
+        sitting.app.say("word " * 15 + "end.")
+        await sitting.pass_time(0.3)
+        during = screen_text(sitting.app).splitlines()
+        assert during[-4].startswith("word word")
+        assert during[-3].endswith("word end.")
+        assert "at READY" in during[-2]
+        assert during[-1] == before[-1]
+        assert during[:-4] == before[:-4]
+        await sitting.pass_time(NOTICE_SECONDS)
+        after = screen_text(sitting.app).splitlines()
+        assert after[:-2] == before[:-2]
+
+
+@piloted
+async def test_the_frames_say_which_program_and_bench_there_are(sit_down: Opener) -> None:
+    async with sit_down(120, 40, program=PROGRAMS / "table4.bas") as sitting:
+        assert "─ table4.bas ─" in screen_text(sitting.app)
+        assert "─ bench table4 ─" in screen_text(sitting.app)
+        await sitting.type_line("10 REM MINE")
+        await sitting.pass_time(0.2)
+        assert "─ table4.bas, changed ─" in screen_text(sitting.app)
+    async with sit_down(120, 40) as sitting:
+        await sitting.type_line("10 REM MINE")
+        await sitting.pass_time(0.2)
+        assert "─ new program ─" in screen_text(sitting.app)
 
 
 @piloted

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.benches import bench_beside
-from trs80arm.bundled import programs_folder
+from trs80arm.bundled import comes_along, programs_folder
 from trs80arm.desk import recording
 from trs80arm.desk.asking import (
     Asking,
@@ -187,13 +187,15 @@ class SessionFiles:
         if not self._session.program:
             self._say("There is no program in memory.")
             return
-        own = self._session.path
+        path = self._session.path
+        # What comes along stays as it is, unless somebody says otherwise.
+        along = path is not None and comes_along(path)
         question = FileQuestion(
             "Save the program",
             "Text as LIST shows it, .cas for a cassette; a crunched .bas stays crunched.",
-            own or "program.bas",
+            "program.bas" if path is None else path.name if along else path,
             to_write=True,
-            own=own,
+            own=None if along else path,
         )
 
         def save(path: Path) -> None:

@@ -93,6 +93,7 @@ class Pacer:
     def set_speed(self, speed: float | None) -> None:
         """Go at another speed from now on; nothing is owed from before."""
         self.speed = speed
+        self.achieved = speed or 1.0
         self.forgive()
 
     def pause(self, paused: bool) -> None:
@@ -110,11 +111,13 @@ class Pacer:
         """Give the machine its time; never longer than the budget of the wall."""
         now = self._wall()
         passed, self._last = min(now - self._last, MOST_OWED), now
-        # What others let pass since the last call, a single step or a whole command, is not owed.
-        self._target += self.machine.time - self._left_at
+        # What others let pass since the last call, a single step, a whole command or the way to a
+        # saved state, is neither owed nor speed.
+        by_others = self.machine.time - self._left_at
+        self._target += by_others
+        self._measured = (self._measured[0], self._measured[1] + by_others)
         self._left_at = self.machine.time
         if self.paused:
-            self.achieved = 0.0
             return
         self.turbo = self.hurries and self.speed is not None and self._hurry()
         if self.turbo:

@@ -238,6 +238,16 @@ class Session:
         program = self.program
         return bool(program) and program != self._safe
 
+    @property
+    def title(self) -> str:
+        """The program's file, and whether it is changed; empty without a program."""
+        program = self.program
+        if not program:
+            return ""
+        if self.path is None:
+            return "new program"
+        return self.path.name if program == self._safe else f"{self.path.name}, changed"
+
     def load(self, path: Path) -> None:
         """Put a program file into memory.
 

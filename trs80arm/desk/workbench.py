@@ -8,13 +8,15 @@ from trs80arm.arm.events import Reason
 from trs80arm.arm.minimover import InTheWay
 from trs80arm.arm.motors import RING
 from trs80arm.benches import bench_files
-from trs80arm.bundled import programs_folder
+from trs80arm.bundled import comes_along, programs_folder
 from trs80arm.desk.asking import Asking, Choice, ListQuestion, Question, Say
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.session import Session
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 
 STANDARD_BENCH = "table"
+ALONG = "comes along"
+"""Said of a bench instead of its folder."""
 ADVICE = {
     Reason.RATE: "A larger D in @STEP is slower, and a slower motor is stronger.",
     Reason.LOAD: "Go slower, keep the arm closer in, or lift less.",
@@ -44,7 +46,8 @@ class Workbench:
         """Choose a bench."""
         choices = [Choice("", STANDARD_BENCH, "a table and one part at (8, 0)")]
         for path in self._benches():
-            choices.append(Choice(str(path), path.stem, str(path.parent)))
+            where = ALONG if comes_along(path) else str(path.parent)
+            choices.append(Choice(str(path), path.stem, where))
         standing = self._session.bench_path
         question = ListQuestion(
             "Bench", tuple(choices), str(standing.resolve()) if standing else ""

@@ -1,12 +1,14 @@
 """Films as animated SVG: every run of characters once, with the times at which it is to be seen.
 
 A run that stays from picture to picture is written once, however long it stays, so that a film in
-which little moves is a small file. Times are SMIL's, which browsers know in pictures too; a viewer
+which little moves is a small file; those of a row that look the same and come and go together are
+written together. Times are SMIL's, which browsers know in pictures too; a viewer
 that does not know them shows the first picture.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from html import escape
 
 from trs80arm.film.blocks import blocks_of
@@ -17,11 +19,18 @@ FONT = "ui-monospace,SFMono-Regular,Menlo,Consolas,'DejaVu Sans Mono','Liberatio
 _BASELINE = 15
 _LETTERS = 16.6
 """Size of letters that are a cell wide: monospaced ones are 0.6 of their size."""
+_NO_GAP = 1e-6
 _PAUSE = 1.5
 """Seconds for which the last picture stays before the film begins again."""
 
 Piece = tuple[int, int, str, Look]
 """Row, column, text and look of a run."""
+Spells = tuple[tuple[float, float], ...]
+"""When something is shown: beginnings and ends, in seconds of the film."""
+Placed = tuple[int, str]
+"""Column and text of one of several runs of a row that look the same."""
+Rectangle = tuple[float, float, float, float]
+"""Left, top, width and height."""
 
 
 def svg(film: Film) -> bytes:
@@ -29,10 +38,14 @@ def svg(film: Film) -> bytes:
     ground = _commonest_ground(film.frames[0])
     looks: dict[Look, int] = {}
     total = film.seconds + _PAUSE
+    together: dict[tuple[int, Look, Spells], list[Placed]] = {}
+    for (row, column, text, look), spells in _spells(film, ground).items():
+        together.setdefault((row, look, tuple(spells)), []).append((column, text))
     drawn = []
-    for piece, spells in _spells(film, ground).items():
-        look = looks.setdefault(piece[3], len(looks))
-        drawn.append(_drawn(piece, look, ground, _timing(spells, total)))
+    for (row, look, shown), runs in together.items():
+        number = looks.setdefault(look, len(looks))
+        behind = look.ground != ground
+        drawn.append(_timed(_drawn(row, runs, number, behind=behind), _timing(shown, total)))
     width, height = film.width * CELL_WIDTH, film.height * CELL_HEIGHT
     styles = [
         f".i{number}{{fill:{look.ink}{';font-weight:bold' if look.bold else ''}}}"
@@ -89,9 +102,9 @@ def _spells(film: Film, ground: str) -> dict[Piece, list[tuple[float, float]]]:
     return dict(sorted(spells.items(), key=lambda item: item[0][:3]))
 
 
-def _timing(spells: list[tuple[float, float]], total: float) -> tuple[bool, str]:
+def _timing(spells: Spells, total: float) -> tuple[bool, str]:
     """Whether a run is there at first, and the SMIL that shows and hides it."""
-    if spells == [(0.0, total)]:
+    if spells == ((0.0, total),):
         return True, ""
     at_first = spells[0][0] == 0.0
     timing = ""
@@ -106,29 +119,58 @@ def _during(start: float, end: float) -> str:
     return f'begin="f.begin+{start:.3g}s" dur="{end - start:.3g}s"'
 
 
-def _drawn(piece: Piece, look: int, ground: str, timing: tuple[bool, str]) -> str:
-    row, column, text, of = piece
+def _timed(drawn: str, timing: tuple[bool, str]) -> str:
     at_first, animation = timing
-    x, y = column * CELL_WIDTH, row * CELL_HEIGHT
-    wide = len(text) * CELL_WIDTH
-    drawn = ""
-    if of.ground != ground:
-        drawn = f'<path class="g{look}" d="M{x} {y}h{wide}v{CELL_HEIGHT}h-{wide}z"/>'
-    plain = "".join(" " if blocks_of(sign) else sign for sign in text)
-    if plain.strip():
-        drawn += (
-            f'<text class="i{look}" x="{x}" y="{y + _BASELINE}" textLength="{wide}">'
-            f"{escape(plain, quote=False)}</text>"
-        )
-    shapes = "".join(
-        f"M{x + (place + left) * CELL_WIDTH:.5g} {y + top * CELL_HEIGHT:.5g}"
-        f"h{across * CELL_WIDTH:.4g}v{down * CELL_HEIGHT:.4g}h-{across * CELL_WIDTH:.4g}z"
-        for place, sign in enumerate(text)
-        for left, top, across, down in blocks_of(sign)
-    )
-    if shapes:
-        drawn += f'<path class="i{look}" d="{shapes}"/>'
     if not animation:
         return drawn
     hidden = "" if at_first else ' display="none"'
     return f"<g{hidden}>{drawn}{animation}</g>"
+
+
+def _drawn(row: int, runs: list[Placed], look: int, *, behind: bool) -> str:
+    """Runs of a row in a look, which may have a ground of its own behind them."""
+    y = row * CELL_HEIGHT
+    drawn = ""
+    if behind:
+        grounds = [
+            (column * CELL_WIDTH, y, len(text) * CELL_WIDTH, CELL_HEIGHT) for column, text in runs
+        ]
+        drawn = f'<path class="g{look}" d="{_outlines(grounds)}"/>'
+    letters = ""
+    for column, text in runs:
+        plain = "".join(" " if blocks_of(sign) else sign for sign in text)
+        letters = letters.ljust(column) + plain
+    if words := letters.strip():
+        first = len(letters) - len(letters.lstrip())
+        drawn += (
+            f'<text class="i{look}" x="{first * CELL_WIDTH}" y="{y + _BASELINE}" '
+            f'textLength="{len(words) * CELL_WIDTH}">{escape(words, quote=False)}</text>'
+        )
+    shapes = [
+        (
+            (column + place + left) * CELL_WIDTH,
+            y + top * CELL_HEIGHT,
+            across * CELL_WIDTH,
+            down * CELL_HEIGHT,
+        )
+        for column, text in runs
+        for place, sign in enumerate(text)
+        for left, top, across, down in blocks_of(sign)
+    ]
+    return f'{drawn}<path class="i{look}" d="{_outlines(shapes)}"/>' if shapes else drawn
+
+
+def _outlines(rectangles: Iterable[Rectangle]) -> str:
+    """Rectangles as a path; those that stand in a line without a gap are one."""
+    joined: list[Rectangle] = []
+    for left, top, width, height in sorted(rectangles, key=lambda one: (one[1], one[3], one[0])):
+        if joined:
+            before, at, wide, high = joined[-1]
+            if (at, high) == (top, height) and abs(before + wide - left) < _NO_GAP:
+                joined[-1] = (before, top, wide + width, height)
+                continue
+        joined.append((left, top, width, height))
+    return "".join(
+        f"M{left:.5g} {top:.5g}h{width:.5g}v{height:.4g}h-{width:.5g}z"
+        for left, top, width, height in joined
+    )

@@ -427,6 +427,9 @@ class Trs80Arm(Themed[int]):
         now = self.wall() if now is None else now
         pacer = self.pacer
         self._guide()
+        if now >= self.desk.numbers_due:
+            bench = self.session.bench_path
+            self.desk.entitle(self.session.title, f"bench {bench.stem}" if bench else "")
         self.desk.show(
             self.session.rig,
             now,

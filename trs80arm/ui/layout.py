@@ -45,6 +45,8 @@ TUBE, ARM, NUMBERS, MOTORS, LOG, KEYBOARD = "tube", "arm", "numbers", "motors", 
 LISTING, VARIABLES, PAPER = "listing", "variables", "paper"
 SPACE, SCOPE = "space", "scope"
 """The groups that have places of their own where there is room; any other one is switched in."""
+LARGE_ONES = (SPACE, SCOPE)
+"""Pictures that say nothing in the few rows below a tube: asked for, they have the arm's room."""
 
 Groups = Mapping[str, Sequence[str]]
 """The ids of the panels of each group, in order."""
@@ -103,6 +105,11 @@ def arrangement(width: int, height: int) -> Arrangement:
     if width >= 100 and height >= 28:
         return Arrangement.MIDDLE
     return Arrangement.COMPACT
+
+
+def shared(width: int, height: int) -> bool:
+    """Whether tube and arm share the room of a window, so that one of them leads."""
+    return arrangement(width, height) in (Arrangement.COMPACT, Arrangement.MIDDLE)
 
 
 def frames(width: int, height: int) -> Frames:
@@ -214,11 +221,11 @@ def _compact(groups: Groups, room: Region, bottom: str, lead: Lead) -> Plan:
     tube_width = min(COLUMNS, room.width)
     beside = room.width - tube_width
     with_numbers = beside >= SIDE_COLUMN
-    if lead is Lead.ARM and bottom == ARM:
+    if lead is Lead.ARM and bottom in (ARM, *LARGE_ONES):
         lines = max(TUBE_LINES, room.height // 3)
         upper, lower = _rows(room, room.height - lines)
         tube, rest = _columns(lower, tube_width)
-        regions = _placed(groups, [(TUBE, tube)]) | _abreast(groups, ARM, upper)
+        regions = _placed(groups, [(TUBE, tube)]) | _abreast(groups, bottom, upper)
         return regions | ({groups[NUMBERS][0]: rest} if with_numbers else {})
     upper, lower = _rows(room, min(ROWS, room.height))
     tube, rest = _columns(upper, tube_width)
@@ -236,12 +243,11 @@ def _middle(groups: Groups, room: Region, bottom: str, lead: Lead) -> Plan:
     side, top = groups[ARM]
     upper, lower = _rows(right, right.height - 2 * _NUMBERS + 3)
     regions = {top: upper} | _stacked(groups[NUMBERS], lower, _NUMBERS - 1)
-    if lead is Lead.ARM and bottom == ARM:
-        first, second = _rows(left, left.height - TUBE_LINES - _FRAME)
-        return regions | {side: first} | _placed(groups, [(TUBE, second)])
-    first, second = _rows(left, _TUBE_ROWS)
-    regions |= _placed(groups, [(TUBE, first)])
-    return regions | ({side: second} if bottom == ARM else _abreast(groups, bottom, second))
+    leads = lead is Lead.ARM and bottom in (ARM, *LARGE_ONES)
+    first, second = _rows(left, left.height - TUBE_LINES - _FRAME if leads else _TUBE_ROWS)
+    tube, other = (second, first) if leads else (first, second)
+    regions |= _placed(groups, [(TUBE, tube)])
+    return regions | ({side: other} if bottom == ARM else _abreast(groups, bottom, other))
 
 
 # -- room for all ----------------------------------------------------------------------------------
@@ -265,6 +271,8 @@ def _large(groups: Groups, room: Region, bottom: str) -> Plan:
     regions |= _stacked(groups[ARM], right, room.height * 3 // 5)
     if bottom == ARM:
         return regions | _numbers_and_motors(groups, lower, LOG)
+    if bottom in LARGE_ONES:
+        return regions | _abreast(groups, bottom, lower)
     registers, rest = _rows(lower, _NUMBERS)
     return regions | _abreast(groups, NUMBERS, registers) | _abreast(groups, bottom, rest)
 

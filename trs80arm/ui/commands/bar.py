@@ -1,4 +1,4 @@
-"""The bottom line: the commands that have a function key, as many as fit, to read and to click."""
+"""The bottom line: the commands to begin with and their keys, as many as fit, to be clicked too."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from textual.widget import Widget
 
 from trs80arm.ui.commands.table import Command
 
-LESS_IMPORTANT = ("step_statement", "zoom", "teach")
-"""What goes first where the line is short: it is in the palette and in the help as well."""
+LESS_IMPORTANT = ("speed", "save", "panel", "pause", "step_statement", "zoom", "teach")
+"""What goes, the last one first, where the line is short: it is in palette and help as well."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class _Place:
 
 
 class CommandBar(Widget):
-    """The function keys and what they do."""
+    """The keys of the commands to begin with, and what they do."""
 
     ALLOW_SELECT = False
     COMPONENT_CLASSES = {"bar--key", "bar--word"}  # noqa: RUF012
@@ -41,9 +41,7 @@ class CommandBar(Widget):
 
     def places(self, width: int) -> Sequence[_Place]:
         """The commands that fit into a line of a width, in the order of their keys."""
-        shown = sorted(
-            (command for command in self._commands if command.footer), key=lambda c: _number(c)
-        )
+        shown = sorted((one for one in self._commands if one.footer), key=_order)
         for name in ("", *reversed(LESS_IMPORTANT)):
             shown = [command for command in shown if command.name != name]
             places = _laid_out(shown)
@@ -69,15 +67,22 @@ class CommandBar(Widget):
                 await self.app.run_action(f"do('{place.command.name}')")
 
 
-def _number(command: Command) -> int:
-    return int(command.keys.partition(",")[0][1:])
+def _key(command: Command) -> str:
+    """The first of its keys, in few letters: `F1`, `^P`."""
+    return command.keys.partition(",")[0].replace("ctrl+", "^").upper()
+
+
+def _order(command: Command) -> tuple[bool, str]:
+    """Function keys by their numbers, then the others."""
+    key = _key(command)
+    return not key.startswith("F"), key[1:].rjust(2)
 
 
 def _laid_out(commands: Sequence[Command]) -> list[_Place]:
     places: list[_Place] = []
     at = 0
     for command in commands:
-        key = command.keys.partition(",")[0].upper()
+        key = _key(command)
         stop = at + len(key) + len(command.footer) + 2
         places.append(_Place(command, key, at, stop))
         at = stop

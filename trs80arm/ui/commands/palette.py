@@ -8,7 +8,7 @@ from functools import partial
 
 from textual.command import DiscoveryHit, Hit, Hits, Provider
 
-from trs80arm.ui.commands.table import COMMANDS, spoken
+from trs80arm.ui.commands.table import COMMANDS, key_names
 
 _BY_WORD = 0.5
 """The score of a command that is found by another word for it; a title's is up to 1 and more."""
@@ -29,8 +29,10 @@ class Palette(Provider):
 
     def _entries(self) -> Iterator[_Entry]:
         for command in COMMANDS:
-            key = command.keys.partition(",")[0]
-            title = f"{command.title}  ({spoken(key)})" if key else command.title
+            if command.name == "palette":
+                continue
+            keys = ", ".join(key_names(command))
+            title = f"{command.title}  ({keys})" if keys else command.title
             do = partial(self.app.run_action, f"do('{command.name}')")
             yield _Entry(title, command.help, command.also, do)
 
@@ -49,7 +51,10 @@ class Palette(Provider):
         matcher = self.matcher(query)
         for entry in (*self._entries(), *self._themes()):
             by_title = matcher.match(entry.title)
-            by_word = any(word.startswith(query.casefold().strip()) for word in entry.also.split())
+            known = f"{entry.title} {entry.also}".casefold().split()
+            by_word = all(
+                any(word.startswith(part) for word in known) for part in query.casefold().split()
+            )
             if by_title > 0 or by_word:
                 score = max(by_title, _BY_WORD if by_word else 0.0)
                 yield Hit(score, matcher.highlight(entry.title), entry.do, help=entry.help)

@@ -49,6 +49,9 @@ class Shell(Protocol):
     def action_suspend_process(self) -> None:
         """Go to the shell for a while."""
 
+    def action_command_palette(self) -> None:
+        """Open the palette."""
+
 
 class ProgramCommands:
     """Help, settings, themes, and ways out.
@@ -115,6 +118,10 @@ class ProgramCommands:
         titles = {topic.title for topic in here}
         others = (topic for topic in self._topics() if topic.title not in titles)
         self._screens.open(HelpScreen([*here, *others], first))
+
+    def palette(self) -> None:
+        """All commands, to be searched."""
+        self._shell.action_command_palette()
 
     def theme(self) -> None:
         """Choose a theme; each is seen while it is marked."""

@@ -105,6 +105,14 @@ COMMANDS: tuple[Command, ...] = (
         also="manual keys ?",
     ),
     Command(
+        "palette",
+        lambda to: to.program.palette(),
+        "Commands",
+        "All commands: type to search, Enter does the one that is marked.",
+        "ctrl+p",
+        "Commands",
+    ),
+    Command(
         "open",
         lambda to: to.files.open(),
         "Program: open",
@@ -730,7 +738,18 @@ def listed() -> Iterator[tuple[str, str]]:
     """The keys of the commands that have some, and what they do."""
     for command in COMMANDS:
         if command.keys:
-            yield " ".join(map(spoken, command.keys.split(",")[:2])), command.help
+            yield " ".join(key_names(command)[:2]), command.help
+
+
+def key_names(command: Command) -> list[str]:
+    """The keys of a command as people write them, without those that no keyboard has.
+
+    Terminals that know no Shift on function keys call Shift+F3 F15.
+    """
+    return [spoken(key) for key in command.keys.split(",") if key and key not in _NO_KEYS]
+
+
+_NO_KEYS = {f"f{number}" for number in range(13, 25)}
 
 
 def spoken(key: str) -> str:

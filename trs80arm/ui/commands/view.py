@@ -50,6 +50,7 @@ class View(Protocol):
     arm_style: ArmStyle
     no_pixels: str
     cursor_style: CursorStyle
+    zoomed: str | None
 
     @property
     def glyph_set(self) -> GlyphSet:
@@ -71,7 +72,7 @@ class View(Protocol):
         """Look further down, or up, in the panels that are switched in, or in the paper."""
 
     def zoom(self, name: str) -> None:
-        """One panel or group on all of the screen, and back."""
+        """One panel or group on all of the screen; asked for again, or by the arm, back."""
 
     def choose_lead(self) -> Lead | None:
         """The other one leads, and after that whichever has something to show."""
@@ -121,6 +122,7 @@ class ViewCommands:
     def show_bottom(self, group: str) -> None:
         """A group of panels under the tube; asked for again, the first one."""
         self._view.show_bottom(group)
+        self._say_the_way_back()
 
     def scroll_page(self, pages: int) -> None:
         """A page further down in what is switched in, or up: paper, listing, variables."""
@@ -129,6 +131,11 @@ class ViewCommands:
     def zoom(self, name: str) -> None:
         """One panel on all of the screen, and back."""
         self._view.zoom(name)
+        self._say_the_way_back()
+
+    def _say_the_way_back(self) -> None:
+        if self._view.zoomed is not None:
+            self._say("F11 goes back to all panels.")
 
     def lead(self) -> None:
         """Give the room to the arm or to the tube, and the next time to whichever needs it."""

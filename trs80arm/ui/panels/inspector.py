@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from textwrap import wrap
 from typing import ClassVar
 
 from textual.events import MouseScrollDown, MouseScrollUp
@@ -32,6 +33,7 @@ class Inspector(Panel):
     """A panel of an inspection; subclasses say in `rows` what of it is seen."""
 
     NOTHING: ClassVar[str]
+    """What it says while there is nothing to be seen, and what would change that."""
 
     def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
         super().__init__(id=id, classes=classes)
@@ -54,7 +56,7 @@ class Inspector(Panel):
         """The rows that fit, from where the wheel has scrolled to."""
         rows = self.rows(self._inspection)
         if not rows:
-            return [((self.NOTHING, Ink.LABEL),)]
+            return [((line, Ink.LABEL),) for line in wrap(self.NOTHING, width)]
         most = max(0, len(rows) - height)
         first = min(max(0, self.first(rows, height)), most)
         self._scrolled = min(max(self._scrolled, -first), most - first)
@@ -77,7 +79,7 @@ class Inspector(Panel):
 class ListingPanel(Inspector):
     """The program in memory, with the line that is executed next."""
 
-    NOTHING = "no program in memory"
+    NOTHING = "no program in memory: F2 opens one, or type lines that begin with a number"
     HELP = """
 ## Listing
 
@@ -106,7 +108,7 @@ looks elsewhere.
 class VariablesPanel(Inspector):
     """The variables and what they hold."""
 
-    NOTHING = "no variables"
+    NOTHING = "no variables: a program that runs makes them"
     HELP = """
 ## Variables
 
@@ -127,7 +129,7 @@ their elements. The mouse wheel looks further down.
 class PaperPanel(Inspector):
     """The end of the printer's paper."""
 
-    NOTHING = "nothing printed yet"
+    NOTHING = "nothing printed yet: LPRINT and LLIST print here"
     HELP = """
 ## Paper
 

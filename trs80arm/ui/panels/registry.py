@@ -164,7 +164,7 @@ PANELS: tuple[PanelRow, ...] = (
         Cadence.NUMBERS,
         layout.LISTING,
         shows="The program in memory, and where it is.",
-        key="ctrl+l",
+        key="alt+l",
         fills="The listing fills the screen.",
     ),
     PanelRow(

@@ -1,8 +1,13 @@
-"""The one line under everything: virtual clock, speed, keys, what the machine waits for."""
+"""The line under everything: virtual clock, speed, keys, what the machine waits for.
+
+A notice stands beside them, and where it is too long for that, in lines of its own above.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from textwrap import wrap
 
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, Span, clock_text
@@ -23,6 +28,9 @@ _WAITING = {
 }
 _SHORTLY = {Waiting.SET: "@SET: 0 ends", Waiting.PAUSE: "held", Waiting.AUTO: "AUTO"}
 """The same in a few letters, for a line with a long notice on it."""
+_GAP: Span = ("  ", Ink.PLAIN)
+MOST_NOTICE = 3
+"""The most lines that a notice has to itself."""
 _MOTION = {Mode.STEP: "@STEP", Mode.CLOSE: "@CLOSE", Mode.SET: "@SET"}
 
 
@@ -95,37 +103,56 @@ has to say.
         self._keys, self._notice, self._tape = keys, notice, tape
         super().show(readings)
 
+    def redraw(self) -> None:
+        """Draw the last readings again, in as many lines as they need."""
+        if self._readings is not None and self.size.width:
+            needed = len(self._lines(self._readings, self.size.width))
+            if needed != self.size.height:
+                self.styles.height = needed
+        super().redraw()
+
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:
-        """The one row; what matters less is left out first."""
+        """The state's row, and above it what of a notice does not fit there."""
+        return self._lines(readings, width)
+
+    def _lines(self, readings: Readings, width: int) -> list[Row]:
         clock: Span = (clock_text(readings.time)[:-1], Ink.STRONG)
         pace: Span = (self._pace.text(), Ink.ALARM if self._pace.paused else Ink.PLAIN)
+        held: Span = pace if self._pace.paused else ("", Ink.PLAIN)
         keys: Span = (f"keys: {self._keys}" if self._keys else "", Ink.PLAIN)
         motors: Span = (
             "motors ON" if readings.motors_on else "motors off",
             Ink.STRONG if readings.motors_on else Ink.PLAIN,
         )
-        doing: Span = (
-            self._tape or doing_text(readings),
-            Ink.PLAIN if self._notice else Ink.STRONG,
-        )
-        shortly: Span = (_SHORTLY.get(readings.waiting, doing[0]), doing[1])
+        said = self._tape or doing_text(readings)
+        doing: Span = (said, Ink.PLAIN if self._notice else Ink.STRONG)
+        shortly: Span = (_SHORTLY.get(readings.waiting, said), doing[1])
         notice: Span = (self._notice, Ink.STRONG)
         slipped: Span = ("! steps lost" if readings.believed else "", Ink.ALARM)
-        for chosen in (
-            [clock, pace, keys, motors, slipped, doing, notice],
-            [clock, pace, keys, slipped, doing, notice],
-            [clock, pace, slipped, doing, notice],
-            [clock, slipped, doing, notice],
-            [doing, notice],
-            [shortly, notice],
-        ):
-            parts = [span for span in chosen if span[0]]
-            if sum(len(text) for text, _ in parts) + 2 * (len(parts) - 1) <= width:
-                break
-        row: list[Span] = []
-        for span in parts:
-            row += [("  ", Ink.PLAIN), span] if row else [span]
-        return [tuple(row)]
+        fuller = (
+            (clock, pace, keys, motors, slipped, doing),
+            (clock, pace, keys, slipped, doing),
+            (clock, pace, slipped, doing),
+            (clock, held, slipped, doing),
+        )
+        beside = [*((*spans, notice) for spans in fuller), (held, doing, notice)]
+        row = _first_that_fits([*beside, (held, shortly, notice)], width)
+        if row is not None:
+            return [row]
+        words: list[Row] = [((line, Ink.STRONG),) for line in wrap(self._notice, width)]
+        doing = (said, Ink.STRONG)
+        alone = [*((*spans[:-1], doing) for spans in fuller), (held, doing), (held, shortly)]
+        return [*words[:MOST_NOTICE], _first_that_fits(alone, width) or (shortly,)]
+
+
+def _first_that_fits(choices: Iterable[Sequence[Span]], width: int) -> Row | None:
+    """The first of some choices of words that fit into a line, two blanks between them."""
+    for spans in choices:
+        parts = [span for span in spans if span[0]]
+        if sum(len(text) for text, _ in parts) + 2 * (len(parts) - 1) <= width:
+            first, *others = parts
+            return (first, *(each for span in others for each in (_GAP, span)))
+    return None
 
 
 def doing_text(readings: Readings) -> str:

@@ -88,6 +88,7 @@ class DebuggerScreen(Dialog[Leaving]):
     DEFAULT_CSS = """
     DebuggerScreen { align: right top; background: transparent; }
     DebuggerScreen > .dialog { width: 100%; max-width: 100%; max-height: 100%; height: 1fr; }
+    DebuggerScreen > .beside { margin-bottom: 1; }
     DebuggerScreen #where { height: auto; max-height: 3; text-style: bold; }
     DebuggerScreen #parts { height: 1fr; }
     DebuggerScreen #parts.stacked { layout: vertical; }
@@ -168,7 +169,9 @@ on standing.
     def _arrange(self, width: int) -> None:
         beside = width >= BESIDE
         room = width - COLUMNS - _TUBE_FRAME
-        self.query_one(".dialog").styles.width = room if beside else "100%"
+        box = self.query_one(".dialog")
+        box.styles.width = room if beside else "100%"
+        box.set_class(beside, "beside")
         self.query_one("#parts").set_class(beside and room < 90, "stacked")
 
     @property

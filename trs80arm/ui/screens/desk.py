@@ -13,7 +13,9 @@ from math import radians
 
 from textual import events
 from textual.app import ComposeResult
+from textual.containers import Vertical
 from textual.geometry import Offset
+from textual.markup import escape
 from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Static
@@ -24,6 +26,7 @@ from trs80arm.inspection import Inspection
 from trs80arm.machine.video import COLUMNS
 from trs80arm.options import ArmStyle, CursorStyle, GlyphSet
 from trs80arm.rig import Rig, Waiting
+from trs80arm.shown import shown
 from trs80arm.trace.history import History
 from trs80arm.ui import layout
 from trs80arm.ui.keys.host_keys import trs80_keys
@@ -35,6 +38,7 @@ from trs80arm.ui.panels.registry import Cadence, PanelRow, groups
 from trs80arm.ui.panels.scope_panel import ScopePanel
 from trs80arm.ui.panels.space_view import SpaceView
 from trs80arm.ui.panels.status import Pace, StatusLine
+from trs80arm.ui.panels.top_view import TopView
 from trs80arm.ui.panels.tube import Tube
 from trs80arm.ui.terminal.layers import Layer
 from trs80arm.ui.terminal.pixels import NOT_HERE, PixelScreen
@@ -131,9 +135,10 @@ class DeskScreen(Layer):
             panel.border_title = row.title
             panel.add_class("placed")
             yield panel
-        yield self._guide
-        yield self.status
-        yield self._bar
+        with Vertical(id="foot"):
+            yield self._guide
+            yield self.status
+            yield self._bar
 
     def on_screen_suspend(self) -> None:
         """A dialog opened."""
@@ -164,7 +169,7 @@ class DeskScreen(Layer):
         width, height = self._room
         places = layout.plan(self._groups, width, height, self.bottom, self.zoomed, self.leading)
         frames = layout.frames(width, height) if self.zoomed is None else layout.Frames.TITLED
-        leading = self.tube if self.leading is Lead.TUBE else self.side
+        leading = self.tube if self.leading is Lead.TUBE else self._large_one or self.side
         for name, panel in self.panels.items():
             region = places.get(name)
             panel.display = region is not None
@@ -200,6 +205,12 @@ class DeskScreen(Layer):
         """What has most of the room: what was chosen, else the arm while it moves."""
         return self._chosen_lead or self._moving_lead
 
+    @property
+    def _large_one(self) -> Widget | None:
+        """What is switched in, where it is to have the arm's room."""
+        wants = self.bottom in layout.LARGE_ONES and layout.shared(*self._room)
+        return self.panels[self._groups[self.bottom][0]] if wants else None
+
     def choose_lead(self) -> Lead | None:
         """The other one leads from now on, and after that whichever has something to show.
 
@@ -214,15 +225,18 @@ class DeskScreen(Layer):
         return self._chosen_lead
 
     def _follow(self, readings: Readings, now: float) -> None:
-        """The arm leads while it moves, unless the tube has more to show than its last lines."""
+        """The arm leads while it moves, and what else wants its room while it is switched in.
+
+        Not so when the tube has more to show than its last lines.
+        """
         if readings.waiting is Waiting.SET or readings.coils != self._coils:
             self._moved_at = now
         self._coils = readings.coils
         if self.tube.wrote_elsewhere:
             self._wrote_at = now
         tube = self.tube.graphics or now < self._wrote_at + STAY
-        moves = now < self._moved_at + STAY and not tube
-        lead = Lead.ARM if moves else Lead.TUBE
+        shows = now < self._moved_at + STAY or self._large_one is not None
+        lead = Lead.ARM if shows and not tube else Lead.TUBE
         if lead is not self._moving_lead:
             self._moving_lead = lead
             self.lay_out()
@@ -265,8 +279,9 @@ class DeskScreen(Layer):
             panel.scroll(pages * max(1, panel.size.height - 1))
 
     def zoom(self, name: str) -> None:
-        """One panel or group on all of the screen, and back."""
-        self.zoomed = None if self.zoomed is not None else name
+        """One panel or group on all of the screen; asked for again, or by the arm, back."""
+        back = self.zoomed is not None and name in (self.zoomed, layout.ARM)
+        self.zoomed = None if back else name
         self.lay_out()
 
     # -- how they are drawn -----------------------------------------------------------------------
@@ -399,6 +414,13 @@ class DeskScreen(Layer):
             inspection = Inspection.of(rig)
             for panel in seen:
                 panel.inspect(inspection)
+
+    def entitle(self, program: str, bench: str) -> None:
+        """Say on the frames which program is in memory, and which bench stands there."""
+        self.tube.border_subtitle = escape(shown(program))
+        for view in self._arm_views:
+            if isinstance(view, TopView):
+                view.border_subtitle = escape(shown(bench))
 
     def _point_terminal_at(self, cell: int) -> None:
         """Let the terminal's own cursor follow, for braille displays and input methods."""
