@@ -144,7 +144,7 @@ def test_opening_offers_recovered_recent_and_own_programs(sitting: Sitting) -> N
     sitting.files.open()
     [question] = sitting.person.asked
     assert isinstance(question, ProgramQuestion)
-    shelves = {shelf.title: list(shelf.files) for shelf in question.shelves}
+    shelves = {shelf.title: list(shelf.files) for shelf in (*question.shelves, *question.below)}
     assert shelves["Recovered"] == [left]
     assert shelves["Recent"] == [recent]
     assert "table4.bas" in [path.name for path in shelves["Coming along"]]

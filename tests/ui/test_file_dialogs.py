@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 import pytest
-from textual.widgets import Input, Static
+from textual.widgets import Input, OptionList, Static
 
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
@@ -41,9 +41,8 @@ async def test_a_folder_that_there_is_none_of_has_nothing_to_offer(
     async with sit_down() as sitting:
         await sitting.press("f2")
         await type_name(sitting, name)
-        text = screen_text(sitting.app)
-        assert "Coming along" in text
-        assert "none" not in text.partition("Coming along")[2]
+        assert "No program fits." in screen_text(sitting.app)
+        assert sitting.app.screen.query_one(OptionList).option_count == 0
 
 
 @pytest.mark.parametrize(
@@ -163,3 +162,21 @@ async def test_a_name_typed_whole_is_marked_before_longer_ones(sit_down: Opener)
         await sitting.settle()
         assert sitting.app.session.path is not None
         assert sitting.app.session.path.name == "table4.bas"
+
+
+@piloted
+async def test_ones_own_programs_stand_before_those_that_come_along(
+    sit_down: Opener, tmp_path: Path
+) -> None:
+    (tmp_path / "mine.bas").write_text("10 REM\n")
+    (tmp_path / "there").mkdir()
+    (tmp_path / "there" / "other.bas").write_text("10 REM\n")
+    async with sit_down() as sitting:
+        await sitting.press("f2")
+        await sitting.settle()
+        whole = screen_text(sitting.app)
+        assert 0 < whole.index("mine.bas") < whole.index("Coming along")
+        await type_name(sitting, "there/")
+        named = screen_text(sitting.app)
+        assert "other.bas" in named
+        assert "Coming along" not in named

@@ -101,10 +101,17 @@ class Shelf:
 
 @dataclass(frozen=True)
 class ProgramQuestion:
-    """A program file from some shelves, those that are empty left out, or from a folder."""
+    """A program file from some shelves, those that are empty left out, or from a folder.
+
+    Attributes:
+        shelves: that stand before the folder.
+        folder: where one is.
+        below: shelves that stand after it.
+    """
 
     shelves: tuple[Shelf, ...]
     folder: Path
+    below: tuple[Shelf, ...] = ()
 
 
 @dataclass(frozen=True)

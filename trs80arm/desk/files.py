@@ -80,16 +80,13 @@ class SessionFiles:
     def open(self) -> None:
         """Let a program be chosen, and load it."""
         along = programs_folder()
-        shelves = (
-            self._recovered(),
-            Shelf("Recent", self._recent.all()),
-            Shelf("Coming along", program_files(along) if along else ()),
-        )
+        shelves = (self._recovered(), Shelf("Recent", self._recent.all()))
+        below = (Shelf("Coming along", program_files(along) if along else ()),)
 
         def chosen(path: Path) -> None:
             self.if_program_may_go("Open", lambda: self.load_file(path))
 
-        self._ask.ask_program(ProgramQuestion(shelves, self.reach.home), chosen)
+        self._ask.ask_program(ProgramQuestion(shelves, self.reach.home, below), chosen)
 
     def _recovered(self) -> Shelf:
         """What sittings that ended badly have left: the newest few, unless they are asked for."""

@@ -63,7 +63,11 @@ class Pace:
 
 
 class StatusLine(Panel):
-    """Clock, speed and what is achieved of it, key mode, waiting state, and a notice."""
+    """Clock, speed and what is achieved of it, key mode, waiting state, and a notice.
+
+    Attributes:
+        needed: lines that it takes.
+    """
 
     HELP = """
 ## Status line
@@ -81,6 +85,7 @@ has to say.
         self._keys = ""
         self._notice = ""
         self._tape = ""
+        self.needed = 1
 
     def show(
         self,
@@ -106,9 +111,9 @@ has to say.
     def redraw(self) -> None:
         """Draw the last readings again, in as many lines as they need."""
         if self._readings is not None and self.size.width:
-            needed = len(self._lines(self._readings, self.size.width))
-            if needed != self.size.height:
-                self.styles.height = needed
+            self.needed = len(self._lines(self._readings, self.size.width))
+            if self.needed != self.size.height:
+                self.styles.height = self.needed
         super().redraw()
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:

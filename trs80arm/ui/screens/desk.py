@@ -13,7 +13,6 @@ from math import radians
 
 from textual import events
 from textual.app import ComposeResult
-from textual.containers import Vertical
 from textual.geometry import Offset
 from textual.markup import escape
 from textual.message import Message
@@ -135,10 +134,9 @@ class DeskScreen(Layer):
             panel.border_title = row.title
             panel.add_class("placed")
             yield panel
-        with Vertical(id="foot"):
-            yield self._guide
-            yield self.status
-            yield self._bar
+        yield self._guide
+        yield self.status
+        yield self._bar
 
     def on_screen_suspend(self) -> None:
         """A dialog opened."""
@@ -406,6 +404,7 @@ class DeskScreen(Layer):
         if numbers:
             tape = Deck.of(rig).progress if rig.tape.running else ""
             self.status.show(readings, pace, keys=keys, notice=notice, tape=tape)
+            self._guide.styles.margin = (0, 0, 1 + self.status.needed, 0)
 
     def _inspect(self, rig: Rig) -> None:
         """Look into the machine for the panels that show its memory, if any is seen."""

@@ -79,16 +79,15 @@ class OpenScreen(Dialog[Path]):
         options = self.query_one(OptionList)
         options.clear_options()
         self._paths = []
-        folder, part = self.question.folder, wanted
+        part = wanted
         typed = self._reach.typed(wanted)
         if wanted and (wanted.endswith("/") or typed.parent != self._reach.typed("x").parent):
-            folder = typed if wanted.endswith("/") else typed.parent
+            # A folder that is named is what one wants to look into.
             part = "" if wanted.endswith("/") else typed.name
-        shelves = list(self.question.shelves)
-        if not self._reach.refusal(folder, to_write=False):
-            # What comes along is long, and last.
-            place = 0 if folder != self.question.folder else len(shelves) - 1
-            shelves.insert(place, Shelf(str(folder), program_files(folder)))
+            shelves = self._folder(typed if wanted.endswith("/") else typed.parent)
+        else:
+            question = self.question
+            shelves = [*question.shelves, *self._folder(question.folder), *question.below]
         for shelf in shelves:
             entries = [entry for entry in shelf.entries(part) if entry[0] not in self._gone]
             if entries:
@@ -106,6 +105,13 @@ class OpenScreen(Dialog[Path]):
         options.highlighted = first
         if first is None:
             self._preview(None)
+            if not is_file(typed):
+                self.query_one(".wrong", Static).update("No program fits.")
+
+    def _folder(self, folder: Path) -> list[Shelf]:
+        """The programs of a folder, if it can be looked into."""
+        refused = self._reach.refusal(folder, to_write=False)
+        return [] if refused else [Shelf(str(folder), program_files(folder))]
 
     def on_input_changed(self, event: Input.Changed) -> None:
         """Show what fits."""
