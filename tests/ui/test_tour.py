@@ -126,3 +126,20 @@ async def test_an_offer_is_taken_by_its_key(sit_down: Opener) -> None:
 async def test_nothing_is_offered_to_who_opens_a_program(sit_down: Opener) -> None:
     async with sit_down(first_time=True, demo=True) as sitting:
         assert "New here?" not in screen_text(sitting.app)
+
+
+@piloted
+async def test_in_a_browser_keys_that_it_keeps_to_itself_have_others(
+    sit_down: Opener, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TEXTUAL_DRIVER", "a browser's")
+    async with sit_down(first_time=True) as sitting:
+        await sitting.settle()
+        text = screen_text(sitting.app)
+        assert "Alt+N begins a tour" in text
+        assert "Ctrl+N begins" not in text
+        await sitting.press("alt+n")
+        await sitting.settle()
+        assert sitting.app.tour.step is not None
+        await sitting.press("alt+t")
+        assert len(sitting.app.lesson) == 1

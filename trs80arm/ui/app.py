@@ -11,6 +11,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
+import re
 import signal
 import sys
 import threading
@@ -79,6 +80,8 @@ OFFER = (
     "`Ctrl+N` begins a tour of five minutes: drive, pick, run, teach.",
     "Or just type: later Ctrl+N, or `trs80arm tour`, begins it as well.",
 )
+BROWSERS_OWN = re.compile(r"Ctrl\+([NT])\b")
+"""Keys that a browser keeps to itself: there it is Alt with the same letter."""
 MARK_EVERY = 1.0
 """Seconds of the wall between two snapshots to which the debugger can go back, at least."""
 MARKS_SHARE = 0.005
@@ -150,8 +153,8 @@ class Trs80Arm(Themed[int]):
         self._trying_themes = False
         self.pacer = Pacer(session, wall, options.speed.factor, lambda: session.hurried)
         self.pacer.hurries = options.turbo
-        far = bool(os.environ.get("TEXTUAL_DRIVER"))
-        self.sound = LineSound(session, self.bell, self.say, options.sound, far=far)
+        self._in_browser = bool(os.environ.get("TEXTUAL_DRIVER"))
+        self.sound = LineSound(session, self.bell, self.say, options.sound, far=self._in_browser)
         self.heartbeat = Heartbeat(self.tick, lambda: self.busy, wall)
         held = HeldKeys(options.tap_ms / 1000, options.repeat_ms / 1000)
         self.keyboard = Keyboard(session, held, options.keys, wall)
@@ -445,11 +448,16 @@ class Trs80Arm(Themed[int]):
             first, second = tour.step.words
             more = "Ctrl+N: skip, back, leave"
             gap = self.size.width - len(second.replace("`", "")) - len(more) - 1
-            self.desk.guide(tour.place, (first, f"{second}{' ' * max(2, gap)}{more}"))
+            self._say_in_guide(tour.place, (first, f"{second}{' ' * max(2, gap)}{more}"))
         elif tour.offered:
-            self.desk.guide("New here?", OFFER)
+            self._say_in_guide("New here?", OFFER)
         else:
             self.desk.guide("", ())
+
+    def _say_in_guide(self, title: str, lines: tuple[str, ...]) -> None:
+        if self._in_browser:
+            lines = tuple(BROWSERS_OWN.sub(r"Alt+\1", line) for line in lines)
+        self.desk.guide(title, lines)
 
     def on_resize(self, event: events.Resize) -> None:
         """Find every panel its place in the new size."""

@@ -279,24 +279,25 @@ def _large(groups: Groups, room: Region, bottom: str) -> Plan:
 
 def _huge(groups: Groups, room: Region, bottom: str) -> Plan:
     left, middle, right = _columns(room, _TUBE, room.width - _TUBE - _LISTING)
-    tube, block, log = _rows(left, _TUBE_ROWS, 2 * _NUMBERS)
+    tube, block, corner = _rows(left, _TUBE_ROWS, 2 * _NUMBERS)
     listing, variables = _rows(right, right.height * 3 // 5)
     regions = _numbers_and_motors(groups, block, PAPER)
-    regions |= _placed(
-        groups, [(TUBE, tube), (LOG, log), (LISTING, listing), (VARIABLES, variables)]
-    )
-    side, top = groups[ARM]
     lowest = SCOPE if bottom == ARM else bottom
     upper, lower = _rows(middle, middle.height * 3 // 4 if lowest in groups else middle.height)
     if lowest in groups:
         regions |= _abreast(groups, lowest, lower)
+    side, top = groups[ARM]
     first, second = _rows(upper, upper.height * 2 // 3)
-    regions[side] = first
+    log = corner
     if SPACE in groups:
-        second, space = _columns(second, second.width // 2)
-        regions |= _placed(groups, [(SPACE, space)])
-    regions[top] = second
-    return regions
+        # A picture has the corner, and a log the few rows that say nothing of a picture.
+        second, log = _columns(second, second.width // 2)
+        regions |= _placed(groups, [(SPACE, corner)])
+    return (
+        regions
+        | {side: first, top: second}
+        | _placed(groups, [(TUBE, tube), (LOG, log), (LISTING, listing), (VARIABLES, variables)])
+    )
 
 
 def _wide(groups: Groups, room: Region, bottom: str) -> Plan:

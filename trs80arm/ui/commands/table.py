@@ -454,7 +454,7 @@ COMMANDS: tuple[Command, ...] = (
         lambda to: to.arm.teach_here(),
         "Arm: teach this position",
         "Teach the position where the arm is.",
-        "ctrl+t",
+        "ctrl+t,alt+t",
         also="record position point",
     ),
     Command(
@@ -674,7 +674,7 @@ COMMANDS: tuple[Command, ...] = (
         lambda to: to.tour.menu(),
         "Session: tour",
         "The first five minutes, step by step; again: skip, back, leave.",
-        "ctrl+n",
+        "ctrl+n,alt+n",
         also="tutorial learn guide begin first help introduction",
     ),
     Command(
