@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from trs80arm.arm.contact.rotations import Matrix
+from trs80arm.arm.contact.rotations import IDENTITY, Matrix, apply_back
 from trs80arm.arm.contact.sixes import Six
-from trs80arm.arm.shapes import Vector, plus
+from trs80arm.arm.shapes import Vector, minus, plus
 
 Key = tuple[str, str, int]
 """Of a contact: the two things' names, and which of their solids."""
@@ -24,6 +24,7 @@ class Mobile:
         speed: six velocities, in the end those found: of a body, velocity and spin; of the arm, the
             rates of its coordinates.
         place: of a body's centre of mass; unused for the arm.
+        turn: of a body's frame; unused for the arm.
         mass: of a body.
         inertia: of a body, in the world's frame.
         inertias: of each of the arm's coordinates; None for a body.
@@ -36,6 +37,11 @@ class Mobile:
     inertia: Matrix | None = None
     inertias: Six | None = None
     before: tuple[float, ...] | None = None
+    turn: Matrix = IDENTITY
+
+    def within(self, point: Vector) -> Vector:
+        """Where a point is in the frame of a body; of the arm, in the world's."""
+        return apply_back(self.turn, minus(point, self.place))
 
 
 @dataclass(frozen=True, slots=True)

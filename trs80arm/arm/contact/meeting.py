@@ -213,8 +213,9 @@ class Meeting:
         contact = Contact(key, points, found.normal, first, second, friction, surfaces)
         contact.apart = found.apart
         if known:
-            origin = second.mobile.place if second.mobile is not None else NOWHERE
-            contact.pressures = [self._pressed(known, minus(point, origin)) for point, _ in points]
+            assert second.mobile is not None
+            within = second.mobile.within
+            contact.pressures = [self._pressed(known, within(point)) for point, _ in points]
         self.contacts.append(contact)
 
     def _pressed(self, known: Pressures, place: Vector) -> float:

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from trs80arm.arm.contact.bodies import Body
 from trs80arm.arm.contact.contacts import Contact, Key
-from trs80arm.arm.shapes import Vector, minus
+from trs80arm.arm.shapes import Vector
 
 Pressures = list[tuple[Vector, float]]
-"""Where two things press on each other, from the middle of the second if that is a body, and with
-how much (impulse a second)."""
+"""Where two things press on each other, in the frame of the second if that is a body, and with how
+much (impulse a second)."""
 
 
 class Memory:
@@ -45,7 +45,7 @@ class Memory:
             if mobile is None or not any(contact.pressures):
                 continue
             kept.setdefault(contact.key, []).extend(
-                (minus(point, mobile.place), pressure / seconds)
+                (mobile.within(point), pressure / seconds)
                 for (point, _), pressure in zip(contact.points, contact.pressures, strict=True)
                 if pressure > 0
             )

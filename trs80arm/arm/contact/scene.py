@@ -25,7 +25,7 @@ from trs80arm.arm.contact.memory import Memory
 from trs80arm.arm.contact.prospect import Prospect
 from trs80arm.arm.contact.rest import CALM_TICKS, Group, calm, groups, leaning
 from trs80arm.arm.contact.roster import Roster
-from trs80arm.arm.contact.rotations import spun, turned
+from trs80arm.arm.contact.rotations import matrix, spun, times, transposed, turned
 from trs80arm.arm.contact.sixes import Six
 from trs80arm.arm.contact.solver import Problem
 from trs80arm.arm.contact.table import TABLE, Plate
@@ -439,7 +439,9 @@ class Scene:
         wx, wy, wz = body.spin
         speed = [vx, vy, vz - GRAVITY * self._seconds, wx * slower, wy * slower, wz * slower]
         before = (*body.velocity, *body.spin)
-        return Mobile(speed, body.place, body.shape.mass, body.inertia(), before=before)
+        turn = matrix(body.turn)
+        inertia = times(times(turn, body.shape.inertia), transposed(turn))
+        return Mobile(speed, body.place, body.shape.mass, inertia, before=before, turn=turn)
 
     # What the arm wakes
 
