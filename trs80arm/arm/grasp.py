@@ -68,11 +68,13 @@ class Grasp:
             loaded: whether anything rests in the hand.
         """
         parts = self._bench.parts
-        between = set(self._linkage.fingers)
+        left, right = self._linkage.fingers
         looked_at = {name for contact in self._bench.scene.contacts for name in contact.key[:2]}
         # What sleeps in the grip stays there.
         if not any(
-            part.asleep and (part.held or between <= set(part.touching)) and name not in looked_at
+            part.asleep
+            and (part.held or (left in part.touching and right in part.touching))
+            and name not in looked_at
             for name, part in parts.items()
         ):
             self._measure()
@@ -192,12 +194,14 @@ class Grasp:
         """Parts on which the fingers press, alone or by way of others between them."""
         parts = self._bench.parts
         left, right = self._linkage.fingers
+        pressing = [contact for contact in self._bench.scene.contacts if contact.pressure > 0]
+        if {left, right} - {contact.key[0] for contact in pressing}:
+            return []
         across = self._across()
         pairs = {
             contact.key[:2]
-            for contact in self._bench.scene.contacts
-            if contact.pressure > 0
-            and (contact.key[0] not in (left, right) or _faces(contact.normal, across))
+            for contact in pressing
+            if contact.key[0] not in (left, right) or _faces(contact.normal, across)
         }
         pressed = [name for one, name in pairs if one == left and name in parts]
         reached: set[str] = set()

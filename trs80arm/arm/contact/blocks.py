@@ -43,6 +43,12 @@ def missing_momentum(mass: list[float], speed: Six, wanted: Sequence[float]) -> 
     ]
 
 
+def add_up(block: list[float], stiffness: list[float]) -> None:
+    """Add a stiffness against a body to its block."""
+    for k, value in enumerate(stiffness):
+        block[k] += value
+
+
 def add_linked(
     block: list[float], columns: list[tuple[int, Six]], stiffness: list[float]
 ) -> list[Six]:
@@ -74,6 +80,39 @@ def add_linked(
                 product += mx * ex + my * ey + mz * ez
             block[start + other] += product
     return out
+
+
+def add_own(
+    block: list[float],
+    between: list[Six],
+    own: list[tuple[int, Six]],
+    alike: list[tuple[int, Six]],
+    stiffness: list[float],
+) -> None:
+    """Add what a stiffness does by coordinates that move one link alone.
+
+    Args:
+        block: the arm's own.
+        between: what couples it to the other thing.
+        own: columns of those coordinates.
+        alike: columns of the link's others, by which it has been added.
+        stiffness: against the link.
+    """
+    (a, b, c, d, e, f, g, h, i, j, k, m, n, o, p, q, r, s, t, u, v) = stiffness
+    for place, (at, (x, y, z, ex, ey, ez)) in enumerate(own):
+        fx = a * x + b * y + d * z + g * ex + k * ey + q * ez
+        fy = b * x + c * y + e * z + h * ex + m * ey + r * ez
+        fz = d * x + e * y + f * z + i * ex + n * ey + s * ez
+        mx = g * x + h * y + i * z + j * ex + o * ey + t * ez
+        my = k * x + m * y + n * z + o * ex + p * ey + u * ez
+        mz = q * x + r * y + s * z + t * ex + u * ey + v * ez
+        va, vb, vc, vd, ve, vf = between[at]
+        between[at] = (va - fx, vb - fy, vc - fz, vd - mx, ve - my, vf - mz)
+        for other, (x, y, z, ex, ey, ez) in (*alike, *own[: place + 1]):
+            low, high = (other, at) if other < at else (at, other)
+            block[high * (high + 1) // 2 + low] += (
+                fx * x + fy * y + fz * z + mx * ex + my * ey + mz * ez
+            )
 
 
 def add_shifted(block: list[float], lever: Vector, stiffness: list[float]) -> list[Six]:

@@ -41,6 +41,21 @@ def box_around(solids: Sequence[Placed], margin: float) -> tuple[Vector, Vector]
     return low, (max(us) + margin, max(vs) + margin, max(ws) + margin)
 
 
+def spheres_around(solids: Sequence[Placed], margins: Sequence[float]) -> tuple[Vector, Vector]:
+    """An upright box around spheres about some solids, each wider by a margin of its own.
+
+    Wider than `box_around`, and found without asking where any corner is.
+    """
+    a = b = c = math.inf
+    d = e = f = -math.inf
+    for solid, margin in zip(solids, margins, strict=True):
+        x, y, z = solid.middle
+        r = solid.radius + margin
+        a, b, c = min(a, x - r), min(b, y - r), min(c, z - r)
+        d, e, f = max(d, x + r), max(e, y + r), max(f, z + r)
+    return (a, b, c), (d, e, f)
+
+
 def outside(body: Body, around: tuple[Vector, Vector]) -> bool:
     """Whether the sphere around a body is outside an upright box."""
     (a, b, c), (d, e, f) = around

@@ -87,6 +87,7 @@ class Contact:
         friction: coefficient.
         surfaces: velocity of the first side at each point, if it stands fast but its surface moves.
         pressures: impulse along the normal at each: as it was a tick before, then as found.
+        pressure: the whole of all points, as found; 0 before.
         apart: inches by which the two are apart along the normal, whole solids and not points.
     """
 
@@ -98,17 +99,17 @@ class Contact:
     friction: float
     surfaces: list[Vector] | None = None
     pressures: list[float] = field(default_factory=list)
+    pressure: float = 0.0
     apart: float = -math.inf
+
+    def press(self, pressures: list[float]) -> None:
+        """Take note of what was found to press at each point."""
+        total = 0.0
+        for pressure in pressures:
+            total += pressure
+        self.pressures, self.pressure = pressures, total
 
     @property
     def gap(self) -> float:
         """The least of all points."""
         return min(gap for _, gap in self.points)
-
-    @property
-    def pressure(self) -> float:
-        """The whole of all points."""
-        total = 0.0
-        for pressure in self.pressures:
-            total += pressure
-        return total

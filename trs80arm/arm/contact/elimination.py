@@ -67,8 +67,7 @@ class Eliminated:
             factor = _factor(blocks[body])
             ahead = []
             for other in sorted(coupled[body], key=rank.__getitem__):
-                half = [_forward(factor, column) for column in coupled[body][other]]
-                ahead.append((other, half, [_scaled(factor, column) for column in half]))
+                ahead.append((other, *_reduced(factor, coupled[body][other])))
             for i, (other, half, whole) in enumerate(ahead):
                 _subtract_own(blocks[other], half, whole)
                 for third, _, theirs in ahead[i + 1 :]:
@@ -174,13 +173,54 @@ def _backward(factor: Triangle, right: Six) -> Six:
     return a, b, c, d, e, f
 
 
+def _reduced(factor: Triangle, columns: Columns) -> tuple[list[Six], list[Six]]:
+    """Solve L x = column for each, and D y = x: `_forward` and `_scaled` of all."""
+    i0, b0, i1, c0, c1, i2, d0, d1, d2, i3, e0, e1, e2, e3, i4, f0, f1, f2, f3, f4, i5 = factor
+    half: list[Six] = []
+    whole: list[Six] = []
+    for a, b, c, d, e, f in columns:
+        b -= b0 * a
+        c -= c0 * a + c1 * b
+        d -= d0 * a + d1 * b + d2 * c
+        e -= e0 * a + e1 * b + e2 * c + e3 * d
+        f -= f0 * a + f1 * b + f2 * c + f3 * d + f4 * e
+        half.append((a, b, c, d, e, f))
+        whole.append((a * i0, b * i1, c * i2, d * i3, e * i4, f * i5))
+    return half, whole
+
+
 def _subtract_own(block: list[float], half: Columns, whole: Columns) -> None:
     """Take from a body's own block what has been eliminated."""
-    k = 0
-    for p, (a, b, c, d, e, f) in enumerate(half):
-        for u, v, w, x, y, z in whole[: p + 1]:
-            block[k] -= a * u + b * v + c * w + d * x + e * y + f * z
-            k += 1
+    (u, v, w, x, y, z), (u1, v1, w1, x1, y1, z1), (u2, v2, w2, x2, y2, z2) = whole[:3]
+    (u3, v3, w3, x3, y3, z3), (u4, v4, w4, x4, y4, z4), (u5, v5, w5, x5, y5, z5) = whole[3:]
+    first, second, third, fourth, fifth, sixth = half
+    a, b, c, d, e, f = first
+    block[0] -= a * u + b * v + c * w + d * x + e * y + f * z
+    a, b, c, d, e, f = second
+    block[1] -= a * u + b * v + c * w + d * x + e * y + f * z
+    block[2] -= a * u1 + b * v1 + c * w1 + d * x1 + e * y1 + f * z1
+    a, b, c, d, e, f = third
+    block[3] -= a * u + b * v + c * w + d * x + e * y + f * z
+    block[4] -= a * u1 + b * v1 + c * w1 + d * x1 + e * y1 + f * z1
+    block[5] -= a * u2 + b * v2 + c * w2 + d * x2 + e * y2 + f * z2
+    a, b, c, d, e, f = fourth
+    block[6] -= a * u + b * v + c * w + d * x + e * y + f * z
+    block[7] -= a * u1 + b * v1 + c * w1 + d * x1 + e * y1 + f * z1
+    block[8] -= a * u2 + b * v2 + c * w2 + d * x2 + e * y2 + f * z2
+    block[9] -= a * u3 + b * v3 + c * w3 + d * x3 + e * y3 + f * z3
+    a, b, c, d, e, f = fifth
+    block[10] -= a * u + b * v + c * w + d * x + e * y + f * z
+    block[11] -= a * u1 + b * v1 + c * w1 + d * x1 + e * y1 + f * z1
+    block[12] -= a * u2 + b * v2 + c * w2 + d * x2 + e * y2 + f * z2
+    block[13] -= a * u3 + b * v3 + c * w3 + d * x3 + e * y3 + f * z3
+    block[14] -= a * u4 + b * v4 + c * w4 + d * x4 + e * y4 + f * z4
+    a, b, c, d, e, f = sixth
+    block[15] -= a * u + b * v + c * w + d * x + e * y + f * z
+    block[16] -= a * u1 + b * v1 + c * w1 + d * x1 + e * y1 + f * z1
+    block[17] -= a * u2 + b * v2 + c * w2 + d * x2 + e * y2 + f * z2
+    block[18] -= a * u3 + b * v3 + c * w3 + d * x3 + e * y3 + f * z3
+    block[19] -= a * u4 + b * v4 + c * w4 + d * x4 + e * y4 + f * z4
+    block[20] -= a * u5 + b * v5 + c * w5 + d * x5 + e * y5 + f * z5
 
 
 def _less(between: Columns | None, half: Columns, whole: Columns) -> list[Six]:

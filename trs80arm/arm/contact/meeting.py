@@ -16,7 +16,6 @@ from trs80arm.arm.contact.driven import DrivenArm
 from trs80arm.arm.contact.manifold import Manifold, on_table
 from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.roster import Roster
-from trs80arm.arm.contact.sixes import Six
 from trs80arm.arm.contact.table import TABLE, Plate, surface
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
@@ -44,7 +43,7 @@ class Meeting:
         plates: let into the table, that turn.
         arm: of the scene.
         arm_mobile: the arm for the solver, or None.
-        rates: of the arm's coordinates, if nothing is there.
+        reach: how far each link may move in this step, inches.
         memory: forces of the step before.
         mobiles: what is awake, for the solver; grows by what is woken.
         wake: wakes a body.
@@ -59,7 +58,7 @@ class Meeting:
     plates: Sequence[Plate]
     arm: DrivenArm
     arm_mobile: Mobile | None
-    rates: Six
+    reach: Sequence[float]
     memory: Memory
     mobiles: dict[str, Mobile]
     wake: Callable[[str], None]
@@ -76,21 +75,20 @@ class Meeting:
         """
         done: set[str] = set()
         queue = list(awake)
-        reach = [self.seconds * speed for speed in self.arm.speeds(self.rates)]
         while queue:
             body = queue.pop(0)
             if body.name in done:
                 continue
             done.add(body.name)
             margin = MARGIN + self._way(body)
-            self._body(body, margin, reach)
+            self._body(body, margin)
             for other in self._about(body, margin, done):
                 wider = margin
                 if other.name in self.mobiles:
                     wider += self._way(other)
                 self._pair(body, other, wider, queue)
         if arm and self.arm_mobile is not None:
-            self._arm(self.arm_mobile, reach)
+            self._arm(self.arm_mobile)
         return self.contacts
 
     def _way(self, body: Body) -> float:
@@ -102,7 +100,7 @@ class Meeting:
             self._ways[body.name] = way
         return way
 
-    def _body(self, body: Body, margin: float, reach: Sequence[float]) -> None:
+    def _body(self, body: Body, margin: float) -> None:
         """A body against table, what stands fast, and links."""
         side = Side(self.mobiles[body.name])
         for i, solid in enumerate(body.placed):
@@ -119,12 +117,11 @@ class Meeting:
                         self._add(key, found, _FAST, side, rough, thing)
             if self.arm_mobile is None or self.arm.linkage is None:
                 continue
-            rough_links = self.arm.linkage.frictions
             for k, link in enumerate(self.arm.solids):
-                found = met(link, solid, margin + reach[k])
+                found = met(link, solid, margin + self.reach[k])
                 if found is not None:
                     key = (self.arm.names[k], body.name, i)
-                    rough = math.sqrt(rough_links[k] * body.friction)
+                    rough = math.sqrt(self.arm.linkage.frictions[k] * body.friction)
                     other_side = Side(self.arm_mobile, self.arm.links[k].screws)
                     self._add(key, found, other_side, side, rough)
 
@@ -172,15 +169,15 @@ class Meeting:
             for point, gap in found.points
         )
 
-    def _arm(self, mobile: Mobile, reach: Sequence[float]) -> None:
-        """Links against what stands fast; `reach` is how far each may move in this step."""
+    def _arm(self, mobile: Mobile) -> None:
+        """Links against what stands fast."""
         assert self.arm.linkage is not None
         for k, link in enumerate(self.arm.solids):
-            side = Side(mobile, self.arm.links[k].screws)
             name, rough = self.arm.names[k], self.arm.linkage.frictions[k]
-            margin = MARGIN + reach[k]
+            margin = MARGIN + self.reach[k]
             found = on_table(link, margin)
             if found is not None:
+                side = Side(mobile, self.arm.links[k].screws)
                 friction = math.sqrt(rough * self.table_friction)
                 self._add((TABLE, name, 0), found, _FAST, side, friction)
             for thing in self.fixed.values():
@@ -189,6 +186,7 @@ class Meeting:
                 for i, solid in enumerate(thing.placed):
                     found = met(solid, link, margin)
                     if found is not None:
+                        side = Side(mobile, self.arm.links[k].screws)
                         friction = math.sqrt(rough * thing.friction)
                         self._add((thing.name, name, i), found, _FAST, side, friction, thing)
 
@@ -223,7 +221,8 @@ class Meeting:
         x, y, z = place
         best, nearest = 0.0, SAME
         for (i, j, k), pressure in known:
-            square = (i - x) * (i - x) + (j - y) * (j - y) + (k - z) * (k - z)
+            i, j, k = i - x, j - y, k - z
+            square = i * i + j * j + k * k
             if square < nearest:
                 best, nearest = pressure, square
         return best * self.seconds
@@ -264,7 +263,7 @@ def presses(contacts: Sequence[Contact], seconds: float) -> bool:
             if opening < (-gap / seconds if gap > 0 else 0.0) - NOTHING or gap < -NOTHING:
                 return True
     for contact in contacts:
-        contact.pressures = [0.0] * len(contact.points)
+        contact.press([0.0] * len(contact.points))
     return False
 
 

@@ -42,7 +42,7 @@ class Memory:
         kept: dict[Key, Pressures] = {}
         for contact in contacts:
             mobile = contact.second.mobile
-            if mobile is None or not any(contact.pressures):
+            if mobile is None or not contact.pressure:
                 continue
             kept.setdefault(contact.key, []).extend(
                 (mobile.within(point), pressure / seconds)

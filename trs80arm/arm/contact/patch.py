@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from itertools import repeat
 
 from trs80arm.arm.contact.clock import TICK
@@ -46,6 +47,8 @@ _LEVEL = (0.0, 0.0, 0.0, 0.0)
 _UNKNOWN = repeat((_APART, _LEVEL))
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
 
+Columns = list[tuple[int, Six]]
+"""Of an arm's coordinates: which, and how it moves a link for a unit."""
 Pressures = list[float] | None
 """At each point of a contact; None where nothing presses at all."""
 
@@ -74,6 +77,7 @@ class Patch:
         "columns_two",
         "contact",
         "expected",
+        "found",
         "lever",
         "normal",
         "one",
@@ -110,6 +114,7 @@ class Patch:
             )
         )
         self.expected: Pressures = None
+        self.found: Pressures = None
         self._nothing = [_APART] * len(contact.points)
         self.regimes = self._nothing
         self.slopes = [_LEVEL] * len(contact.points)
@@ -132,7 +137,7 @@ class Patch:
         ease = 0.0
         # As far as a weight sinks in one tick at once it does in several.
         give = GIVE * TICK / self._seconds
-        moved: list[tuple[list[tuple[int, Six]], Six]] = []
+        moved: list[tuple[Columns, Six]] = []
         for side, columns in (
             (contact.first, self.columns_one),
             (contact.second, self.columns_two),
@@ -299,7 +304,7 @@ class Patch:
     def push(self, relative: Six, bounds: Pressures, guess: int) -> Six:
         """Impulse and its moment about the reference point, on the second thing.
 
-        Notes down for `stiffness` what each contact does.
+        Notes down for `stiffness` what each contact does, and in `found` what presses.
 
         Args:
             relative: of the second thing against the first.
@@ -312,7 +317,7 @@ class Patch:
             presses = bounds or self.expected or _NEVER
         if bounds is None:
             if presses is _NEVER and self.leaves_alone(relative):
-                self.regimes = self._nothing
+                self.regimes, self.found = self._nothing, None
                 return STILL
             bounds = [0.0] * len(self._nothing)
         nx, ny, nz = self.normal
@@ -322,6 +327,7 @@ class Patch:
         before = zip(self.regimes, self.slopes, strict=True) if guess == CAUGHT else _UNKNOWN
         self.regimes = regimes = []
         self.slopes = slopes = []
+        found: list[float] = []
         slow = _SLOW if beginning else _CREEPING
         for point, bound, known, (was, way) in zip(
             self.points, bounds, presses, before, strict=False
@@ -335,7 +341,9 @@ class Patch:
             else:
                 regimes.append(_APART)
                 slopes.append(_LEVEL)
+                found.append(0.0)
                 continue
+            found.append(pressure)
             x, y, z = pressure * nx, pressure * ny, pressure * nz
             if bound:
                 tx = vx + wy * rz - wz * ry - sx - opening * nx
@@ -363,6 +371,7 @@ class Patch:
             mx += ry * z - rz * y
             my += rz * x - rx * z
             mz += rx * y - ry * x
+        self.found = found if any(found) else None
         return fx, fy, fz, mx, my, mz
 
     def stiffness(self) -> list[float] | None:
@@ -435,6 +444,40 @@ class Patch:
         return out
 
 
+@dataclass(frozen=True, slots=True)
+class Hold:
+    """All patches by which the arm touches one body.
+
+    Most of its coordinates move all of its links there alike: a hand's fingers differ in one.
+
+    Attributes:
+        arm: index of the arm's mobile.
+        body: index of the body's.
+        alike: columns of the coordinates that move all of these links alike.
+        patches: index of each, and the columns of its link's other coordinates.
+    """
+
+    arm: int
+    body: int
+    alike: Columns
+    patches: list[tuple[int, Columns]]
+
+
+def holds(patches: Sequence[Patch]) -> list[Hold]:
+    """What of some patches are the arm's with a body, by body."""
+    found: dict[tuple[int, int], list[tuple[int, Columns]]] = {}
+    for k, patch in enumerate(patches):
+        if patch.one is not None and patch.columns_one is not None:
+            found.setdefault((patch.one, patch.two), []).append((k, patch.columns_one))
+    out = []
+    for (arm, body), members in found.items():
+        columns = [theirs for _, theirs in members]
+        alike = [each for each in columns[0] if all(each in other for other in columns[1:])]
+        own = [(k, [each for each in theirs if each not in alike]) for k, theirs in members]
+        out.append(Hold(arm, body, alike, own))
+    return out
+
+
 def _least(gap: float, seconds: float) -> float:
     """Speed at which a contact opens at least, or may close at most, inches a second."""
     if gap > 0:
@@ -442,10 +485,10 @@ def _least(gap: float, seconds: float) -> float:
     return min(-gap * (RECOVERY / TICK), FASTEST_RECOVERY)
 
 
-def _columns(screws: Sequence[tuple[Vector, Vector]], origin: Vector) -> list[tuple[int, Six]]:
+def _columns(screws: Sequence[tuple[Vector, Vector]], origin: Vector) -> Columns:
     """Velocity of a link at a point and its spin for a unit of each coordinate that moves it."""
     x, y, z = origin
-    out: list[tuple[int, Six]] = []
+    out: Columns = []
     for k, ((p, q, r), (u, v, w)) in enumerate(screws):
         column = (u + q * z - r * y, v + r * x - p * z, w + p * y - q * x, p, q, r)
         if any(column):
@@ -453,7 +496,7 @@ def _columns(screws: Sequence[tuple[Vector, Vector]], origin: Vector) -> list[tu
     return out
 
 
-def _moved(columns: list[tuple[int, Six]], rates: Sequence[float]) -> Six:
+def _moved(columns: Columns, rates: Sequence[float]) -> Six:
     """Velocity and spin of a link at some rates of its coordinates."""
     a = b = c = d = e = f = 0.0
     for k, (u, v, w, x, y, z) in columns:

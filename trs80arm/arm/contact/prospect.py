@@ -83,7 +83,7 @@ class Prospect:
             lasting = problem.lasting(speeds, spans, {TABLE}, lasting)
         if lasting >= h:
             passing = {(thing.name, link) for thing in self.fixed.values() for link in thing.passes}
-            pressing = {contact.key[:2] for contact in self.contacts if any(contact.pressures)}
+            pressing = {contact.key[:2] for contact in self.contacts if contact.pressure}
             resting = {pair for pair in touching if pair[0] == TABLE}
             lasting = self._apart(bodies, links, pressing | resting | passing, lasting)
         if lasting >= h:

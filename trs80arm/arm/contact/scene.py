@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed, Link, Linkage
-from trs80arm.arm.contact.bounds import box_around, greatest_speed, outside, within
+from trs80arm.arm.contact.bounds import greatest_speed, outside, spheres_around, within
 from trs80arm.arm.contact.carrying import Carrying, carry
 from trs80arm.arm.contact.clock import TICK, TICK_STATES
 from trs80arm.arm.contact.coasting import Coast
@@ -340,14 +340,18 @@ class Scene:
         """One step; whether it was made, or is too long for how fast something turns."""
         arm, h = self.driven, self._seconds
         rates = self._rates()
+        reach = [h * speed for speed in arm.speeds(rates)]
         if moved and arm.linkage is not None:
-            self._wake_what_the_arm_meets(rates)
-            rates = self._rates()
+            loaded = bool(self._roster.carried)
+            self._wake_what_the_arm_meets(reach)
+            if loaded and not self._roster.carried:
+                rates = self._rates()
+                reach = [h * speed for speed in arm.speeds(rates)]
         awake = self._roster.ordered(self._roster.awake.values())
         mobiles = {body.name: self._mobile(body) for body in awake}
         arm_mobile = arm.mobile(rates, h, loaded=bool(self._roster.carried))
         look = moved or bool(awake) or any(arm.torques)
-        contacts = self._meeting(arm_mobile, rates, mobiles).find(awake, arm=look)
+        contacts = self._meeting(arm_mobile, reach, mobiles).find(awake, arm=look)
         # Some may have been woken by what comes upon them.
         awake = [self.bodies[name] for name in mobiles]
         problems = [Problem(group, h) for group in islands(contacts) if presses(group, h)]
@@ -385,7 +389,9 @@ class Scene:
             self._coast = prospect.coast()
         return True
 
-    def _meeting(self, arm: Mobile | None, rates: Six, mobiles: dict[str, Mobile]) -> Meeting:
+    def _meeting(
+        self, arm: Mobile | None, reach: Sequence[float], mobiles: dict[str, Mobile]
+    ) -> Meeting:
         """The search for this step's contacts."""
         return Meeting(
             self._seconds,
@@ -395,7 +401,7 @@ class Scene:
             [plate for plate in self.plates if plate.spin],
             self.driven,
             arm,
-            rates,
+            reach,
             self._memory,
             mobiles,
             self.wake,
@@ -445,16 +451,20 @@ class Scene:
 
     # What the arm wakes
 
-    def _wake_what_the_arm_meets(self, rates: Six) -> None:
-        """Bodies at rest that links, or what the hand carries, come upon."""
+    def _wake_what_the_arm_meets(self, reach: Sequence[float]) -> None:
+        """Bodies at rest that links, or what the hand carries, come upon.
+
+        Args:
+            reach: how far each link may move in this step.
+        """
         arm = self.driven
         loads = self.carried
         if loads and not self.carrying.upright_in(arm.hand):
             for body in loads:
                 self.wake(body.name)
             loads = []
-        reach = [speed * self._seconds + TOUCH for speed in arm.speeds(rates)]
-        around = box_around(arm.solids, max(reach))
+        reach = [way + TOUCH for way in reach]
+        around = spheres_around(arm.solids, reach)
         for body in self._roster.near(*around):
             if outside(body, around):
                 continue

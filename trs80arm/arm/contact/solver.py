@@ -19,10 +19,17 @@ from __future__ import annotations
 
 import math
 
-from trs80arm.arm.contact.blocks import add_linked, add_shifted, mass_block, missing_momentum
+from trs80arm.arm.contact.blocks import (
+    add_linked,
+    add_own,
+    add_shifted,
+    add_up,
+    mass_block,
+    missing_momentum,
+)
 from trs80arm.arm.contact.contacts import Contact, Mobile
 from trs80arm.arm.contact.elimination import Eliminated, order
-from trs80arm.arm.contact.patch import AS_BEFORE, CAUGHT, NOTHING, Patch, Pressures
+from trs80arm.arm.contact.patch import AS_BEFORE, CAUGHT, NOTHING, Patch, Pressures, holds
 from trs80arm.arm.contact.sixes import STILL, Six, greatest, negative, plus, product, six
 
 SOLVED = 1e-3
@@ -69,6 +76,8 @@ class Problem:
             first, second = contact.first.mobile, contact.second.mobile
             one = None if first is None else index[id(first)]
             self._patches.append(Patch(contact, one, index[id(second)], seconds))
+        self._holds = holds(self._patches)
+        self._others = [k for k, patch in enumerate(self._patches) if patch.columns_one is None]
         self._wanted = [six(mobile.speed) for mobile in mobiles]
         self._order: list[int] | None = None
         self._rank: dict[int, int] = {}
@@ -93,7 +102,7 @@ class Problem:
                 if self._in_line(speeds, before, pressures):
                     break
         for contact, pressing in zip(self.contacts, pressures, strict=True):
-            contact.pressures = pressing or [0.0] * len(contact.points)
+            contact.press(pressing or [0.0] * len(contact.points))
         for mobile, found in zip(self.mobiles, speeds, strict=True):
             mobile.speed[:] = found
         return steps
@@ -168,7 +177,7 @@ class Problem:
             elif greatest(change) < SURE:
                 return there, step + 1
             if bold:
-                found = self._pressures(there)
+                found = [patch.found for patch in self._patches]
                 settled = last is not None and _alike(last, found)
                 if settled and not self._in_line(there, bounding, found):
                     return there, step + 1
@@ -203,8 +212,9 @@ class Problem:
             missing_momentum(mass, speed, wanted)
             for mass, speed, wanted in zip(self._masses, speeds, self._wanted, strict=True)
         ]
-        for patch, bound in zip(self._patches, bounds, strict=True):
-            push = patch.push(patch.relative(speeds), bound, guess)
+        for k in self._others:
+            patch = self._patches[k]
+            push = patch.push(patch.relative(speeds), bounds[k], guess)
             if push is STILL:
                 continue
             fx, fy, fz, mx, my, mz = push
@@ -217,23 +227,43 @@ class Problem:
                 two[4] -= my
                 two[5] -= mz
             else:
-                for k, (a, b, c, d, e, f) in patch.columns_two:
-                    two[k] -= a * fx + b * fy + c * fz + d * mx + e * my + f * mz
+                for at, (a, b, c, d, e, f) in patch.columns_two:
+                    two[at] -= a * fx + b * fy + c * fz + d * mx + e * my + f * mz
             if patch.one is None:
                 continue
+            assert patch.lever is not None
             one = out[patch.one]
-            if patch.columns_one is not None:
-                for k, (a, b, c, d, e, f) in patch.columns_one:
-                    one[k] += a * fx + b * fy + c * fz + d * mx + e * my + f * mz
-            else:
-                assert patch.lever is not None
-                x, y, z = patch.lever
-                one[0] += fx
-                one[1] += fy
-                one[2] += fz
-                one[3] += mx + y * fz - z * fy
-                one[4] += my + z * fx - x * fz
-                one[5] += mz + x * fy - y * fx
+            x, y, z = patch.lever
+            one[0] += fx
+            one[1] += fy
+            one[2] += fz
+            one[3] += mx + y * fz - z * fy
+            one[4] += my + z * fx - x * fz
+            one[5] += mz + x * fy - y * fx
+        for hold in self._holds:
+            one, two = out[hold.arm], out[hold.body]
+            whole = STILL
+            for k, own in hold.patches:
+                patch = self._patches[k]
+                push = patch.push(patch.relative(speeds), bounds[k], guess)
+                if push is STILL:
+                    continue
+                fx, fy, fz, mx, my, mz = push
+                a, b, c, d, e, f = whole
+                whole = (a + fx, b + fy, c + fz, d + mx, e + my, f + mz)
+                for at, (a, b, c, d, e, f) in own:
+                    one[at] += a * fx + b * fy + c * fz + d * mx + e * my + f * mz
+            if whole is STILL:
+                continue
+            fx, fy, fz, mx, my, mz = whole
+            two[0] -= fx
+            two[1] -= fy
+            two[2] -= fz
+            two[3] -= mx
+            two[4] -= my
+            two[5] -= mz
+            for at, (a, b, c, d, e, f) in hold.alike:
+                one[at] += a * fx + b * fy + c * fz + d * mx + e * my + f * mz
         return out
 
     def _system(self) -> Eliminated:
@@ -244,35 +274,45 @@ class Problem:
             pairs = {(p.one, p.two) for p in self._patches if p.one is not None}
             self._order = order(len(blocks), pairs)
             self._rank = {body: k for k, body in enumerate(self._order)}
-        rank = self._rank
-        for patch in self._patches:
+        for k in self._others:
+            patch = self._patches[k]
             stiffness = patch.stiffness()
             if stiffness is None:
                 continue
-            own = blocks[patch.two]
-            if patch.columns_two is None:
-                for k, value in enumerate(stiffness):
-                    own[k] += value
-            else:
-                add_linked(own, patch.columns_two, stiffness)
-            if patch.one is None:
+            if patch.columns_two is not None:
+                add_linked(blocks[patch.two], patch.columns_two, stiffness)
                 continue
-            if patch.columns_one is not None:
-                between = add_linked(blocks[patch.one], patch.columns_one, stiffness)
-            else:
+            add_up(blocks[patch.two], stiffness)
+            if patch.one is not None:
                 assert patch.lever is not None
                 between = add_shifted(blocks[patch.one], patch.lever, stiffness)
-            # Rows of the second body's unknowns, columns of the first one's.
-            assert patch.columns_two is None
-            pair = (patch.two, patch.one)
-            if rank[patch.one] < rank[patch.two]:
-                pair = (patch.one, patch.two)
-                between = list(zip(*between, strict=True))
-            known = beside.get(pair)
-            if known is not None:
-                between = plus(known, between)
-            beside[pair] = between
+                self._couple(beside, patch.two, patch.one, between)
+        for hold in self._holds:
+            own, whole = blocks[hold.arm], [0.0] * 21
+            found = []
+            for k, columns in hold.patches:
+                stiffness = self._patches[k].stiffness()
+                if stiffness is not None:
+                    add_up(whole, stiffness)
+                    found.append((columns, stiffness))
+            if found:
+                add_up(blocks[hold.body], whole)
+                between = add_linked(own, hold.alike, whole)
+                for columns, stiffness in found:
+                    add_own(own, between, columns, hold.alike, stiffness)
+                self._couple(beside, hold.body, hold.arm, between)
         return Eliminated(blocks, beside, self._order)
+
+    def _couple(
+        self, beside: dict[tuple[int, int], list[Six]], one: int, other: int, between: list[Six]
+    ) -> None:
+        """Add what couples two bodies: rows of the first's unknowns, columns of the other's."""
+        pair = (one, other)
+        if self._rank[other] < self._rank[one]:
+            pair = (other, one)
+            between = list(zip(*between, strict=True))
+        known = beside.get(pair)
+        beside[pair] = between if known is None else plus(known, between)
 
     def _far(
         self,
