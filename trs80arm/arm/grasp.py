@@ -217,12 +217,17 @@ class Grasp:
 
     def _hold(self) -> None:
         """What the fingers have in their grip, with all that is between them."""
-        grip, parts = self.grip, self._bench.parts
         between = self._between()
-        weight = sum(parts[name].weight for name in between)
         self.between = tuple(between)
-        if between and not self._carries(between):
-            between = []
+        self._have(between if between and self._carries(between) else [])
+
+    def pick_up(self) -> None:
+        """Have what the fingers press on, and rests, in their grip from now on."""
+        self._have(self.between)
+
+    def _have(self, between: Sequence[str]) -> None:
+        """Have some parts in the hand and no others."""
+        grip, parts = self.grip, self._bench.parts
         for name, part in parts.items():
             if part.held == (name in between):
                 continue
@@ -234,7 +239,7 @@ class Grasp:
                 self._telling.let_go(name, part, opened=grip.cable > self._tightest)
         self._tightest = min(self._tightest, grip.cable)
         grip.part = between[0] if between else None
-        grip.weight = weight if between else 0.0
+        grip.weight = sum(parts[name].weight for name in between)
 
     def _leaning(self) -> set[tuple[str, str]]:
         """What presses on what: as found on this tick, and as it was when it fell asleep."""

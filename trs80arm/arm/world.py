@@ -190,9 +190,13 @@ class World:
         if not (self.gripped and self.bench.scene.quiet):
             return False
         commands = self._commands(self._rotors)
-        if self._grasp.picks_up or not self.bench.scene.carrying.goes_on(commands):
+        carrying, picks_up = self.bench.scene.carrying, self._grasp.picks_up
+        if not carrying.goes_on(commands) or (picks_up and not carrying.flat):
             return False
         self.bench.scene.squeeze(commands)
+        if picks_up:
+            self._grasp.pick_up()
+            self._changed()
         return True
 
     def _let_alone(self) -> None:

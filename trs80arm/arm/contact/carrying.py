@@ -28,6 +28,8 @@ WIDEST = 100.0
 """More inches of cable than a hand can be tightened by."""
 RESERVE = 1.3
 """How many times as hard as friction needs it a hand must press on what goes on resting in it."""
+AREA = 3
+"""Points on which something lies flat, at least."""
 _DOWN: Vector = (0.0, 0.0, -1.0)
 
 
@@ -38,11 +40,14 @@ class Carrying:
         gripped: names of what rests between the fingers and on something else too.
         openings: from where to where the hand can be commanded while what rests in it goes on doing
             so: squeezed harder friction only holds better, and less hard until its reserve is gone.
+        flat: whether both fingers lie flat on something of it, and so cannot turn it, however hard
+            they squeeze.
     """
 
     def __init__(self) -> None:
         self.gripped: list[str] = []
         self.openings: tuple[float, float] = (0.0, 0.0)
+        self.flat = False
         self._down: Vector = _DOWN
         self._standing: list[float] = [0.0] * 5
 
@@ -56,11 +61,16 @@ class Carrying:
         """
         assert arm.linkage is not None
         force, needed = arm.torques[5], 0.0
+        fingers = arm.fingers
+        flat: set[str] = set()
         for contact in contacts:
             one, other, _ = contact.key
-            if one in arm.fingers and other in names:
+            if one in fingers and other in names:
+                if sum(pressure > 0 for pressure in contact.pressures) >= AREA:
+                    flat.add(one)
                 # Friction that holds creeps in proportion to what it holds.
                 needed = max(needed, sliding(contact) / CREEP)
+        self.flat = flat.issuperset(fingers)
         spare = force * max(0.0, 1 - RESERVE * needed)
         commanded = arm.commands[5]
         self.openings = commanded - WIDEST, commanded + spare / arm.linkage.stiffness[5]
