@@ -354,11 +354,16 @@ class Scene:
         contacts = self._meeting(arm_mobile, reach, mobiles).find(awake, arm=look)
         # Some may have been woken by what comes upon them.
         awake = [self.bodies[name] for name in mobiles]
+        # What nothing is near to may turn as far as it does.
+        near = {name for contact in contacts for name in contact.key[:2]}
+        beside = [mobile for name, mobile in mobiles.items() if name in near]
+        if may_halve and any(_turns_far(mobile, h) for mobile in beside):
+            return False
         problems = [Problem(group, h) for group in islands(contacts) if presses(group, h)]
         for problem in problems:
             self.solved += 1
             self.steps += problem.solve()
-        if may_halve and any(_turns_far(mobiles[b.name], h) for b in awake):
+        if may_halve and any(_turns_far(mobile, h) for mobile in beside):
             return False
         self.contacts, self.met_at = contacts, list(arm.joints)
         self._memory.keep(contacts, h, self.bodies)
