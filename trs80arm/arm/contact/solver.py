@@ -43,6 +43,8 @@ SHALLOW = 0.1
 """Part of the slope at a step's beginning at which, along the step, the least value is reached."""
 MOST_TRIALS = 12
 """Looks along a step at most."""
+EDGE = 0.01
+"""Part of what is left of a step that is not looked at, at either end."""
 PASSES = 6
 """Times that friction's bounds are brought in line with the pressure, at most."""
 AGREED = 0.05
@@ -338,19 +340,24 @@ class Problem:
         low, high, at_low, at_high = 0.0, 1.0, start, end
         if end <= small:
             return there, slope_there
+        lower = higher = False
         for _ in range(MOST_TRIALS):
             far = low - at_low * (high - low) / (at_high - at_low)
-            edge = 0.05 * (high - low)
+            edge = EDGE * (high - low)
             far = min(max(far, low + edge), high - edge)
             there = plus(speeds, change, far)
             slope_there = self._slope(there, bounds)
             here = product(slope_there, change)
             if abs(here) <= small:
                 break
+            # An end that stays where it is twice counts half: the Illinois way.
             if here < 0:
                 low, at_low = far, here
+                at_high *= 0.5 if lower else 1.0
             else:
                 high, at_high = far, here
+                at_low *= 0.5 if higher else 1.0
+            lower, higher = here < 0, here >= 0
         return there, slope_there
 
 
