@@ -124,6 +124,7 @@ class DrivenArm:
         opening = self.joints[5]
         self.commands = self.reached = list(joints)
         self.joints = list(joints)
+        self.way = [0.0] * 6
         self.torques = [0.0] * 6
         if loaded:
             self.joints[5] = opening

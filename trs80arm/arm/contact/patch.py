@@ -39,10 +39,10 @@ _SLOW = (20 * CREEP) ** 2
 _NEVER = repeat(0.0)
 _APART, _PRESSING, _HOLDING, _SLIDING = 0, 1, 2, 4
 """What a contact does; friction holds or slides beside either of the first two."""
-NOTHING, AS_BEFORE, CAUGHT = 0, 1, 2
+NOTHING, AS_BEFORE, CAUGHT, HELD = 0, 1, 2, 3
 """What may be guessed of contacts, for a step of Newton's method to begin with: that those press
 that pressed before or are expected to, and that those hold that hardly slid; that those hold now
-that slid, and would now slide the other way."""
+that slid, and would now slide the other way; that beside them those go on holding that held."""
 _LEVEL = (0.0, 0.0, 0.0, 0.0)
 _UNKNOWN = repeat((_APART, _LEVEL))
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
@@ -324,7 +324,7 @@ class Patch:
         vx, vy, vz, wx, wy, wz = relative
         along = nx * vx + ny * vy + nz * vz
         fx = fy = fz = mx = my = mz = 0.0
-        before = zip(self.regimes, self.slopes, strict=True) if guess == CAUGHT else _UNKNOWN
+        before = zip(self.regimes, self.slopes, strict=True) if guess >= CAUGHT else _UNKNOWN
         self.regimes = regimes = []
         self.slopes = slopes = []
         found: list[float] = []
@@ -351,7 +351,11 @@ class Patch:
                 tz = vz + wx * ry - wy * rx - sz - opening * nz
                 square = tx * tx + ty * ty + tz * tz
                 _, ux, uy, uz = way
-                if square > slow and not (was & _SLIDING and tx * ux + ty * uy + tz * uz < 0):
+                if (
+                    square > slow
+                    and not (was & _SLIDING and tx * ux + ty * uy + tz * uz < 0)
+                    and not (was & _HOLDING and guess == HELD)
+                ):
                     regime += _SLIDING
                     speed = math.sqrt(square)
                     tx, ty, tz = tx / speed, ty / speed, tz / speed

@@ -29,7 +29,7 @@ from trs80arm.arm.contact.blocks import (
 )
 from trs80arm.arm.contact.contacts import Contact, Mobile
 from trs80arm.arm.contact.elimination import Eliminated, order
-from trs80arm.arm.contact.patch import AS_BEFORE, CAUGHT, NOTHING, Patch, Pressures, holds
+from trs80arm.arm.contact.patch import AS_BEFORE, CAUGHT, HELD, NOTHING, Patch, Pressures, holds
 from trs80arm.arm.contact.sixes import STILL, Six, greatest, negative, plus, product, six
 
 SOLVED = 1e-3
@@ -37,8 +37,10 @@ SOLVED = 1e-3
 SURE = 1e-6
 """Change of velocity below which it has arrived in any case."""
 MOST_STEPS = 40
-BOLD_STEPS = 6
+BOLD_STEPS = 10
 """Of them those that go all the way at first, to find at once all that touches and what holds."""
+HOLDING_STEPS = 3
+"""Of those the first, in which what holds goes on holding until it is known what presses."""
 SHALLOW = 0.1
 """Part of the slope at a step's beginning at which, along the step, the least value is reached."""
 MOST_TRIALS = 12
@@ -170,7 +172,11 @@ class Problem:
             system = self._system()
             change = system.solve(negative(slope))
             there = plus(speeds, change)
-            slope_there = self._slope(there, bounds, CAUGHT if bold else NOTHING)
+            guess = HELD if step < HOLDING_STEPS else CAUGHT if bold else NOTHING
+            slope_there = self._slope(there, bounds, guess)
+            if guess == HELD and regimes == [patch.regimes for patch in self._patches]:
+                # What presses is known: now, what it holds.
+                slope_there = self._slope(there, bounds, CAUGHT)
             if regimes == [patch.regimes for patch in self._patches]:
                 # All contacts do as before: but for how what slides turns, this is the solution.
                 rest = system.solve(negative(slope_there))
