@@ -45,8 +45,7 @@ def missing_momentum(mass: list[float], speed: Six, wanted: Sequence[float]) -> 
 
 def add_up(block: list[float], stiffness: list[float]) -> None:
     """Add a stiffness against a body to its block."""
-    for k, value in enumerate(stiffness):
-        block[k] += value
+    block[:] = [a + b for a, b in zip(block, stiffness, strict=True)]
 
 
 def add_linked(

@@ -85,7 +85,7 @@ class Contact:
         first: side that the normal leaves.
         second: side that it enters; it moves.
         friction: coefficient.
-        surfaces: velocity of the first side at each point, if it stands fast but its surface moves.
+        surface: velocity of the first side there, if it stands fast but its surface moves.
         pressures: impulse along the normal at each: as it was a tick before, then as found.
         pressure: the whole of all points, as found; 0 before.
         apart: inches by which the two are apart along the normal, whole solids and not points.
@@ -97,7 +97,7 @@ class Contact:
     first: Side
     second: Side
     friction: float
-    surfaces: list[Vector] | None = None
+    surface: Vector | None = None
     pressures: list[float] = field(default_factory=list)
     pressure: float = 0.0
     apart: float = -math.inf

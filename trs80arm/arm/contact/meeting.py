@@ -199,21 +199,36 @@ class Meeting:
         friction: float,
         thing: Fixed | None = None,
     ) -> None:
-        """Contacts of a manifold, beginning with the forces of the step before."""
-        known = self.memory.known(key)
+        """Contacts of a manifold."""
         points = found.points
-        surfaces = None
+        if self.plates and key[0] == TABLE:
+            # Where the table turns, each of its points goes another way.
+            for point, gap in points:
+                carried = surface(self.plates, point, self.seconds)
+                contact = Contact(key, [(point, gap)], found.normal, first, second, friction)
+                self._append(contact, found.apart, carried)
+            return
+        carried = NOWHERE
         if thing is not None and thing.carries != NOWHERE:
-            if (carried := thing.surface(found.normal)) != NOWHERE:
-                surfaces = [carried] * len(points)
-        elif self.plates and key[0] == TABLE:
-            surfaces = [surface(self.plates, point, self.seconds) for point, _ in points]
-        contact = Contact(key, points, found.normal, first, second, friction, surfaces)
-        contact.apart = found.apart
-        if known:
-            assert second.mobile is not None
-            within = second.mobile.within
-            contact.pressures = [self._pressed(known, within(point)) for point, _ in points]
+            carried = thing.surface(found.normal)
+        contact = Contact(key, points, found.normal, first, second, friction)
+        self._append(contact, found.apart, carried)
+
+    def _append(self, contact: Contact, apart: float, carried: Vector) -> None:
+        """Add a contact, beginning with the forces of the step before.
+
+        Args:
+            contact: itself.
+            apart: as in `Manifold`.
+            carried: velocity of the first side's surface, if that stands fast.
+        """
+        known, mobile = self.memory.known(contact.key), contact.second.mobile
+        contact.apart = apart
+        if carried != NOWHERE:
+            contact.surface = carried
+        if known and mobile is not None:
+            within = mobile.within
+            contact.pressures = [self._pressed(known, within(point)) for point, _ in contact.points]
         self.contacts.append(contact)
 
     def _pressed(self, known: Pressures, place: Vector) -> float:
@@ -282,7 +297,7 @@ def _relative(contact: Contact, index: int) -> Vector:
     """Velocity of the second side against the first at a point."""
     point = contact.points[index][0]
     off = minus(_velocity(contact.second, point), _velocity(contact.first, point))
-    return minus(off, contact.surfaces[index]) if contact.surfaces is not None else off
+    return minus(off, contact.surface) if contact.surface is not None else off
 
 
 def _velocity(side: Side, point: Vector) -> Vector:

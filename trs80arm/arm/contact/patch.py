@@ -45,7 +45,6 @@ that pressed before or are expected to, and that those hold that hardly slid; th
 that slid, and would now slide the other way; that beside them those go on holding that held."""
 _LEVEL = (0.0, 0.0, 0.0, 0.0)
 _UNKNOWN = repeat((_APART, _LEVEL))
-_NOWHERE: Vector = (0.0, 0.0, 0.0)
 
 Columns = list[tuple[int, Six]]
 """Of an arm's coordinates: which, and how it moves a link for a unit."""
@@ -124,7 +123,7 @@ class Patch:
         """Numbers of each point.
 
         Its place and its moment about the normal, from the reference point; the speed at which it
-        opens at least, its stiffness; velocity of the surface there, and that along the normal.
+        opens at least, its stiffness.
         """
         if self._points is None:
             self._points = self._find_points()
@@ -150,7 +149,7 @@ class Patch:
                 assert side.mobile.inertias is not None
                 moved.append((columns, side.mobile.inertias))
         out: list[tuple[float, ...]] = []
-        for k, ((px, py, pz), gap) in enumerate(contact.points):
+        for (px, py, pz), gap in contact.points:
             rx, ry, rz = px - x, py - y, pz - z
             ax, ay, az = ry * nz - rz * ny, rz * nx - rx * nz, rx * ny - ry * nx
             own = ease
@@ -158,21 +157,12 @@ class Patch:
                 for at, (a, b, c, d, e, f) in columns:
                     along = nx * a + ny * b + nz * c + ax * d + ay * e + az * f
                     own += along * along / inertias[at]
-            sx, sy, sz = contact.surfaces[k] if contact.surfaces is not None else _NOWHERE
-            out.append(
-                (
-                    *(rx, ry, rz, ax, ay, az),
-                    _least(gap, self._seconds),
-                    1 / (give * max(own, _EASIEST)),
-                    *(sx, sy, sz, nx * sx + ny * sy + nz * sz),
-                )
-            )
+            stiff = 1 / (give * max(own, _EASIEST))
+            out.append((rx, ry, rz, ax, ay, az, _least(gap, self._seconds), stiff))
         return out
 
     def leaves_alone(self, relative: Six) -> bool:
         """Whether the two certainly do not press on each other, moving like that."""
-        if self.contact.surfaces is not None:
-            return False
         nx, ny, nz = self.normal
         vx, vy, vz, wx, wy, wz = relative
         turning = math.sqrt(wx * wx + wy * wy + wz * wz) * self._spread
@@ -185,6 +175,9 @@ class Patch:
         else:
             a, b, c, d, e, f = _moved(self.columns_two, speeds[self.two])
         if self.one is None:
+            if self.contact.surface is not None:
+                u, v, w = self.contact.surface
+                return a - u, b - v, c - w, d, e, f
             return a, b, c, d, e, f
         if self.columns_one is not None:
             u, v, w, p, q, r = _moved(self.columns_one, speeds[self.one])
@@ -246,10 +239,7 @@ class Patch:
         nx, ny, nz = self.normal
         vx, vy, vz, wx, wy, wz = relative
         along = nx * vx + ny * vy + nz * vz
-        return [
-            along + ax * wx + ay * wy + az * wz - surface
-            for _, _, _, ax, ay, az, _, _, _, _, _, surface in self.points
-        ]
+        return [along + ax * wx + ay * wy + az * wz for _, _, _, ax, ay, az, _, _ in self.points]
 
     def pressures(self, relative: Six) -> Pressures:
         """Impulse along the normal at each point."""
@@ -257,7 +247,7 @@ class Patch:
             return None
         out = [
             stiff * (least - opening) if opening < least else 0.0
-            for (_, _, _, _, _, _, least, stiff, _, _, _, _), opening in zip(
+            for (_, _, _, _, _, _, least, stiff), opening in zip(
                 self.points, self.openings(relative), strict=True
             )
         ]
@@ -268,12 +258,12 @@ class Patch:
         nx, ny, nz = self.normal
         vx, vy, vz, wx, wy, wz = relative
         out = []
-        for (rx, ry, rz, _, _, _, _, _, sx, sy, sz, _), opening in zip(
+        for (rx, ry, rz, _, _, _, _, _), opening in zip(
             self.points, self.openings(relative), strict=True
         ):
-            tx = vx + wy * rz - wz * ry - sx - opening * nx
-            ty = vy + wz * rx - wx * rz - sy - opening * ny
-            tz = vz + wx * ry - wy * rx - sz - opening * nz
+            tx = vx + wy * rz - wz * ry - opening * nx
+            ty = vy + wz * rx - wx * rz - opening * ny
+            tz = vz + wx * ry - wy * rx - opening * nz
             out.append(math.sqrt(tx * tx + ty * ty + tz * tz))
         return out
 
@@ -332,8 +322,8 @@ class Patch:
         for point, bound, known, (was, way) in zip(
             self.points, bounds, presses, before, strict=False
         ):
-            rx, ry, rz, ax, ay, az, least, stiff, sx, sy, sz, surface = point
-            opening = along + ax * wx + ay * wy + az * wz - surface
+            rx, ry, rz, ax, ay, az, least, stiff = point
+            opening = along + ax * wx + ay * wy + az * wz
             if opening < least or known:
                 regime, pressure = _PRESSING, stiff * (least - opening)
             elif bound:
@@ -346,9 +336,9 @@ class Patch:
             found.append(pressure)
             x, y, z = pressure * nx, pressure * ny, pressure * nz
             if bound:
-                tx = vx + wy * rz - wz * ry - sx - opening * nx
-                ty = vy + wz * rx - wx * rz - sy - opening * ny
-                tz = vz + wx * ry - wy * rx - sz - opening * nz
+                tx = vx + wy * rz - wz * ry - opening * nx
+                ty = vy + wz * rx - wx * rz - opening * ny
+                tz = vz + wx * ry - wy * rx - opening * nz
                 square = tx * tx + ty * ty + tz * tz
                 _, ux, uy, uz = way
                 if (
@@ -395,8 +385,9 @@ class Patch:
         for point, regime, slope in zip(self.points, self.regimes, self.slopes, strict=True):
             if not regime:
                 continue
-            rx, ry, rz, ax, ay, az = point[:6]
-            stiff = point[7] if regime & _PRESSING else 0.0
+            rx, ry, rz, ax, ay, az, _, stiff = point
+            if not regime & _PRESSING:
+                stiff = 0.0
             hold, tx, ty, tz = slope
             if hold:
                 stiff -= hold
@@ -465,6 +456,18 @@ class Hold:
     body: int
     alike: Columns
     patches: list[tuple[int, Columns]]
+
+    def relatives(self, speeds: Sequence[Six]) -> list[Six]:
+        """For each patch, velocity and spin of the body against its link."""
+        rates = speeds[self.arm]
+        a, b, c, d, e, f = speeds[self.body]
+        u, v, w, x, y, z = _moved(self.alike, rates)
+        a, b, c, d, e, f = a - u, b - v, c - w, d - x, e - y, f - z
+        out = []
+        for _, own in self.patches:
+            u, v, w, x, y, z = _moved(own, rates)
+            out.append((a - u, b - v, c - w, d - x, e - y, f - z))
+        return out
 
 
 def holds(patches: Sequence[Patch]) -> list[Hold]:

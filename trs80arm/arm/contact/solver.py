@@ -251,9 +251,8 @@ class Problem:
         for hold in self._holds:
             one, two = out[hold.arm], out[hold.body]
             whole = STILL
-            for k, own in hold.patches:
-                patch = self._patches[k]
-                push = patch.push(patch.relative(speeds), bounds[k], guess)
+            for (k, own), relative in zip(hold.patches, hold.relatives(speeds), strict=True):
+                push = self._patches[k].push(relative, bounds[k], guess)
                 if push is STILL:
                     continue
                 fx, fy, fz, mx, my, mz = push
