@@ -117,6 +117,17 @@ def test_an_answer_that_memory_size_does_not_take_ends_a_run(
     assert answer in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("option", "text"), [("--bench", "x = 1\n"), ("--config", '[terminal]\nspeed = "7"\n')]
+)
+def test_a_mistake_in_a_file_names_it_once(elsewhere: Path, option: str, text: str) -> None:
+    (elsewhere / "own.toml").write_text(text)
+    done = run("run", "table4", option, "own.toml")
+    assert done.exit_code == 2
+    assert done.stderr.startswith("trs80arm: own.toml: ")
+    assert done.stderr.count("own.toml") == 1
+
+
 def test_a_file_that_fails_while_it_is_read_is_named() -> None:
     odd = Path("/proc/self/mem")
     if not odd.exists():

@@ -9,7 +9,7 @@ from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
 from trs80arm.options import KeyMode
-from trs80arm.ui.help_topics import AFTER_A_SLIP, WHILE_WAITING, Topic, page, topics
+from trs80arm.ui.help_topics import AFTER_A_SLIP, WHILE_WAITING, Topic, topics
 from trs80arm.ui.screens.help import HelpScreen
 
 TOPICS = [Topic("One", "about the ARM"), Topic("Two", "of tapes"), Topic("Three", "arm and tapes")]
@@ -21,20 +21,43 @@ async def first_topic(sitting: Sitting) -> str:
     await sitting.settle()
     screen = sitting.app.screen
     assert isinstance(screen, HelpScreen)
-    heading = screen.query_one(Markdown).source.splitlines()[0]
-    return str(heading).removeprefix("## ")
+    await sitting.app.workers.wait_for_complete()
+    return seen(screen)[0]
 
 
-def test_what_is_wanted_first_comes_first_and_the_rest_in_order() -> None:
-    assert page(TOPICS, "Two").splitlines()[::4] == ["## Two", "## One", "## Three"]
+def seen(screen: HelpScreen) -> list[str]:
+    """The headings of the topics that are shown, from the top."""
+    pages = [words.source for words in screen.query(Markdown) if words.display]
+    return [str(page).splitlines()[0].removeprefix("## ") for page in pages]
 
 
-def test_topics_with_all_the_words_are_found() -> None:
-    assert page(TOPICS, "", "TAPES arm") == "## Three\n\narm and tapes"
+@piloted
+async def test_what_is_wanted_first_comes_first_and_the_rest_in_order(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        screen = HelpScreen(TOPICS, "Two")
+        await sitting.app.push_screen(screen)
+        await sitting.app.workers.wait_for_complete()
+        assert seen(screen) == ["Two", "One", "Three"]
 
 
-def test_words_that_nothing_has_are_told() -> None:
-    assert page(TOPICS, "", "spoon") == "Nothing here has `spoon`."
+@piloted
+async def test_typing_leaves_the_topics_with_all_the_words(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        screen = HelpScreen(TOPICS)
+        await sitting.app.push_screen(screen)
+        # Before all of them are there, too.
+        screen.query_one(Input).value = "TAPES arm"
+        await sitting.app.workers.wait_for_complete()
+        await sitting.settle()
+        assert seen(screen) == ["Three"]
+        screen.query_one(Input).value = "spoon"
+        await sitting.settle()
+        assert seen(screen) == []
+        assert "Nothing here has spoon." in screen_text(sitting.app)
+        screen.query_one(Input).value = ""
+        await sitting.settle()
+        assert seen(screen) == ["One", "Two", "Three"]
+        assert "Nothing here" not in screen_text(sitting.app)
 
 
 def test_every_topic_that_it_opens_at_is_there() -> None:
@@ -102,6 +125,7 @@ async def test_in_front_of_a_page_it_opens_at_that(
         sitting.app.action_do(command)
         await sitting.settle()
         assert await first_topic(sitting) == title
-        headings = sitting.app.screen.query_one(Markdown).source.splitlines()
-        assert headings.count(f"## {title}") == 1
-        assert "## Manual mode" in headings
+        screen = sitting.app.screen
+        assert isinstance(screen, HelpScreen)
+        assert seen(screen).count(title) == 1
+        assert "Manual mode" in seen(screen)

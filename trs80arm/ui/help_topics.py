@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from importlib.resources import files
 from inspect import cleandoc
@@ -45,8 +45,13 @@ class Topic:
     title: str
     text: str
 
+    @property
+    def page(self) -> str:
+        """It with its heading."""
+        return f"## {self.title}\n\n{self.text}"
+
     def has(self, words: Iterable[str]) -> bool:
-        """Whether all words are in it."""
+        """Whether all words, in small letters, are in it."""
         text = f"{self.title} {self.text}".casefold()
         return all(word in text for word in words)
 
@@ -76,22 +81,6 @@ def topics_of(text: str) -> list[Topic]:
     return [
         Topic(title, words.strip()) for title, words in zip(parts[::2], parts[1::2], strict=True)
     ]
-
-
-def page(topics: Sequence[Topic], first: str, wanted: str = "") -> str:
-    """The topics that have the wanted words, as one page.
-
-    Args:
-        topics: all of them.
-        first: the title of the one that comes first; of any other they stand in their order.
-        wanted: words, each of which has to be in a topic.
-    """
-    words = wanted.casefold().split()
-    found = [topic for topic in topics if topic.has(words)]
-    found.sort(key=lambda topic: topic.title != first)
-    if not found:
-        return f"Nothing here has `{wanted.replace('`', '')}`."
-    return "\n\n".join(f"## {topic.title}\n\n{topic.text}" for topic in found)
 
 
 def _listed(entries: Iterable[tuple[str, str]]) -> str:
