@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -70,6 +71,24 @@ def test_what_is_in_every_picture_of_an_svg_is_never_hidden() -> None:
     assert 'dur="0s"' not in made
     [line] = [line for line in made.splitlines() if "STAYS" in line]
     assert "<set" not in line
+
+
+def test_in_a_long_film_each_run_ends_where_the_next_one_begins() -> None:
+    film = Film(6, 1, "fifteen pictures a second")
+    times = [number / 15 for number in range(4000, 4020)]
+    film.add(0.0, ((("before", PLAIN),),))
+    for number, time in enumerate(times):
+        film.add(time, (((f"{number:<6}", PLAIN),),))
+    made = svg(film).decode()
+    spells = sorted(
+        (float(begin), float(length))
+        for begin, length in re.findall(
+            r'"inline" begin="f\.begin\+([\d.]+)s" dur="([\d.]+)s"', made
+        )
+    )
+    assert len(spells) == len(times)
+    ends = [begin + length for begin, length in spells]
+    assert [begin for begin, _ in spells[1:]] == pytest.approx(ends[:-1], abs=1e-6)
 
 
 def test_the_svg_of_a_short_film() -> None:

@@ -116,7 +116,9 @@ def _timing(spells: Spells, total: float) -> tuple[bool, str]:
 
 
 def _during(start: float, end: float) -> str:
-    return f'begin="f.begin+{start:.3g}s" dur="{end - start:.3g}s"'
+    """From one thousandth of a second to another, so that what follows begins where this ends."""
+    first, last = round(start, 3), round(end, 3)
+    return f'begin="f.begin+{first:g}s" dur="{round(last - first, 3):g}s"'
 
 
 def _timed(drawn: str, timing: tuple[bool, str]) -> str:
