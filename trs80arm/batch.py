@@ -97,18 +97,18 @@ def _run(options: BatchOptions, stream: TextIO, stopwatch: Callable[[], float] |
         )
     rig.load_lines(lines)
     begun = stopwatch() if stopwatch else 0.0
-    printed = io.StringIO() if options.as_json else stream
+    kept = io.StringIO() if options.as_json else None
     with ExitStack() as traces:
         if options.trace:
             traces.enter_context(Trace(rig, options.trace))
         if options.trace_pose:
             traces.enter_context(PoseTrace(rig, options.trace_pose, options.trace_rate))
-        waiting, spent = _from_run_to_end(rig, options, sets, printed)
-    if isinstance(printed, io.StringIO):
+        waiting, spent = _from_run_to_end(rig, options, sets, kept or stream)
+    if kept is not None:
         told = {
             "program": str(options.program),
             "ended": ended(rig.outcome, waiting),
-            "output": printed.getvalue(),
+            "output": kept.getvalue(),
             **report(rig),
             "seconds": {
                 "virtual": round(spent, 6),
