@@ -240,6 +240,15 @@ def crowd(count: int) -> Scene:
     return scene
 
 
+def fall(count: int, apart: float) -> Scene:
+    """Cubes turned every way, about to fall on the table, so many inches apart."""
+    scene = Scene()
+    for k in range(count):
+        place = (apart * (k // 3), apart * (k % 3 - 1), 1.5 + 0.4 * k)
+        scene.add(Body(str(k), CUBE, 0.5, place, oriented(37.0 * k, 23.0 * k + 10.0, 71.0 * k)))
+    return scene
+
+
 def field(count: int) -> Scene:
     """Cubes at rest, far apart, and a hand over them."""
     scene = Scene(arm=SlidingHand())
@@ -258,6 +267,11 @@ def push(scene: Scene, ticks: int) -> None:
         scene.advance(start + k * D50)
         scene.command((START[0] + 0.0071 * k, *START[1:]))
     scene.advance(start + ticks * TICK_STATES)
+
+
+def settle(scene: Scene, ticks: int) -> None:
+    """Let what falls come to rest."""
+    scene.advance(scene.time + ticks * TICK_STATES)
 
 
 def work_aside(scene: Scene, ticks: int) -> None:
@@ -315,6 +329,8 @@ def main() -> None:
     for count in (1, 3, 10):
         contact(f"{count} in a row, pushed on and on", lambda count=count: row(count), push, 2400)
     contact("10 in a crowd, pushed apart", lambda: crowd(10), push, 400)
+    contact("10 fall, each on the table", lambda: fall(10, 4.0), settle, 200)
+    contact("10 fall on each other", lambda: fall(10, 1.0), settle, 200)
     for count in (2, 200, 2000):
         contact(
             f"{count} at rest, the hand above", lambda count=count: field(count), work_aside, 400

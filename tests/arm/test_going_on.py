@@ -106,6 +106,21 @@ def test_a_grip_that_tightens_is_not_solved_again_and_presses_harder_with_every_
     assert scene.torques[5] == pytest.approx(16 * arm.grip.force, abs=0.7)
 
 
+def test_what_lies_flat_between_the_fingers_is_taken_into_the_grip_without_being_solved_again() -> (
+    None
+):
+    heavy = CELL.replace("weight = 2.0", "weight = 9.0")
+    generator = gripping(PulseGenerator(MiniMover(bench=benchfile.parse(heavy))), 0)
+    arm, scene = generator.arm, generator.arm.bench.scene
+    assert scene.gripped
+    assert arm.grip.part is None
+    solved = scene.solved
+    generator.step((0, 0, 0, 0, 0, -30), SLOW)
+    assert arm.grip.part == "block"
+    assert arm.grip.weight == 9.0
+    assert scene.solved == solved
+
+
 def test_a_grip_that_slackens_is_solved_again_when_its_friction_is_used_up(
     generator: PulseGenerator,
 ) -> None:

@@ -80,6 +80,7 @@ class Patch:
         "lever",
         "normal",
         "one",
+        "overheld",
         "regimes",
         "slopes",
         "two",
@@ -113,6 +114,7 @@ class Patch:
             )
         )
         self.expected: Pressures = None
+        self.overheld = False
         self.found: Pressures = None
         self._nothing = [_APART] * len(contact.points)
         self.regimes = self._nothing
@@ -294,13 +296,15 @@ class Patch:
     def push(self, relative: Six, bounds: Pressures, guess: int) -> Six:
         """Impulse and its moment about the reference point, on the second thing.
 
-        Notes down for `stiffness` what each contact does, and in `found` what presses.
+        Notes down for `stiffness` what each contact does, in `found` what presses, and in
+        `overheld` whether anything was held that would slide but for the guess.
 
         Args:
             relative: of the second thing against the first.
             bounds: of friction at each point.
             guess: what is taken for granted, of `NOTHING` and so on.
         """
+        self.overheld = False
         beginning = guess == AS_BEFORE
         presses: Iterable[float] = _NEVER
         if beginning:
@@ -341,11 +345,10 @@ class Patch:
                 tz = vz + wx * ry - wy * rx - opening * nz
                 square = tx * tx + ty * ty + tz * tz
                 _, ux, uy, uz = way
-                if (
-                    square > slow
-                    and not (was & _SLIDING and tx * ux + ty * uy + tz * uz < 0)
-                    and not (was & _HOLDING and guess == HELD)
-                ):
+                slides = square > slow and not (was & _SLIDING and tx * ux + ty * uy + tz * uz < 0)
+                if slides and was & _HOLDING and guess == HELD:
+                    self.overheld, slides = True, False
+                if slides:
                     regime += _SLIDING
                     speed = math.sqrt(square)
                     tx, ty, tz = tx / speed, ty / speed, tz / speed

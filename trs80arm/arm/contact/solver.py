@@ -174,10 +174,12 @@ class Problem:
             there = plus(speeds, change)
             guess = HELD if step < HOLDING_STEPS else CAUGHT if bold else NOTHING
             slope_there = self._slope(there, bounds, guess)
-            if guess == HELD and regimes == [patch.regimes for patch in self._patches]:
+            alike = regimes == [patch.regimes for patch in self._patches]
+            if alike and any(patch.overheld for patch in self._patches):
                 # What presses is known: now, what it holds.
                 slope_there = self._slope(there, bounds, CAUGHT)
-            if regimes == [patch.regimes for patch in self._patches]:
+                alike = regimes == [patch.regimes for patch in self._patches]
+            if alike:
                 # All contacts do as before: but for how what slides turns, this is the solution.
                 rest = system.solve(negative(slope_there))
                 if greatest(rest) < SOLVED:
