@@ -444,16 +444,23 @@ def programs() -> None:
 @click.argument("name")
 @click.option("-o", "--output", type=A_PATH, help="An .svg or .png file instead of text.")
 @click.option("--width", type=click.IntRange(40, 400), help="Columns of the text.")
-def figure(name: str, output: Path | None, width: int | None) -> None:
-    """Draw the article's figure NAME from the running model: 2, 6, 8, 10, 12 or table1."""
+@click.option("--config", type=A_PATH, help="The settings file instead of the usual one.")
+@click.option("--option", multiple=True, help="Any setting: TABLE.KEY=VALUE (repeatable).")
+@click.option("--arm", metavar="VALUE", help=_SETTING_FLAGS["arm"][1])
+def figure(name: str, output: Path | None, width: int | None, **given: Any) -> None:
+    """Draw the article's figure NAME from the running model: 1 to 12 or table1.
+
+    Arm, card and keys are those of the settings; so is what the figures say of them.
+    """
     import shutil
 
     from trs80arm.arm.figures import FigureError
     from trs80arm.article import draw
     from trs80arm.reasons import reason
 
+    settings = _take_settings({"break_now": None, **given})
     try:
-        drawn = draw(name)
+        drawn = draw(name, settings.rig())
         if output is None:
             click.echo(drawn.text(width or shutil.get_terminal_size().columns))
         else:

@@ -115,3 +115,21 @@ def keys_for(character: str) -> tuple[Key, ...] | None:
     if len(upper) == 1 and upper in Key._value2member_map_:
         return (Key(upper),)
     return None
+
+
+# fmt: off
+ROWS_OF_KEYS: tuple[tuple[Key, ...], ...] = (
+    (Key.N1, Key.N2, Key.N3, Key.N4, Key.N5, Key.N6, Key.N7, Key.N8, Key.N9, Key.N0, Key.COLON,
+     Key.MINUS, Key.BREAK),
+    (Key.UP, Key.Q, Key.W, Key.E, Key.R, Key.T, Key.Y, Key.U, Key.I, Key.O, Key.P, Key.AT,
+     Key.LEFT, Key.RIGHT),
+    (Key.DOWN, Key.A, Key.S, Key.D, Key.F, Key.G, Key.H, Key.J, Key.K, Key.L, Key.SEMICOLON,
+     Key.ENTER, Key.CLEAR),
+    (Key.SHIFT, Key.Z, Key.X, Key.C, Key.V, Key.B, Key.N, Key.M, Key.COMMA, Key.POINT, Key.SLASH,
+     Key.SHIFT),
+    (Key.SPACE,),
+)
+"""The keys as they lie on a Model I, row by row."""
+# fmt: on
+INDENTS = (2, 0, 1, 0, 12)
+"""By how much each row begins to the right of the leftmost, quarters of a key."""

@@ -1,8 +1,9 @@
-"""The article's figures, drawn from the running arm.
+"""The article's figures of the arm, drawn from its model and from the running arm.
 
 `figure` computes one of them; what it returns can be printed as text or saved as SVG or PNG.
-Figures 10 and 12 show what a driver and a program make of the arm, so whoever has those hands in
-what they wrote and where the hand went.
+Figures 7, 9 and 11 show the computer's side and are in `article`. Figures 10 and 12 show what a
+driver and a program make of the arm, so whoever has those hands in what they wrote and where the
+hand went.
 """
 
 from __future__ import annotations
@@ -10,25 +11,51 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
+from trs80arm.arm.figures.cabling import cabling
 from trs80arm.arm.figures.chart import Chart, Figure, FigureError, Series, Style, Table
+from trs80arm.arm.figures.diagram import Diagram
+from trs80arm.arm.figures.gripping import gripping
 from trs80arm.arm.figures.measured import envelope, grip_curves, phase_table, table1_rows
+from trs80arm.arm.figures.structure import structure
+from trs80arm.arm.figures.wrist import roll_and_pitch
 from trs80arm.arm.minimover import ArmState
+from trs80arm.arm.model import ArmModel
 from trs80arm.arm.settings import ArmSettings
 
-__all__ = ["NAMES", "Chart", "Figure", "FigureError", "Series", "Style", "Table", "figure"]
+__all__ = [
+    "NAMES",
+    "Chart",
+    "Diagram",
+    "Figure",
+    "FigureError",
+    "Series",
+    "Style",
+    "Table",
+    "figure",
+]
 
-NAMES = ("2", "6", "8", "10", "12", "table1")
-"""Figures that can be drawn."""
+NAMES = ("1", "2", "3", "4", "5", "6", "8", "10", "12", "table1")
+"""Figures that can be drawn of an arm."""
+
+ONLY_THE_ARTICLE_S = ("12", "table1")
+"""Those that are of the article's own arm: its program, and what it lists."""
 
 Writes = Sequence[tuple[int, int, int]]
 Path = Sequence[tuple[int, ArmState]]
 
 
-def figure(name: str, *, writes: Writes | None = None, path: Path | None = None) -> Figure:
+def figure(
+    name: str,
+    settings: ArmSettings | None = None,
+    *,
+    writes: Writes | None = None,
+    path: Path | None = None,
+) -> Figure:
     """One of the article's figures.
 
     Args:
         name: one of `NAMES`.
+        settings: of the arm; the MiniMover 5's unless given.
         writes: for Figure 10, the latch writes of a coordinated @STEP as (T-state, latch,
             nibble).
         path: for Figure 12, states of the arm through one cycle of pick and place, as
@@ -37,18 +64,33 @@ def figure(name: str, *, writes: Writes | None = None, path: Path | None = None)
     Raises:
         FigureError: if there is no such figure, or it lacks what it is to show.
     """
+    settings = settings or ArmSettings()
+    model = settings.arm_model
+    if name in ONLY_THE_ARTICLE_S and settings.model != ArmSettings().model:
+        raise FigureError(f"{_called(name)} is the MiniMover 5's own: not of the {model.title}")
+    if name == "1":
+        return Figure("1", "Figure 1. Major structural components", (structure(settings),))
     if name == "2":
-        return Figure("2", "Figure 2. Mini Mover 5 working envelope", envelope())
+        return Figure("2", f"Figure 2. {model.title} working envelope", envelope(settings))
+    if name == "3":
+        return Figure("3", "Figure 3. Cabling diagram", (cabling(model),))
+    if name == "4":
+        title = "Figure 4. Definition of roll and pitch angles"
+        return Figure("4", title, (roll_and_pitch(model),))
+    if name == "5":
+        return Figure("5", "Figure 5. Control system for gripping", (gripping(model),))
     if name == "6":
         title = "Figure 6. Hand opening and grip force against steps"
-        return Figure("6", title, grip_curves())
+        return Figure("6", title, grip_curves(settings))
     if name == "8":
         title = "Figure 8. Drive patterns for the stepper motor coils; clockwise downwards"
         return Figure("8", title, (phase_table(),))
     if name == "10":
         if not writes:
             raise FigureError("figure 10 needs the latch writes of a motion")
-        return Figure("10", "Figure 10. Step timing of coordinated movement", _timing(writes))
+        return Figure(
+            "10", "Figure 10. Step timing of coordinated movement", _timing(writes, model)
+        )
     if name == "12":
         if not path:
             raise FigureError("figure 12 needs the way of the hand through a cycle")
@@ -59,9 +101,14 @@ def figure(name: str, *, writes: Writes | None = None, path: Path | None = None)
     raise FigureError(f"no figure {name}: there are {', '.join(NAMES)}")
 
 
-def _timing(writes: Writes) -> tuple[Chart, ...]:
+def _called(name: str) -> str:
+    """How a figure is spoken of."""
+    return f"figure {name}" if name.isdigit() else name
+
+
+def _timing(writes: Writes, model: ArmModel) -> tuple[Chart, ...]:
     """The pulses of each motor, and its steps, against time in milliseconds."""
-    names = ArmSettings().arm_model.motor_names
+    names = model.motor_names
     pulses, steps = [], []
     start = writes[0][0]
     motors = sorted({latch for _, latch, _ in writes})

@@ -1,4 +1,4 @@
-"""Charts and tables that can be drawn with characters, or by matplotlib into a file.
+"""Charts, tables and diagrams that can be drawn with characters, or into a file.
 
 The figures of the article are made of these; nothing here knows the arm. A chart holds its data,
 so tests and other programs can read what a figure shows.
@@ -6,13 +6,18 @@ so tests and other programs can read what a figure shows.
 
 from __future__ import annotations
 
+import io
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import Enum
 from pathlib import Path
 from textwrap import wrap
-from typing import Any
+from typing import Any, BinaryIO
 
+from trs80arm.arm.figures.diagram import Diagram
+from trs80arm.arm.figures.sheet import Pen, Sheet
 from trs80arm.saving import whole_file
 
 SUFFIXES = (".svg", ".png", ".pdf")
@@ -87,8 +92,12 @@ class Table:
     notes: tuple[str, ...] = ()
 
 
-_NOTE_WIDTH = 110
-"""Characters of a line of notes below a drawn table."""
+_IN_THE_DARK = (
+    b"<style>@media(prefers-color-scheme:dark){svg{filter:invert(0.92) hue-rotate(180deg)}}</style>"
+)
+"""What an SVG of matplotlib's is given so that it is dark where its reader's page is."""
+_EDGE, _GUTTER, _LINE, _LETTER, _NARROWEST = 24.0, 22.0, 22.0, 7.0, 420.0
+"""Units of a table that is drawn: around it, between columns, a line, a letter, the narrowest."""
 
 
 @dataclass(frozen=True)
@@ -98,38 +107,52 @@ class Figure:
     Attributes:
         name: as in "figure 6" or "table1".
         title: one line.
-        parts: charts and tables from top to bottom.
+        parts: charts, tables and diagrams from top to bottom.
     """
 
     name: str
     title: str
-    parts: tuple[Chart | Table, ...] = field(default=())
+    parts: tuple[Chart | Table | Diagram, ...] = field(default=())
 
     def text(self, width: int = 78) -> str:
         """The figure in plain characters.
 
         Args:
-            width: columns to fill at most.
+            width: columns to fill at most. A diagram is as wide as it is, up to 79 columns.
         """
         pieces = [self.title, ""]
         for part in self.parts:
-            pieces.append(
-                _table_text(part, width) if isinstance(part, Table) else _chart_text(part, width)
-            )
+            if isinstance(part, Diagram):
+                pieces += part.lines
+            elif isinstance(part, Table):
+                pieces.append(_table_text(part, width))
+            else:
+                pieces.append(_chart_text(part, width))
             pieces.append("")
         return "\n".join(line.rstrip() for line in "\n".join(pieces).rstrip().split("\n")) + "\n"
 
     def save(self, path: str | Path) -> None:
         """Draw the figure into an SVG, PNG or PDF file.
 
+        A diagram as SVG needs no other program, and is dark where the reader's page is.
+
         Raises:
-            FigureError: if matplotlib is not installed, the suffix is none of these, or the
-                file cannot be written.
+            FigureError: if matplotlib is needed and not installed, the suffix is none of these,
+                or the file cannot be written.
         """
         path = Path(path)
+        kind = path.suffix[1:].lower()
         if path.suffix.lower() not in SUFFIXES:
             known = ", ".join(SUFFIXES)
             raise FigureError(f"{path}: a figure is saved as one of {known}")
+        if kind == "svg" and len(self.parts) == 1 and not isinstance(self.parts[0], Chart):
+            with _written(path) as file:
+                file.write(_sheet(self.parts[0]).svg(self.title).encode("utf-8"))
+        else:
+            self._plot(path, kind)
+
+    def _plot(self, path: Path, kind: str) -> None:
+        """Draw the figure into a file by matplotlib."""
         try:
             import matplotlib
         except ImportError:
@@ -139,30 +162,65 @@ class Figure:
         matplotlib.use("Agg")
         from matplotlib.figure import Figure as Canvas
 
-        heights = [
-            0.4 + 0.25 * (len(part.rows) + len(_notes(part, _NOTE_WIDTH)))
-            if isinstance(part, Table)
-            else 4.5
-            for part in self.parts
-        ]
+        heights = [_height(part) for part in self.parts]
         canvas = Canvas(figsize=(8.0, sum(heights) + 0.8), layout="constrained")
         canvas.suptitle(self.title)
         axes = canvas.subplots(len(self.parts), 1, squeeze=False, height_ratios=heights)
         for part, (axis,) in zip(self.parts, axes, strict=True):
-            if isinstance(part, Table):
-                axis.axis("off")
-                axis.table(cellText=part.rows, colLabels=part.heading, loc="upper center")
-                notes = "\n".join(_notes(part, _NOTE_WIDTH))
-                axis.text(0, 0, notes, va="bottom", fontsize="small", transform=axis.transAxes)
-            else:
+            if isinstance(part, Chart):
                 _plot(axis, part)
+            else:
+                _sheet(part).plot(axis)
         # The same figure gives the same file.
-        metadata = {"Date": None} if path.suffix.lower() == ".svg" else None
-        try:
-            with matplotlib.rc_context({"svg.hashsalt": self.name}), whole_file(path) as file:
-                canvas.savefig(file, format=path.suffix[1:].lower(), metadata=metadata)
-        except OSError as error:
-            raise FigureError(f"{path}: cannot be written: {error.strerror}") from None
+        metadata = {"Date": None} if kind == "svg" else None
+        drawn = io.BytesIO()
+        with matplotlib.rc_context({"svg.hashsalt": self.name, "svg.fonttype": "none"}):
+            canvas.savefig(drawn, format=kind, metadata=metadata)
+        with _written(path) as file:
+            file.write(drawn.getvalue().replace(b"<defs>", _IN_THE_DARK + b"<defs>", 1))
+
+
+@contextmanager
+def _written(path: Path) -> Iterator[BinaryIO]:
+    """A file to be written whole or not at all; what is in the way is a `FigureError`."""
+    try:
+        with whole_file(path) as file:
+            yield file
+    except OSError as error:
+        raise FigureError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def _height(part: Chart | Table | Diagram) -> float:
+    """Inches that a part takes from top to bottom."""
+    if isinstance(part, Chart):
+        return 4.5
+    sheet = _sheet(part)
+    return 8.0 * sheet.height / sheet.width
+
+
+def _sheet(part: Table | Diagram) -> Sheet:
+    """A diagram's sheet, or a table set on one."""
+    if isinstance(part, Diagram):
+        return part.sheet
+    rows = [part.heading, *part.rows]
+    longest = [max(len(row[place]) for row in rows) for place in range(len(part.heading))]
+    starts = [_EDGE]
+    for length in longest:
+        starts.append(starts[-1] + length * _LETTER + _GUTTER)
+    width = max(starts[-1] - _GUTTER + _EDGE, _NARROWEST)
+    notes = _notes(part, int((width - 2 * _EDGE) / _LETTER))
+    under = _LINE * (len(notes) + 1) if notes else 0.0
+    sheet = Sheet(width, 2 * _EDGE + _LINE * len(rows) + under)
+    y = sheet.height - _EDGE - _LINE / 2
+    for number, row in enumerate(rows):
+        for x, cell in zip(starts, row, strict=False):
+            sheet.words((x, y - number * _LINE), cell, bold=number == 0)
+    below = y - _LINE / 2
+    sheet.line((_EDGE, below), (width - _EDGE, below), width=1.2)
+    for number, note in enumerate(notes):
+        place = _EDGE, _EDGE + _LINE * (len(notes) - number - 0.5)
+        sheet.words(place, note, pen=Pen.SOFT, size=12.0)
+    return sheet
 
 
 def _plot(axis: Any, chart: Chart) -> None:

@@ -16,16 +16,17 @@ from trs80arm.arm.figures.chart import Chart, Series, Style, Table
 from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.minimover import InTheWay, MiniMover
 from trs80arm.arm.model import Motor, Pose
+from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 
 
-def envelope() -> tuple[Chart, Chart]:
+def envelope(settings: ArmSettings) -> tuple[Chart, Chart]:
     """Figure 2: where the fingertip can be taken, from the side and from above.
 
     The arm is moved by hand to every combination of angles, a few degrees apart; stops, table
     and its own base refuse the others.
     """
-    arm = MiniMover(bench=Bench("empty"))
+    arm = MiniMover(settings, Bench("empty"))
     shoulder_height = forward(arm.model, arm.state().angles).shoulder[2]
     cloud: set[tuple[float, float]] = set()
     outer: dict[int, tuple[float, float, float]] = {}
@@ -82,11 +83,11 @@ def _links(arm: MiniMover) -> Series:
     return Series("arm", xs, (0.0, *(p[2] for p in places)), mark="#")
 
 
-def grip_curves() -> tuple[Chart, Chart]:
+def grip_curves(settings: ArmSettings) -> tuple[Chart, Chart]:
     """Figure 6: opening and force while the hand closes, empty and on a part 1 inch wide."""
     charts = []
     for title, bench in (("empty", Bench("empty")), ("on a part 1 in wide", _one_part())):
-        arm = MiniMover(bench=bench)
+        arm = MiniMover(settings, bench)
         arm.move_to(Pose(8.0, 0.0, 0.5, -90.0, 0.0, 3.0))
         generator = PulseGenerator(arm)
         generator.align()

@@ -14,24 +14,10 @@ from textual.strip import Strip
 
 from trs80arm.drawing.readings import Readings
 from trs80arm.machine.jog_keys import JogKeys
+from trs80arm.machine.keys import INDENTS, ROWS_OF_KEYS
 from trs80arm.rig import Key
 from trs80arm.ui.panels.keys_by_mouse import KeysByMouse
 
-# fmt: off
-ROWS_OF_KEYS: tuple[tuple[Key, ...], ...] = (
-    (Key.N1, Key.N2, Key.N3, Key.N4, Key.N5, Key.N6, Key.N7, Key.N8, Key.N9, Key.N0, Key.COLON,
-     Key.MINUS, Key.BREAK),
-    (Key.UP, Key.Q, Key.W, Key.E, Key.R, Key.T, Key.Y, Key.U, Key.I, Key.O, Key.P, Key.AT,
-     Key.LEFT, Key.RIGHT),
-    (Key.DOWN, Key.A, Key.S, Key.D, Key.F, Key.G, Key.H, Key.J, Key.K, Key.L, Key.SEMICOLON,
-     Key.ENTER, Key.CLEAR),
-    (Key.SHIFT, Key.Z, Key.X, Key.C, Key.V, Key.B, Key.N, Key.M, Key.COMMA, Key.POINT, Key.SLASH,
-     Key.SHIFT),
-    (Key.SPACE,),
-)
-"""The keys as they lie on a Model I, row by row."""
-# fmt: on
-INDENT = (2, 0, 1, 0, 12)
 _CAPS = {
     Key.UP: "↑",
     Key.DOWN: "↓",
@@ -121,7 +107,7 @@ class MatrixView(KeysByMouse):
         gap = 1
         width = 5 if self.size.width >= 76 else 4
         caps: list[_Cap] = []
-        at = INDENT[row]
+        at = INDENTS[row]
         for key in ROWS_OF_KEYS[row]:
             text = (_ASCII_CAPS if self._ascii else _CAPS).get(key) or _CAPS.get(key, key.value)
             stop = at + max(width - gap, len(text) + (2 if len(text) > 1 else 0))

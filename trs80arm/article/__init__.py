@@ -1,7 +1,8 @@
 """The article's figures from a whole rig: what `trs80arm figure` draws.
 
-The arm's room draws them all; for Figures 10 and 12 it wants to be shown what the ARMBASIC driver
-wrote and where a program took the hand, which only a rig can tell.
+The arm's room draws those of the arm; for Figures 10 and 12 it wants to be shown what the ARMBASIC
+driver wrote and where a program took the hand, which only a rig can tell. Figures 7, 9 and 11 are
+of the card and the keyboard, and drawn here.
 """
 
 from __future__ import annotations
@@ -12,10 +13,13 @@ from trs80arm.arm import benchfile
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.figures import Figure, FigureError, figure
 from trs80arm.arm.minimover import ArmState
+from trs80arm.arm.settings import ArmSettings
+from trs80arm.article.interface import block_diagram, drive_circuit
+from trs80arm.article.keyboard import keyboard
 from trs80arm.bundled import programs_folder
 from trs80arm.operator import Operator, parse_holds
 from trs80arm.pulses import Series
-from trs80arm.rig import Rig
+from trs80arm.rig import Rig, RigSettings
 
 _OPEN_THE_HAND = "6:1.0 0"
 _CYCLES = 3
@@ -38,25 +42,44 @@ class _Analyser:
         self.writes.extend(zip(*columns, strict=True))
 
 
-def draw(name: str) -> Figure:
-    """One of the article's figures, from the running model.
+NAMES = ("1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12", "table1")
+"""Figures that can be drawn."""
+
+
+def draw(name: str, settings: RigSettings | None = None) -> Figure:
+    """One of the article's figures, from the model that runs.
 
     Args:
-        name: `2`, `6`, `8`, `10`, `12` or `table1`.
+        name: one of `NAMES`.
+        settings: of the machine, its card and its arm; the MiniMover 5's unless given.
 
     Raises:
-        FigureError: there is no such figure, or what it needs was not installed.
+        FigureError: there is no such figure, it is of another arm than this one, or what it needs
+            was not installed.
     """
+    settings = settings or RigSettings()
+    model = settings.arm.arm_model
+    if name not in NAMES:
+        raise FigureError(f"no figure {name}: there are {', '.join(NAMES)}")
+    if name == "7":
+        title = "Figure 7. Simplified stepper motor drive circuit"
+        return Figure("7", title, (drive_circuit(settings.card),))
+    if name == "9":
+        title = "Figure 9. Block diagram of the computer interface"
+        return Figure("9", title, (block_diagram(settings.card, model),))
+    if name == "11":
+        title = "Figure 11. Use of the keyboard to control the arm"
+        return Figure("11", title, (keyboard(settings.driver.keys, model),))
     if name == "10":
-        return figure(name, writes=_coordinated_move())
-    if name == "12":
+        return figure(name, settings.arm, writes=_coordinated_move(settings))
+    if name == "12" and settings.arm.model == ArmSettings().model:
         return figure(name, path=_pick_and_place())
-    return figure(name)
+    return figure(name, settings.arm)
 
 
-def _coordinated_move() -> list[tuple[int, int, int]]:
+def _coordinated_move(settings: RigSettings) -> list[tuple[int, int, int]]:
     """The writes of the article's example: 21 steps of the base against 3 of the shoulder."""
-    rig = Rig()
+    rig = Rig(settings)
     analyser = _Analyser()
     rig.watch_latches(analyser)
     rig.type("@STEP 50,21,3\r")
