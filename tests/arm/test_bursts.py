@@ -6,7 +6,7 @@ import pickle
 import random
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.arm.writes import CELL, Recorder, Writes, picks_and_places
@@ -94,6 +94,7 @@ def signature(arm: MiniMover) -> object:
 
 @settings(max_examples=25, deadline=None)
 @given(st.integers(0, 10**6), st.lists(st.integers(1, 900), max_size=12))
+@example(96056, [315, 630])
 def test_any_cutting_of_the_same_writes_gives_the_same_state(seed: int, cuts: list[int]) -> None:
     writes = motions(seed)
     whole = run(writes, [])

@@ -142,7 +142,8 @@ def _ends_only(moving: Sequence[tuple[Turning, int]]) -> tuple[int, int] | None:
         ((turning, sign),) = moving
         one, other = sign * turning.low, sign * turning.high
         return (one, other) if one < other else (other, one)
-    if len({sign * turning.way for turning, sign in moving} | {0}) == 2:
+    ways = {sign * turning.way for turning, sign in moving}
+    if len(ways) == 1 and 0 not in ways:
         # All go the same way.
         net = sum([sign * turning.net for turning, sign in moving])
         return min(0, net), max(0, net)
