@@ -40,6 +40,30 @@ def test_a_slip_is_told_when_it_happens_with_the_way_back() -> None:
     assert ".recover says what is lost" in said
 
 
+def test_the_effort_is_read_out_and_so_is_a_motor_near_its_limit() -> None:
+    said = talk(
+        ".hand elbow 0",
+        ".hand pitch 0",
+        ".hand shoulder 2",
+        "@STEP 80,0,-60",
+        ".effort",
+        "@RESET",
+        ".effort",
+    )
+    first, after = said.split("base: ")[-2:]
+    assert "shoulder: 31 %, peak 92 %, standing, bears 195.1 oz in, 448.9 left" in first
+    assert "grip: nothing between the fingers" in first
+    assert "peak 92 %" not in after
+    assert "shoulder: 52 %, peak 0 %, off" in after
+
+
+def test_the_grip_is_read_out_beside_what_holding_takes() -> None:
+    session = Session(bench=PROGRAMS / "table3.toml")
+    said = talk("@CLOSE", "@STEP 100,0,0,0,0,0,-30", ".effort", session=session)
+    line = next(line for line in said.splitlines() if line.startswith("grip: "))
+    assert "lb, holding takes 0." in line
+
+
 def test_the_way_back_is_that_of_the_screen() -> None:
     said = talk("@STEP 50,0,-3000", ".recover", "all", ".registers")
     assert "The joint ends there." in said
