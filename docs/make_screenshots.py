@@ -118,6 +118,18 @@ async def taught_program(sitting: Sitting) -> None:
     await sitting.pass_time(0.1)
 
 
+async def effort(sitting: Sitting) -> None:
+    """A stretched arm that lifts itself: the shoulder is near what it can."""
+    rig = sitting.app.session.rig
+    for joint, degrees in (("elbow", 0.0), ("pitch", 0.0), ("shoulder", 8.0)):
+        rig.move_joint(joint, degrees)
+    await sitting.type("@RESET:CLS\r")
+    await sitting.app.run_action("do('show_effort')")
+    sitting.app.pacer.hurries = False
+    rig.type("@STEP 80,150,-240,0,0,0,100\r")
+    await sitting.pass_time(3.0)
+
+
 async def tapes(sitting: Sitting) -> None:
     """The recorder at work: a search that came by another program."""
     rig = sitting.app.session.rig
@@ -257,6 +269,7 @@ async def main() -> None:
     await shoot("debugger-memory", (80, 24), remembered, program=program)
     await shoot("manual", (120, 40), manual)
     await shoot("slipped", (120, 40), slipped, theme="amber")
+    await shoot("effort", (80, 24), effort, program=program)
     await shoot("by-hand", (100, 30), by_hand)
     bench = PROGRAMS / "table4.toml"
     await shoot("pendant", (120, 40), pendant, bench=bench)

@@ -8,7 +8,7 @@ from trs80arm.drawing.rows import Ink, Row, Span
 from trs80arm.ui.panels.glyph_panels import GlyphPanel
 
 _WIDE = 36
-_ROOMY = 64
+_ROOMY = 72
 _VERY_WIDE = 90
 _NAME = 15
 """Cells for a motor's number and name."""
