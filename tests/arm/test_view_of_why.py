@@ -119,6 +119,21 @@ def test_a_peak_does_not_hang_on_who_looks_and_when() -> None:
     assert all(peaks)
 
 
+def test_a_peak_is_of_the_bench_at_which_the_arm_stands() -> None:
+    low, high = Bench("low"), Bench("high")
+    low.start, high.start = Pose(6.0, 0.0, 4.0, -90.0, 0.0), Pose(9.0, 0.0, 11.0, 0.0, 0.0)
+    motion = "@STEP 60,60,-100,60,40,40"
+    moved, fresh = Rig(bench=low), Rig(bench=high)
+    typed(moved, motion)
+    before = [load.peak for load in moved.loads.motors]
+    moved.set_bench(high)
+    for rig in (moved, fresh):
+        typed(rig, motion)
+    peaks = [load.peak for load in moved.loads.motors]
+    assert peaks == [load.peak for load in fresh.loads.motors]
+    assert peaks != before
+
+
 def test_a_peak_is_part_of_a_snapshot() -> None:
     rig = stretched()
     typed(rig, "@STEP 60,0,-60")

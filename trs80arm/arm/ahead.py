@@ -6,7 +6,7 @@ half-steps count: where a write is anything else, nothing is known ahead.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -64,6 +64,10 @@ class Ahead(Protocol):
     @property
     def ends(self) -> int:
         """T-state of the last write."""
+
+    @property
+    def repeats(self) -> Hashable:
+        """What is the same in bursts that do the same, whenever they begin; None if not known."""
 
     def together(self, signs: Signs, *, instants: bool = False) -> tuple[int, int]:
         """How far a sum of positions goes below and above where it is, at most.
@@ -163,6 +167,12 @@ class PulsesAhead:
         self.turnings = [
             self._turning(train, last) for train, last in zip(trains, self._lasts, strict=True)
         ]
+
+    @property
+    def repeats(self) -> Hashable:
+        """As in `Ahead`."""
+        pulses = self._pulses
+        return pulses.over, pulses.under, tuple(self._trains)
 
     @classmethod
     def of(cls, motors: Sequence[StepperMotor], pulses: Pulses) -> PulsesAhead | None:
@@ -319,6 +329,11 @@ class ColumnsAhead:
         self._turns = turns
         self.turnings = turnings
         self.ends = int(times[-1])
+
+    @property
+    def repeats(self) -> Hashable:
+        """As in `Ahead`."""
+        return None
 
     @classmethod
     def of(cls, motors: Sequence[StepperMotor], columns: Columns) -> ColumnsAhead | None:

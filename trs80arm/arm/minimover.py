@@ -8,7 +8,7 @@ what the arm was told and where it is are two things.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -103,6 +103,7 @@ class MiniMover:
         log: of what happened.
         peaks: the greatest share of what each motor has that any half-step took
             since `forget_peaks`, whole per cent, rounded up.
+        known_uses: what was worked out of motors' parts in strides lately.
     """
 
     def __init__(self, settings: ArmSettings | None = None, bench: Bench | None = None) -> None:
@@ -125,7 +126,7 @@ class MiniMover:
         # What is on the bench is seen before the world is: all of it has to be where it is.
         self._world.show()
         # The distance to the stops is found anew; how it was counted hangs on how a run is cut.
-        return {**self.__dict__, "_stops_off": 0, "_heaviest": None}
+        return {**self.__dict__, "_stops_off": 0, "_heaviest": None, "known_uses": {}}
 
     def prepare(self, bench: Bench) -> World:
         """A bench laid out for this arm, everything on it at rest; the arm is not at it yet.
@@ -162,6 +163,7 @@ class MiniMover:
         self._world, self.bench, self.drive = world, world.bench, world.drive
         self._rotors = [0] * 6
         self._stops_off = 0
+        self.known_uses: dict[Hashable, int] = {}
 
     def refill(self) -> None:
         """Put every part of the bench back to where it was at the start.

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.int64]
 
+_KNOWN = 1024
+"""How many motors' parts in strides are remembered."""
 _PER_RING = RING * T_STATES_PER_SECOND
 """Half-steps per second that a ring of them makes in one T-state."""
 
@@ -67,13 +69,35 @@ def note_stride(
             torque = min(torque, arm.strength.most(kind, arm.world.burdens(), level))
         if per_cent(curve.used(torque, _PER_RING / span / margin)) <= peak:
             continue
-        times, turns, turned = ahead.half_steps(order)
-        rotors = np.empty((6, len(times)), dtype=np.int64)
-        rotors[:] = np.array(arm.rotors)[:, None]
-        for other, by in zip(ahead.turnings, turned, strict=True):
-            rotors[other.latch] += by
-        bearing = against(arm, latch, turns, rotors)
-        arm.note_use(latch, greatest(arm, latch, times, np.abs(turns), bearing))
+        arm.note_use(latch, _known(arm, ahead, order))
+
+
+def _known(arm: MiniMover, ahead: Ahead, order: int) -> int:
+    """The greatest share that one motor's half-steps take; a program that goes round repeats it."""
+    turning, repeats = ahead.turnings[order], ahead.repeats
+    if repeats is None:
+        return _worked_out(arm, ahead, order)
+    motor = arm.motors[turning.latch]
+    since = tuple([turning.first - pulse for pulse in motor.pulses])
+    key = (turning.latch, repeats, arm.rotors, since, arm.world.burdens(), arm.grip.contact)
+    used = arm.known_uses.get(key)
+    if used is None:
+        if len(arm.known_uses) >= _KNOWN:
+            arm.known_uses.clear()
+        used = arm.known_uses[key] = _worked_out(arm, ahead, order)
+    return used
+
+
+def _worked_out(arm: MiniMover, ahead: Ahead, order: int) -> int:
+    """The greatest share that one motor's half-steps take, per cent, rounded up."""
+    latch = ahead.turnings[order].latch
+    times, turns, turned = ahead.half_steps(order)
+    rotors = np.empty((6, len(times)), dtype=np.int64)
+    rotors[:] = np.array(arm.rotors)[:, None]
+    for other, by in zip(ahead.turnings, turned, strict=True):
+        rotors[other.latch] += by
+    bearing = against(arm, latch, turns, rotors)
+    return greatest(arm, latch, times, np.abs(turns), bearing)
 
 
 def against(
