@@ -19,6 +19,7 @@ from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.machine.keys import Key
 from trs80arm.rig import RigSettings
 
+DOCS = Path(__file__).parents[2] / "docs"
 DIAGRAMS = ("1", "3", "4", "5", "7", "9", "11")
 TEACHMOVER = RigSettings(arm=ArmSettings(model="teachmover"))
 
@@ -76,6 +77,15 @@ def test_a_drawing_is_one_file_with_its_words_in_it_light_and_dark(
             x, y = map(float, pair.split(","))
             assert 0 <= x <= width
             assert 0 <= y <= height
+
+
+@pytest.mark.parametrize("name", DIAGRAMS)
+def test_the_page_of_the_figures_shows_what_the_program_draws(name: str) -> None:
+    drawn = draw(name)
+    page = (DOCS / "figures.md").read_text(encoding="utf-8")
+    assert f"![{drawn.title}](figures/{name}.svg)" in page
+    shown = (DOCS / "figures" / f"{name}.svg").read_text(encoding="utf-8")
+    assert shown == diagram(name).sheet.svg(drawn.title)
 
 
 def test_a_diagram_is_saved_as_a_picture_too(tmp_path: Path) -> None:
