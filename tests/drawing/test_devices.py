@@ -6,11 +6,14 @@ import numpy as np
 import pytest
 
 from trs80arm.arm import benchfile
-from trs80arm.drawing.bench_solids import solids_of
+from trs80arm.drawing.bench_solids import FIRST_THING, solids_of
+from trs80arm.drawing.picture import IN_SPACE
 from trs80arm.drawing.readings import Kind, Readings, Thing
-from trs80arm.drawing.scene import Block
+from trs80arm.drawing.scene import Block, Extras
 from trs80arm.drawing.side_scene import side_scene
+from trs80arm.drawing.studio import Orbit, take
 from trs80arm.drawing.top_scene import top_scene
+from trs80arm.drawing.viewport import Viewport
 from trs80arm.rig import Rig
 
 BELT = """
@@ -30,6 +33,9 @@ at = [10.0, 0.0]
 bottom = 1.0
 size = [0.5, 0.5, 0.5]
 """
+
+
+DEVICES = {Kind.TURNTABLE, Kind.MACHINE, Kind.CONVEYOR}
 
 
 def seen(bench: str, statement: str, seconds: float) -> Readings:
@@ -91,3 +97,22 @@ def test_a_photocell_is_seen_to_answer() -> None:
     assert thing(readings, "belt photocell").on
     assert "!" in fills(readings)[1]
     assert not thing(seen(BELT, "OUT 158,0", 0.9), "belt photocell").on
+
+
+@pytest.mark.parametrize(
+    "device",
+    [
+        "[turntable]\nat = [9.0, 0.0]\nradius = 3.0\n",
+        "[[machine]]\nat = [9.0, 0.0]\nsize = [3, 3, 0.5]\nseconds = 9\nstart = 0\ndone = 3\n",
+        BELT,
+    ],
+    ids=["turntable", "machine", "belt"],
+)
+def test_a_small_picture_leaves_out_details_but_no_device(device: str) -> None:
+    readings = seen(device, "OUT 158,0", 0.1)
+    body = FIRST_THING + [each.kind in DEVICES for each in readings.things].index(True)
+    shot = IN_SPACE.shot(readings, Orbit(), Extras())
+    for width, height in ((30, 10), (60, 18), (160, 60)):
+        window = Viewport().window(shot, width, height).aligned()
+        found = take(shot, width, height, (2, 3), window).body == body
+        assert found.mean() > 0.005

@@ -24,9 +24,9 @@ _MATERIAL = {
     Kind.FEEDER: Material.FURNITURE,
     Kind.TRAY: Material.FURNITURE,
     Kind.OBSTACLE: Material.OBSTACLE,
-    Kind.TURNTABLE: Material.MOTOR,
+    Kind.TURNTABLE: Material.FURNITURE,
     Kind.CONVEYOR: Material.FURNITURE,
-    Kind.MACHINE: Material.MOTOR,
+    Kind.MACHINE: Material.FURNITURE,
     Kind.SENSOR: Material.IDLE,
 }
 _FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
