@@ -6,8 +6,9 @@ import pytest
 
 from tests.ui.conftest import PROGRAMS, Opener
 from tests.ui.piloted import piloted
+from trs80arm.desk.pacing import TICK
 from trs80arm.machine.keys import Key
-from trs80arm.ui.heartbeat import AWAKE, Heartbeat
+from trs80arm.ui.heartbeat import AWAKE, STEADY, Heartbeat
 
 
 class Program:
@@ -16,8 +17,11 @@ class Program:
     def __init__(self) -> None:
         self.wall = 100.0
         self.busy = False
+        self.hurried = False
         self.ticks = 0
-        self.heartbeat = Heartbeat(self.tick, lambda: self.busy, lambda: self.wall)
+        self.heartbeat = Heartbeat(
+            self.tick, lambda: self.busy, lambda: self.hurried, lambda: self.wall
+        )
 
     def tick(self) -> None:
         self.ticks += 1
@@ -39,18 +43,22 @@ def test_a_busy_program_does_not_rest() -> None:
 def test_a_resting_program_looks_up_by_itself_and_goes_on_if_it_has_to() -> None:
     program = Program()
     program.heartbeat.beat()
-    program.heartbeat.look()
+    program.heartbeat.beat()
     assert program.ticks == 2
     assert program.heartbeat.resting
     program.busy = True
-    program.heartbeat.look()
+    program.heartbeat.beat()
     assert not program.heartbeat.resting
 
 
-def test_looks_between_ticks_do_nothing_while_it_is_awake() -> None:
+def test_what_goes_on_by_itself_is_looked_at_once_a_frame_and_hands_and_haste_twice() -> None:
     program = Program()
-    program.heartbeat.look()
-    assert program.ticks == 0
+    program.busy = True
+    program.heartbeat.beat()
+    assert program.heartbeat.every == STEADY
+    program.hurried = True
+    program.heartbeat.beat()
+    assert program.heartbeat.every == TICK < STEADY
 
 
 def test_whoever_wakes_it_keeps_it_awake_for_a_while() -> None:

@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import inspect
+from collections.abc import Iterable
 
 import pytest
+from rich.style import Style
 from textual._compositor import ChopsUpdate, Compositor
+from textual.app import App, ComposeResult
 from textual.geometry import Region
 from textual.screen import Screen
 from textual.strip import Strip
 from textual.widget import Widget
+from textual.widgets import Static
 
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_colours, screen_text
 from trs80arm.ui.screens.dialog import Choose
 from trs80arm.ui.screens.palette import PaletteScreen
+from trs80arm.ui.terminal.changes import CellsUpdate, Change
+from trs80arm.ui.terminal.layers import Layer
 
 
 def watch_lines(sitting: Sitting) -> list[set[int]]:
@@ -26,6 +32,8 @@ def watch_lines(sitting: Sitting) -> list[set[int]]:
     def display(screen: Screen[object], update: object) -> None:
         if isinstance(update, ChopsUpdate):
             written.append({y for y, _, _ in update.spans})
+        elif isinstance(update, CellsUpdate):
+            written.append({y for _, y, _ in update.changes})
         elif update is not None:
             written.append(set(range(sitting.app.size.height)))
         real(screen, update)  # type: ignore[arg-type]
@@ -129,31 +137,52 @@ async def test_a_theme_that_is_tried_colours_what_is_behind_the_list(sit_down: O
         assert screen_colours(sitting.app).splitlines()[0] != green
 
 
-def written_on(sheet: list[list[str]], update: ChopsUpdate) -> None:
-    """Put an update on a sheet of characters, as the terminal would."""
+Sheet = list[list[tuple[str, Style]]]
+"""Lines of cells: a character each and how it looks."""
+
+
+def cells_of(runs: Iterable[tuple[str, Style | None]]) -> list[tuple[str, Style]]:
+    """Runs of characters cell by cell, as far as they can be told apart by looking at them."""
+    return [(sign, looks(sign, style or Style())) for text, style in runs for sign in text]
+
+
+def looks(sign: str, style: Style) -> Style:
+    """What of a style is seen: of a blank only what is behind it."""
+    return Style(bgcolor=style.bgcolor) if sign == " " else style
+
+
+def written_on(sheet: Sheet, update: ChopsUpdate | CellsUpdate) -> None:
+    """Put an update on a sheet, as the terminal would."""
+    if isinstance(update, CellsUpdate):
+        for x, y, runs in update.changes:
+            cells = cells_of(runs)
+            sheet[y][x : x + len(cells)] = cells
+        return
     for y, left, right in update.spans:
         strips = zip(update.chop_ends[y], update.chops[y].items(), strict=False)
         for end, (x, strip) in strips:
             if strip is not None and x <= right and end > left:
-                text = strip.crop(0, min(end, right) - x).text
-                sheet[y][x : x + len(text)] = text
+                cells = cells_of(segment[:2] for segment in strip.crop(0, min(end, right) - x))
+                sheet[y][x : x + len(cells)] = cells
 
 
-def sheet_of(sitting: Sitting) -> list[list[str]]:
+def sheet_of(sitting: Sitting) -> Sheet:
     strips = sitting.app.screen._compositor.render_strips()
-    return [list(strip.text) for strip in strips]
+    return [cells_of(segment[:2] for segment in strip) for strip in strips]
 
 
 @piloted
 async def test_what_is_written_bit_by_bit_is_what_there_is(sit_down: Opener) -> None:
     async with sit_down(120, 40) as sitting:
         sheet, whole = sheet_of(sitting), 0
+        bits: list[object] = []
         real = sitting.app._display
 
         def display(screen: Screen[object], update: object) -> None:
             nonlocal sheet, whole
-            if isinstance(update, ChopsUpdate):
+            if isinstance(update, ChopsUpdate | CellsUpdate):
                 written_on(sheet, update)
+                bits.append(update)
             elif update is not None:
                 sheet, whole = sheet_of(sitting), whole + 1
             real(screen, update)  # type: ignore[arg-type]
@@ -171,6 +200,37 @@ async def test_what_is_written_bit_by_bit_is_what_there_is(sit_down: Opener) -> 
         await sitting.pilot.pause()
         assert sheet == sheet_of(sitting)
         assert whole < 8
+        straight = [bit for bit in bits if isinstance(bit, CellsUpdate)]
+        assert len(straight) > len(bits) / 2
+
+
+class Heap(Layer):
+    """Two panels, and a sheet that lies over the second one."""
+
+    CSS = """
+    Static { position: absolute; width: 10; height: 3; }
+    #second { offset: 0 5; }
+    #sheet { offset: 8 6; }
+    """
+
+    def compose(self) -> ComposeResult:
+        yield Static(id="first")
+        yield Static(id="second")
+        yield Static(id="sheet")
+
+
+@piloted
+async def test_what_lies_behind_something_else_is_not_written_over_it() -> None:
+    app: App[None] = App()
+    async with app.run_test(size=(40, 12)) as pilot:
+        heap = Heap()
+        await app.push_screen(heap)
+        await pilot.pause()
+        cells = [Change(1, 1, [("x", Style())])]
+        with heap.frame():
+            straight = {panel.id for panel in heap.query(Static) if heap.change(panel, cells)}
+        assert straight == {"first", "sheet"}
+        assert not heap.change(heap.query_one("#first"), cells)
 
 
 @piloted

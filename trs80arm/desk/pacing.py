@@ -64,6 +64,7 @@ class Pacer:
         hurries: whether it does so when there is a hurry.
         paused: whether no time passes at all.
         achieved: what was reached of the speed lately, as virtual seconds per second of the wall.
+        behind: whether there was more to do than the last call had time for.
     """
 
     def __init__(
@@ -81,6 +82,7 @@ class Pacer:
         self.speed = speed
         self.paused = False
         self.achieved = speed or 1.0
+        self.behind = False
         self._slice = SLICE
         self._target = self._left_at = machine.time
         self._last = wall()
@@ -117,6 +119,7 @@ class Pacer:
         self._target += by_others
         self._measured = (self._measured[0], self._measured[1] + by_others)
         self._left_at = self.machine.time
+        self.behind = False
         if self.paused:
             return
         self.turbo = self.hurries and self.speed is not None and self._hurry()
@@ -140,6 +143,7 @@ class Pacer:
         end = now + self._budget
         while machine.waiting is Waiting.NOTHING or machine.typing:
             if not self._one_slice(self._slice) or self._wall() >= end:
+                self.behind = True
                 return
         self._pay(end)
 
@@ -149,12 +153,14 @@ class Pacer:
         end, far = now + FAST_BUDGET, machine.time + FARTHEST
         while self._hurry() and self._wall() < end and machine.time < far:
             self._one_slice(self._slice)
+        self.behind = True
         self._target = machine.time
 
     def _pay(self, end: float) -> None:
         machine = self.machine
         while (owed := self._target - machine.time) > LEAST_OWED:
             if not self._one_slice(min(owed, self._slice)) or self._wall() >= end:
+                self.behind = True
                 return
 
     def _one_slice(self, seconds: float) -> bool:

@@ -87,6 +87,34 @@ def fitted(row: Row, width: int) -> Row:
     return tuple(spans)
 
 
+def changed_part(before: Row, now: Row) -> tuple[int, Row]:
+    """What differs in a row from one as long: the first cell's column, and the spans from there."""
+    first, column, most = 0, 0, min(len(before), len(now))
+    while first < most and before[first] == now[first]:
+        column += len(now[first][0])
+        first += 1
+    last = 0
+    while last < most - first and before[-1 - last] == now[-1 - last]:
+        last += 1
+    olds, news = list(before[first : len(before) - last]), list(now[first : len(now) - last])
+    if olds and news and olds[0][1] == news[0][1]:
+        (old, ink), (new, _) = olds[0], news[0]
+        same = _alike(old, new)
+        column += same
+        olds[0], news[0] = (old[same:], ink), (new[same:], ink)
+    if olds and news and olds[-1][1] == news[-1][1]:
+        (old, ink), (new, _) = olds[-1], news[-1]
+        same = _alike(old[::-1], new[::-1])
+        news[-1] = new[: len(new) - same], ink
+    return column, tuple(span for span in news if span[0])
+
+
+def _alike(one: str, other: str) -> int:
+    """How many characters two texts begin with alike."""
+    pairs = enumerate(zip(one, other, strict=False))
+    return next((at for at, (a, b) in pairs if a != b), min(len(one), len(other)))
+
+
 def inked(characters: list[str], inks: list[Ink]) -> Row:
     """One row from a character and an ink for each cell, runs of one ink joined.
 

@@ -59,7 +59,7 @@ from trs80arm.ui.commands.program import ProgramCommands
 from trs80arm.ui.commands.table import COMMANDS, Commands, bindings, command, listed
 from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ViewCommands
-from trs80arm.ui.heartbeat import Heartbeat
+from trs80arm.ui.heartbeat import STEADY, Heartbeat
 from trs80arm.ui.help_topics import Topic, topics
 from trs80arm.ui.keys.held_keys import HeldKeys
 from trs80arm.ui.keys.jog_keyboard import JogKeyboard
@@ -155,7 +155,7 @@ class Trs80Arm(Themed[int]):
         self.pacer.hurries = options.turbo
         self._in_browser = bool(os.environ.get("TEXTUAL_DRIVER"))
         self.sound = LineSound(session, self.bell, self.say, options.sound, far=self._in_browser)
-        self.heartbeat = Heartbeat(self.tick, lambda: self.busy, wall)
+        self.heartbeat = Heartbeat(self.tick, lambda: self.busy, lambda: self.hurried, wall)
         held = HeldKeys(options.tap_ms / 1000, options.repeat_ms / 1000)
         self.keyboard = Keyboard(session, held, options.keys, wall)
         self.lesson = Lesson()
@@ -382,8 +382,16 @@ class Trs80Arm(Themed[int]):
             return True
         if self.pacer.paused:
             return False
-        hands = self.keyboard.held.busy or self.jog_keyboard.keyboard.held.busy
-        return self.session.busy or hands or self.pendant.busy or not self.desk.still
+        return self.session.busy or self._hands_on or self.pendant.busy or not self.desk.still
+
+    @property
+    def hurried(self) -> bool:
+        """Whether a look at the machine every frame would be too seldom."""
+        return self.pacer.behind or self._hands_on or self.options.fps > 1 / STEADY
+
+    @property
+    def _hands_on(self) -> bool:
+        return self.keyboard.held.busy or self.jog_keyboard.keyboard.held.busy
 
     def _mark(self) -> None:
         """Keep a snapshot to which the debugger can go back, while the machine works."""
@@ -478,9 +486,10 @@ class Trs80Arm(Themed[int]):
         if not self.is_running:
             return
         text = shown(text)
+        if text != self._notice or self.wall() >= self._notice_until:
+            self.desk.numbers_due = 0.0
         self._notice = text
         self._notice_until = self.wall() + NOTICE_SECONDS
-        self.desk.numbers_due = 0.0
         self.heartbeat.wake()
         if error:
             self.notify(text, severity="error", markup=False)
@@ -499,7 +508,7 @@ class Trs80Arm(Themed[int]):
 
     def on_key_went_down(self, message: KeyWentDown) -> None:
         """A key of a terminal that tells presses from releases."""
-        self.heartbeat.wake()
+        self._up_to_now()
         if isinstance(self.screen, Dialog):
             self.screen.went_down(message.base, message.name, message.text)
         if self.at_the_keyboard and not self.stage.operator_came():
@@ -508,9 +517,14 @@ class Trs80Arm(Themed[int]):
             self.keyboard.went_down(message.base, message.name, message.text)
             self.pacer.advance()
 
+    def _up_to_now(self) -> None:
+        """Let the machine come to the moment at which a key goes down or up."""
+        self.heartbeat.wake()
+        self.pacer.advance()
+
     def on_key_went_up(self, message: KeyWentUp) -> None:
         """The same let go."""
-        self.heartbeat.wake()
+        self._up_to_now()
         if isinstance(self.screen, Dialog):
             self.screen.went_up(message.base)
         self.keyboard.went_up(message.base)
@@ -522,6 +536,7 @@ class Trs80Arm(Themed[int]):
 
     def on_typed(self, message: Typed) -> None:
         """A key of a terminal that does not."""
+        self._up_to_now()
         if not self.keyboard.reports_releases and self.stage.operator_came():
             return
         self.tour.decline()

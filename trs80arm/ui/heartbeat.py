@@ -1,7 +1,10 @@
-"""How often the program looks at the machine: at every tick while something goes on, seldom if not.
+"""How often the program looks at the machine: once a frame while something goes on, seldom if not.
 
-At READY with nobody at the keyboard, and in a pause, nothing happens but that the cursor blinks and
-the clock goes on. Anything that comes from outside wakes the program at once.
+Each look costs as much again as what is done in it: who was asleep finds the processor's caches
+full of other things. So there are two looks a frame only where a finger is on a key, or where the
+machine is to do more than it gets done. At READY with nobody at the keyboard, and in a pause,
+nothing happens but that the cursor blinks and the clock goes on. Anything that comes from outside
+wakes the program at once.
 """
 
 from __future__ import annotations
@@ -14,6 +17,8 @@ from textual.timer import Timer
 
 from trs80arm.desk.pacing import TICK
 
+STEADY = 1 / 30
+"""Seconds of the wall between two looks while something goes on by itself."""
 REST = 0.25
 """Seconds of the wall between two looks while nothing goes on: two to each half of a blink."""
 AWAKE = 0.5
@@ -26,49 +31,58 @@ class Heartbeat:
     Args:
         tick: looks at the machine.
         busy: whether something goes on.
+        hurried: whether it is to be looked at every `TICK`.
         wall: the wall's clock in seconds.
+
+    Attributes:
+        every: seconds of the wall to the next look.
     """
 
     def __init__(
-        self, tick: Callable[[], None], busy: Callable[[], bool], wall: Callable[[], float]
+        self,
+        tick: Callable[[], None],
+        busy: Callable[[], bool],
+        hurried: Callable[[], bool],
+        wall: Callable[[], float],
     ) -> None:
         self._tick = tick
         self._busy = busy
+        self._hurried = hurried
         self._wall = wall
         self._awake_until = 0.0
-        self._quick: Timer | None = None
-        self.resting = False
+        self._timers: dict[float, Timer] = {}
+        self.every = TICK
+
+    @property
+    def resting(self) -> bool:
+        """Whether nothing goes on."""
+        return self.every == REST
 
     def begin(self, app: App[Any]) -> None:
         """Let time begin."""
-        self._quick = app.set_interval(TICK, self.beat)
-        app.set_interval(REST, self.look)
+        for every in (TICK, STEADY, REST):
+            self._timers[every] = app.set_interval(every, self.beat, pause=every != self.every)
 
     def wake(self) -> None:
-        """Something came from outside: look at every tick, for a while at least.
+        """Something came from outside: look often, for a while at least.
 
         A program that rested is brought up to now first, so that what woke it happens now.
         """
         self._awake_until = self._wall() + AWAKE
         if self.resting:
-            self._rest(False)
+            self._go_on(TICK)
             self._tick()
 
     def beat(self) -> None:
-        """A tick; the last one for now if nothing goes on."""
+        """Look, and see when to look again."""
         self._tick()
-        if self._wall() >= self._awake_until and not self._busy():
-            self._rest(True)
+        awake = self._wall() < self._awake_until or self._busy()
+        self._go_on(REST if not awake else TICK if self._hurried() else STEADY)
 
-    def look(self) -> None:
-        """One of the few looks while nothing goes on; if something does, ticks follow."""
-        if self.resting:
-            self._tick()
-            self._rest(not self._busy())
-
-    def _rest(self, resting: bool) -> None:
-        if resting is self.resting:
+    def _go_on(self, every: float) -> None:
+        if every == self.every:
             return
-        self.resting = resting
-        if self._quick is not None:
-            (self._quick.pause if resting else self._quick.resume)()
+        for one in (self.every, every):
+            if one in self._timers:
+                (self._timers[one].resume if one == every else self._timers[one].pause)()
+        self.every = every

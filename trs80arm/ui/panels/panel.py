@@ -7,22 +7,26 @@ and no clock.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
+from rich.cells import cell_len
 from rich.color import Color
 from rich.color_triplet import ColorTriplet
 from rich.segment import Segment
 from rich.style import Style
 from textual.events import Resize
-from textual.filter import ANSIToTruecolor, LineFilter
+from textual.filter import LineFilter
 from textual.geometry import Region
 from textual.strip import Strip
 
 from trs80arm.drawing.pixels import Colours
 from trs80arm.drawing.readings import Readings
-from trs80arm.drawing.rows import DARKEST, LEVELS, LIGHT, Ink, Paint, Row, fitted
+from trs80arm.drawing.rows import DARKEST, LEVELS, LIGHT, Ink, Paint, Row, changed_part, fitted
+from trs80arm.ui.terminal.changes import Change
 from trs80arm.ui.terminal.components import LateComponents
-from trs80arm.ui.terminal.no_codes import NoControlCodes, printable
+from trs80arm.ui.terminal.filters import needed
+from trs80arm.ui.terminal.layers import Layer
+from trs80arm.ui.terminal.no_codes import printable
 
 _BLANK: Row = ()
 
@@ -83,6 +87,7 @@ class Panel(LateComponents, can_focus=False):
     def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
         super().__init__(id=id, classes=classes)
         self._readings: Readings | None = None
+        self._as_drawn: list[Row] = []
         self._rows: list[Row] = []
         self._strips: dict[Row, Strip] = {}
         self._known_styles: dict[Ink | Paint, Style] = {}
@@ -102,15 +107,38 @@ class Panel(LateComponents, can_focus=False):
         width, height = self.size
         if self._readings is None or not width or not height:
             return
-        rows = [fitted(row, width) for row in self.draw(self._readings, width, height)[:height]]
-        rows += [fitted(_BLANK, width)] * (height - len(rows))
-        old, self._rows = self._rows, rows
-        if len(old) != height:
+        drawn = self.draw(self._readings, width, height)[:height]
+        drawn += [_BLANK] * (height - len(drawn))
+        before, self._as_drawn = self._as_drawn, drawn
+        rows = self._rows
+        if len(rows) != height:
+            self._rows = [fitted(row, width) for row in drawn]
             self.refresh()
             return
-        changed = [y for y in range(height) if rows[y] != old[y]]
-        if changed:
+        changed: dict[int, Row] = {}
+        for y, row in enumerate(drawn):
+            if row is not before[y] and (row := fitted(row, width)) != rows[y]:
+                changed[y], rows[y] = rows[y], row
+        if changed and not self._write(changed):
             self.refresh(*(Region(0, y, width, 1) for y in changed))
+
+    def _write(self, changed: Mapping[int, Row]) -> bool:
+        """Write what changed of some lines at once, if that can be.
+
+        Args:
+            changed: what the lines showed before.
+        """
+        screen = self.screen
+        if not isinstance(screen, Layer) or self.get_line_filters():
+            return False
+        changes = []
+        for y, before in changed.items():
+            column, spans = changed_part(before, self._rows[y])
+            runs = [(printable(text), self._style(ink)) for text, ink in spans]
+            if not all(text.isascii() or cell_len(text) == len(text) for text, _ in runs):
+                return False
+            changes.append(Change(column, y, runs))
+        return screen.change(self, changes)
 
     def on_resize(self, event: Resize) -> None:
         """Draw anew for the new size."""
@@ -143,8 +171,7 @@ class Panel(LateComponents, can_focus=False):
         """The program's filters, but for those that would change nothing in lines made here."""
         if self._true_colours is None:
             self._true_colours = self.colours is not None
-        idle = (NoControlCodes, ANSIToTruecolor) if self._true_colours else NoControlCodes
-        return [one for one in super().get_line_filters() if not isinstance(one, idle)]
+        return needed(super().get_line_filters(), true_colours=self._true_colours)
 
     @property
     def colours(self) -> Colours | None:

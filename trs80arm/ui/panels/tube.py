@@ -5,9 +5,11 @@ The machine's screen is told which rows changed; only these are drawn again.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Protocol
 
 from rich.segment import Segment
+from textual.filter import LineFilter
 from textual.geometry import Region, Size
 from textual.strip import Strip
 from textual.widget import Widget
@@ -15,12 +17,13 @@ from textual.widget import Widget
 from trs80arm.drawing.glyphs import GLYPHS
 from trs80arm.machine.video import COLUMNS, ROWS
 from trs80arm.options import GlyphSet
+from trs80arm.ui.terminal.changes import Change
+from trs80arm.ui.terminal.filters import needed
+from trs80arm.ui.terminal.layers import Layer
 
 _GRAPHICS = 128
 """The first code of the graphics characters."""
 _BLANK = b" "
-MANY_ROWS = ROWS // 2
-"""From this many changed rows on the whole widget is drawn at once."""
 
 
 class Picture(Protocol):
@@ -110,10 +113,36 @@ class Tube(Widget):
         self.wrote_elsewhere = any(
             row < self.first_row and self._rows[row].strip() for row in changed
         ) and not _scrolled(before, self._rows)
-        if moved or len(changed) > MANY_ROWS:
+        if moved:
             self.refresh()
-        elif changed:
+        elif changed and not self._write(before, changed):
             self.refresh(*(Region(0, row - self.first_row, COLUMNS, 1) for row in changed))
+
+    def _write(self, before: list[bytes], changed: list[int]) -> bool:
+        """Write what differs in some rows from before at once, if that can be."""
+        screen, style = self.screen, self.rich_style
+        if not isinstance(screen, Layer) or self.get_line_filters():
+            return False
+        width, height = self.size
+        changes = []
+        for row in changed:
+            y = row - self.first_row
+            if 0 <= y < height:
+                first, last = _differing(before[row], self._rows[row], wide=self._wide)
+                left = max(first, self.first_column)
+                text = self._text(row)[left : min(last, self.first_column + width)]
+                if text:
+                    changes.append(Change(left - self.first_column, y, [(text, style)]))
+        return not changes or screen.change(self, changes)
+
+    def get_line_filters(self) -> Sequence[LineFilter]:
+        """The program's filters, but for those that would change nothing on the tube."""
+        style = self.rich_style
+        known = all(
+            colour is not None and colour.triplet is not None
+            for colour in (style.color, style.bgcolor)
+        )
+        return needed(super().get_line_filters(), true_colours=known)
 
     def _look_at(self, cursor: int | None) -> bool:
         """Where it has not the room for all, show its last lines, and the columns of the cursor.
@@ -172,6 +201,18 @@ class Tube(Widget):
             self._strips[key] = strip
         strip = strip.crop(self.first_column) if self.first_column else strip
         return strip.adjust_cell_length(self.size.width, self.rich_style)
+
+
+def _differing(before: bytes, now: bytes, *, wide: bool) -> tuple[int, int]:
+    """The columns from the first code in which two rows differ to the last, by way of the cells.
+
+    In rows that are the same, all of them: they are shown in another mode.
+    """
+    places = [place for place in range(COLUMNS) if before[place] != now[place]]
+    if not places:
+        return 0, COLUMNS
+    # A wide character takes the place of the next one too.
+    return (places[0] & ~1, (places[-1] | 1) + 1) if wide else (places[0], places[-1] + 1)
 
 
 def _scrolled(before: list[bytes], now: list[bytes]) -> bool:

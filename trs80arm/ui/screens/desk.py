@@ -365,7 +365,7 @@ class DeskScreen(Layer):
     # -- drawing ----------------------------------------------------------------------------------
 
     def show(self, rig: Rig, now: float, pace: Pace, *, keys: str, notice: str) -> None:
-        """Draw what differs from what is shown.
+        """Draw what differs from what is shown, and write all of it at once.
 
         Args:
             rig: what there is to see.
@@ -374,6 +374,10 @@ class DeskScreen(Layer):
             keys: how keys are read.
             notice: what is to be said now, or nothing.
         """
+        with self.frame():
+            self._show(rig, now, pace, keys, notice)
+
+    def _show(self, rig: Rig, now: float, pace: Pace, keys: str, notice: str) -> None:
         cursor = rig.cursor
         blinks = self.cursor_style is CursorStyle.BLINK
         hidden = blinks and int(now / BLINK_SECONDS) % 2 == 1

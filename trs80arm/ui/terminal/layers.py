@@ -8,16 +8,21 @@ pinned by `tests/ui/test_layers.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from itertools import takewhile
 from typing import Any
 
 from rich.segment import Segment
 from rich.style import Style
 from textual._compositor import ChopsUpdate, Compositor
 from textual.color import Color
-from textual.geometry import Region
+from textual.geometry import Offset, Region
 from textual.screen import Screen
 from textual.strip import Strip
+from textual.widget import Widget
+
+from trs80arm.ui.terminal.changes import CellsUpdate, Change
 
 MOST_STYLES = 4096
 """Dimmed styles that are kept; a theme has some dozens."""
@@ -65,6 +70,49 @@ class Layer(Screen[Any]):
     def __init__(self, *arguments: Any, **more: Any) -> None:
         super().__init__(*arguments, **more)
         self._compositor = FrugalCompositor()
+        self._changes: list[Change] | None = None
+        self._places: dict[Widget, Offset | None] = {}
+        self._laid_out: object = None
+
+    @contextmanager
+    def frame(self) -> Iterator[None]:
+        """What changes meanwhile is written at once, and all of it together."""
+        at_once = self.app.screen is self and not self._layout_required and not self.app.is_inline
+        self._changes = [] if at_once else None
+        try:
+            yield
+        finally:
+            changes, self._changes = self._changes, None
+            if changes:
+                update: Any = CellsUpdate(changes)
+                self.app._display(self, update)
+
+    def change(self, widget: Widget, changes: Sequence[Change]) -> bool:
+        """Write cells of a widget, by their places in its content, if that can be done at once.
+
+        Returns:
+            Whether it is; if not, the widget has to ask Textual for it.
+        """
+        place = None if self._changes is None or self._layout_required else self._place(widget)
+        if self._changes is None or place is None:
+            return False
+        left, top = place
+        self._changes += [Change(x + left, y + top, runs) for x, y, runs in changes]
+        # Where Textual itself draws these lines again, it is not to take them from its cache.
+        first, last = changes[0].y, changes[-1].y
+        lines = Region(0, first, 1, last - first + 1).translate(widget.content_offset)
+        widget._styles_cache.set_dirty(lines)
+        return True
+
+    def _place(self, widget: Widget) -> Offset | None:
+        """Where a widget's content begins; None if not all of it is seen."""
+        seen = self._compositor.visible_widgets
+        if seen is not self._laid_out:
+            self._laid_out = seen
+            self._places = {}
+        if widget not in self._places:
+            self._places[widget] = _unobstructed(widget, seen)
+        return self._places[widget]
 
     def _compositor_refresh(self) -> None:
         """Draw what is dirty, or have the screen above draw it where it shows through."""
@@ -78,6 +126,20 @@ class Layer(Screen[Any]):
         self._dirty_widgets.clear()
         if changed:
             above[0].behind_changed(changed)
+
+
+def _unobstructed(widget: Widget, seen: Mapping[Widget, tuple[Region, Region]]) -> Offset | None:
+    """Where a widget's content begins, of widgets that are seen, the foremost first.
+
+    None if any of it is cut off, or behind another one.
+    """
+    if widget not in seen:
+        return None
+    region, clip = seen[widget]
+    content = region.shrink(widget.gutter)
+    before = takewhile(lambda other: other is not widget, seen)
+    hidden = any(seen[other][0].intersection(seen[other][1]).overlaps(content) for other in before)
+    return None if hidden or not clip.contains_region(content) else content.offset
 
 
 class SeenThrough(Layer):
