@@ -117,3 +117,44 @@ def test_a_cell_that_a_thing_half_covers_shows_nothing_behind_it(
     drawn = draw(cell)
     assert drawn.ink.tolist() == [[4]]
     assert drawn.under.tolist() == [[NO_INK]]
+
+
+def test_of_faces_as_near_as_each_other_the_first_is_seen() -> None:
+    raster = Raster(64, 32, (2, 4), WINDOW)
+    cube = box((-1, -1, 0), (1, 1, 2))
+    for _ in range(2):
+        raster.draw(cube, FROM_ABOVE.sees(cube))
+    assert raster.face.max() < 6
+
+
+def test_what_is_sent_back_hides_nothing_that_is_drawn_later() -> None:
+    raster = Raster(64, 32, (2, 4), WINDOW)
+    high, low = box((-1, -1, 5), (1, 1, 6)), box((-1, -1, 0), (1, 1, 1))
+    raster.draw(high, FROM_ABOVE.sees(high))
+    raster.send_back(-1000.0)
+    raster.draw(low, FROM_ABOVE.sees(low))
+    assert raster.face.max() >= 6
+    assert raster.nearness[64, 64] == 1.0
+    assert raster.nearness[0, 0] == -inf
+
+
+@given(turn=st.floats(0, 2 * pi), tilt=st.floats(-pi, pi))
+@settings(deadline=None, max_examples=25)
+def test_a_thickened_box_is_thicker_by_as_much_however_it_is_turned(
+    turn: float, tilt: float
+) -> None:
+    c, s, d, h = np.cos(turn), np.sin(turn), np.cos(tilt), np.sin(tilt)
+    axes = np.array([[c, s, 0.0], [-s * d, c * d, h], [s * h, -c * h, d]])
+    thicker = box((-1, -1, -1), (1, 1, 1), body=3).placed((0, 0, 0), axes).thickened([3], 0.5)
+    assert np.allclose(np.abs(thicker.corners @ axes.T), 1.5)
+    assert np.allclose(thicker.offsets, 1.5)
+
+
+@given(turn=st.integers(0, 7), high=st.integers(-12, 12))
+@settings(deadline=None, max_examples=25)
+def test_edges_on_the_samples_leave_no_face_out(turn: int, high: int) -> None:
+    angle = turn * pi / 4
+    axes = [[np.cos(angle), np.sin(angle), 0.0], [-np.sin(angle), np.cos(angle), 0.0], [0, 0, 1]]
+    disc = cylinder((0.0, 0.0), 1.03125, 0.0, 1.0, sides=24)
+    many = Solids.joined([disc.placed((place / 4, high / 32, 0.0), axes) for place in range(-4, 5)])
+    assert area(taken(many, FROM_ABOVE)) == pytest.approx(2 * 2 * 1.03125 + 3.3, abs=0.2)

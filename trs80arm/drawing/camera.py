@@ -1,10 +1,9 @@
-"""Where one looks from: solids in the world as planes and boxes of the picture plane.
+"""Where one looks from: solids in the world as faces and corners in the picture plane.
 
 Both kinds of camera, parallel and in perspective, turn the plane of a face into an affine function
 of the picture: the *nearness* at which a line of sight passes it (the depth's negative, or one over
-the depth). A line of sight is inside a convex solid between the least nearness of the faces turned
-to the eye and the greatest of those turned away. That is all that the rasteriser needs, and the
-shadow on the table is the same with the sun's rays in place of lines of sight.
+the depth). That, and where the corners are, is all that the rasteriser needs; a shadow on the table
+is the same for corners that the sun's rays have taken there.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ import numpy.typing as npt
 from trs80arm.drawing.solids import Floats, Place, Solids
 
 _EDGE_ON = 1e-4
-"""A face that is nearer than this to a line of sight is taken to be turned by so much."""
+"""A face that is turned to the eye by less than this is seen as a line, that is not at all."""
 _NEAREST = 1.0
 """Inches before the eye at which things end to be seen."""
 
@@ -31,12 +30,12 @@ class Projected:
     Attributes:
         nearness: of each face as an affine function of the picture: x, y and constant, m x 3.
         facing: whether each face is turned to the eye.
-        boxes: left, bottom, right and top of each solid in the picture, inches.
+        corners: where each corner is in the picture, inches, n x 2.
     """
 
     nearness: Floats
     facing: npt.NDArray[np.bool_]
-    boxes: Floats
+    corners: Floats
 
 
 @dataclass(frozen=True)
@@ -93,60 +92,25 @@ class Camera:
         normals = solids.normals
         towards = normals @ forward
         if self.distance == inf:
-            towards = np.where(np.abs(towards) < _EDGE_ON, -_EDGE_ON, towards)
-            before = solids.offsets - normals @ target
-            nearness = np.stack((normals @ right, normals @ up, -before), axis=1)
-            nearness /= towards[:, None]
-            facing = towards < 0
+            to_eye = towards
+            nearness = np.stack(
+                (normals @ right, normals @ up, normals @ target - solids.offsets), axis=1
+            )
         else:
-            before = solids.offsets - normals @ (target - self.distance * forward)
-            before = np.where(np.abs(before) < _EDGE_ON, -_EDGE_ON, before)
+            to_eye = solids.offsets - normals @ (target - self.distance * forward)
             nearness = np.stack(
                 (normals @ right / self.distance, normals @ up / self.distance, towards), axis=1
             )
-            nearness /= before[:, None]
-            facing = before < 0
-        return Projected(nearness, facing, self._boxes(solids.corners, solids))
+        facing = to_eye < -_EDGE_ON
+        nearness /= np.where(facing, to_eye, -1.0)[:, None]
+        return Projected(nearness, facing, self.points(solids.corners)[:, :2])
 
     def shades(self, solids: Solids, sun: Place) -> Projected:
         """The shadows of solids on the table, as this camera sees them.
 
-        A point of the table is in the shadow of a solid if its ray to the sun passes through it.
-        The "nearness" is the height of the ray in some measure, and says nothing by itself.
+        They are those of the faces turned to the sun; shadows are not one nearer than the other.
         """
-        target, right, up, forward = self._axes
-        rays = np.array(sun)
-        # The point of the table under a point of the picture, as homogeneous coordinates that are
-        # affine in the picture: place = (x * across + y * upward + middle) / weight.
-        if self.distance == inf:
-            across = right - forward * (right[2] / forward[2])
-            upward = up - forward * (up[2] / forward[2])
-            middle = target - forward * (target[2] / forward[2])
-            weights = np.array([0.0, 0.0, 1.0])
-        else:
-            eye = target - self.distance * forward
-            ways = [right / self.distance, up / self.distance, forward]
-            weights = np.array([-way[2] for way in ways])
-            across, upward, middle = (
-                eye * w + way * eye[2] for way, w in zip(ways, weights, strict=True)
-            )
-        normals, offsets = solids.normals, solids.offsets
-        towards = normals @ rays
-        towards = np.where(np.abs(towards) < _EDGE_ON, -_EDGE_ON, towards)
-        nearness = np.stack(
-            [
-                normals @ way - offsets * weight
-                for way, weight in zip((across, upward, middle), weights, strict=True)
-            ],
-            axis=1,
-        )
-        nearness /= towards[:, None]
-        corners = solids.corners
+        rays, corners = np.array(sun), solids.corners
         grounded = corners - rays * (corners[:, 2] / rays[2])[:, None]
-        return Projected(nearness, towards < 0, self._boxes(grounded, solids))
-
-    def _boxes(self, corners: Floats, solids: Solids) -> Floats:
-        seen = self.points(corners)[:, :2]
-        low = np.minimum.reduceat(seen, solids.first_corner)
-        high = np.maximum.reduceat(seen, solids.first_corner)
-        return np.concatenate((low, high), axis=1)
+        facing = solids.normals @ rays > _EDGE_ON
+        return Projected(np.zeros((len(facing), 3)), facing, self.points(grounded)[:, :2])

@@ -1,16 +1,16 @@
 """The rasteriser: from solids seen by a camera to samples finer than a cell, nearest in front.
 
-A `Raster` has so many samples a cell as the style of drawing asks for. Each solid is one operation
-on arrays over the box that it covers: a sample is inside it if the nearest face turned away from
-the eye is behind the farthest one turned towards it.
+A `Raster` has so many samples a cell as the style of drawing asks for. All faces that are turned to
+the eye are drawn at once, in a few operations on arrays: their edges row by row, from these the
+columns between, and of the faces that meet in a sample the nearest. What is nearest is the greatest
+of numbers that have the nearness in their upper half and the face in their lower.
 """
 
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterator
 from math import inf
-from typing import TypeAlias, TypeVar
+from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -24,12 +24,29 @@ Nearness: TypeAlias = npt.NDArray[np.float32]
 Faces: TypeAlias = npt.NDArray[np.int32]
 Bits: TypeAlias = npt.NDArray[np.bool_]
 
-SMALL = 400
-"""Up to so many samples, the nearest face is quickest found for all of them at once."""
-FEW = 6
-"""Up to so many faces turned to the eye, it is quicker face by face than for the samples hit."""
 NOWHERE = -1
 """The face of a sample that shows nothing."""
+_HALF = 32
+_LOWER = np.int64((1 << _HALF) - 1)
+_FIRST = np.int64((1 << 31) - 1)
+"""The lower half of the number of face 0: of faces as near as each other the first is seen."""
+_SIGN = np.int32(31)
+_MAGNITUDE = np.int32(0x7FFFFFFF)
+
+
+class _Runs(NamedTuple):
+    """Samples in a row that a face covers, many of them.
+
+    Attributes:
+        rows: of each.
+        first, many: its first column, and how many.
+        faces: which face it is.
+    """
+
+    rows: Ints
+    first: Ints
+    many: Ints
+    faces: Ints
 
 
 class Raster:
@@ -44,8 +61,6 @@ class Raster:
     Attributes:
         across, down: samples a cell.
         x, y: of the middles of the columns and rows of samples, in the picture plane, inches.
-        nearness: of what each sample shows, in the camera's measure.
-        face: which face it is, counted over all solids drawn, or `NOWHERE`.
     """
 
     def __init__(self, width: int, height: int, samples: tuple[int, int], window: Window) -> None:
@@ -56,10 +71,23 @@ class Raster:
         self.x = (window.left + (np.arange(columns) + 0.5) * step).astype(np.float32)
         drop = 1 / (window.scale * self.down)
         self.y = (window.top - (np.arange(rows) + 0.5) * drop).astype(np.float32)
-        self.nearness: Nearness = np.full((rows, columns), -inf, dtype=np.float32)
-        self.face = np.full((rows, columns), NOWHERE, dtype=np.int32)
+        self._left, self._top = window.left + step / 2, window.top - drop / 2
         self._step, self._drop = step, drop
+        self._keys = np.full(rows * columns, _key(-inf, NOWHERE), dtype=np.int64)
         self._faces = 0
+
+    @property
+    def nearness(self) -> Nearness:
+        """Of what each sample shows, in the camera's measure, rows x columns."""
+        bits = (self._keys >> _HALF).astype(np.int32)
+        bits ^= (bits >> _SIGN) & _MAGNITUDE
+        return bits.view(np.float32).reshape(len(self.y), len(self.x))
+
+    @property
+    def face(self) -> Faces:
+        """Which face each sample shows, counted over all solids drawn, or `NOWHERE`."""
+        face = _FIRST - (self._keys & _LOWER)
+        return face.astype(np.int32).reshape(len(self.y), len(self.x))
 
     def draw(self, solids: Solids, seen: Projected, chosen: Bits | None = None) -> None:
         """Draw solids, each where nothing nearer is.
@@ -69,48 +97,44 @@ class Raster:
             seen: them, as the camera has them.
             chosen: which of them, None for all.
         """
-        order, parts = _sorted(solids, seen)
-        across, down = self._lines(seen.nearness[order])
-        numbers = (order + self._faces).astype(np.int32)
-        for solid, rows, columns in self._spans(seen.boxes):
-            first, middle, last = parts[solid]
-            if not first < middle < last or (chosen is not None and not chosen[solid]):
-                continue
-            planes = down[first:last, rows] + across[first:last, :, columns]
-            fronts, turned = planes[: middle - first], numbers[first:middle]
-            held, face = self.nearness[rows, columns], self.face[rows, columns]
-            near = fronts.min(0)
-            hit = near > held
-            hit &= near >= planes[middle - first :].max(0)
-            np.copyto(held, near, where=hit)
-            if held.size <= SMALL:
-                np.copyto(face, turned.take(fronts.argmin(0)), where=hit)
-            elif len(fronts) <= FEW:
-                np.copyto(face, _nearest(fronts, near, turned), where=hit)
-            else:
-                places = hit.nonzero()
-                face[places] = turned.take(fronts[:, places[0], places[1]].argmin(0))
-        self._faces += len(order)
+        rows, first, count, faces = self._runs(solids, seen.corners, _shown(solids, seen, chosen))
+        plane = seen.nearness.astype(np.float32)[faces]
+        begin = np.cumsum(count) - count
+        place = np.arange(count.sum())
+        place += np.repeat(rows * len(self.x) + first - begin, count)
+        near = np.repeat(plane[:, 0], count)
+        near *= self.x.take(np.arange(len(place)) + np.repeat(first - begin, count))
+        near += np.repeat(plane[:, 1] * self.y[rows] + plane[:, 2], count)
+        bits = near.view(np.int32)
+        bits ^= (bits >> _SIGN) & _MAGNITUDE
+        key = bits.astype(np.int64)
+        key <<= _HALF
+        key |= np.repeat(_FIRST - self._faces - faces, count)
+        np.maximum.at(self._keys, place, key)
+        self._faces += len(seen.facing)
+
+    def send_back(self, nearness: float) -> None:
+        """Take all that is drawn to be so near, that is far behind whatever is drawn later."""
+        far = _key(nearness, 0) & ~_LOWER
+        shown = (self._keys & _LOWER) <= _FIRST
+        np.copyto(self._keys, (self._keys & _LOWER) | far, where=shown)
 
     def copy(self) -> Raster:
         """One like it, to be drawn on."""
         twin = copy.copy(self)
-        twin.nearness, twin.face = self.nearness.copy(), self.face.copy()
+        twin._keys = self._keys.copy()
         return twin
 
     def covered(self, solids: Solids, seen: Projected, chosen: Bits) -> Bits:
         """Which samples those of the solids that are chosen cover, whatever is drawn."""
-        covered = np.zeros(self.face.shape, dtype=np.bool_)
-        order, parts = _sorted(solids, seen)
-        across, down = self._lines(seen.nearness[order])
-        for solid, rows, columns in self._spans(seen.boxes):
-            first, middle, last = parts[solid]
-            if not first < middle < last or not chosen[solid]:
-                continue
-            planes = down[first:last, rows] + across[first:last, :, columns]
-            covered[rows, columns] |= planes[: middle - first].min(0) >= planes[
-                middle - first :
-            ].max(0)
+        rows, first, count, _ = self._runs(solids, seen.corners, _shown(solids, seen, chosen))
+        columns = len(self.x)
+        # At the ends of runs one more of them covers what follows, or one less.
+        ends = np.zeros(len(self.y) * (columns + 1), dtype=np.int32)
+        place = rows * (columns + 1) + first
+        np.add.at(ends, place, 1)
+        np.subtract.at(ends, place + count, 1)
+        covered: Bits = ends.reshape(-1, columns + 1).cumsum(1)[:, :columns] > 0
         return covered
 
     def gathered(self, values: npt.NDArray[_Number]) -> npt.NDArray[_Number]:
@@ -118,45 +142,52 @@ class Raster:
         cells = values.reshape(self.height, self.down, self.width, self.across)
         return cells.transpose(1, 3, 0, 2).reshape(-1, self.height, self.width)
 
-    def _spans(self, boxes: Floats) -> Iterator[tuple[int, slice, slice]]:
-        """The solids that are in the picture, each with the rows and columns that it may cover."""
-        columns, rows = len(self.x), len(self.y)
-        left = np.clip(np.floor((boxes[:, 0] - self.x[0]) / self._step), 0, columns)
-        right = np.clip(np.ceil((boxes[:, 2] - self.x[0]) / self._step) + 1, 0, columns)
-        top = np.clip(np.floor((self.y[0] - boxes[:, 3]) / self._drop), 0, rows)
-        bottom = np.clip(np.ceil((self.y[0] - boxes[:, 1]) / self._drop) + 1, 0, rows)
-        spans = np.stack((top, bottom, left, right), axis=1).astype(np.int64).tolist()
-        for solid, (y0, y1, x0, x1) in enumerate(spans):
-            if y1 > y0 and x1 > x0:
-                yield solid, slice(y0, y1), slice(x0, x1)
+    def _runs(self, solids: Solids, corners: Floats, shown: Bits) -> _Runs:
+        """The samples that faces cover.
 
-    def _lines(self, nearness: Floats) -> tuple[Nearness, Nearness]:
-        """How near faces are at each column and at each row; the sum is how near at a sample."""
-        planes = nearness.astype(np.float32)
-        across = planes[:, 0, None] * self.x
-        down = planes[:, 1, None] * self.y + planes[:, 2, None]
-        return across[:, None, :], down[:, :, None]
+        Args:
+            solids: whose faces they are.
+            corners: where their corners are in the picture, inches.
+            shown: which of the faces.
+        """
+        across = (corners[:, 0] - self._left) / self._step
+        along = (self._top - corners[:, 1]) / self._drop
+        edge = np.flatnonzero(shown[solids.edge_faces])
+        begins, ends = solids.edges[:, edge]
+        faces = solids.edge_faces[edge]
+        # A convex face is bounded on one side by the edges that lead down, and on the other by
+        # those that lead up; each side crosses the same rows.
+        from_row, to_row = along[begins], along[ends]
+        down = to_row > from_row
+        high = np.clip(np.ceil(np.minimum(from_row, to_row)), 0, len(self.y)).astype(np.int64)
+        low = np.clip(np.ceil(np.maximum(from_row, to_row)), 0, len(self.y)).astype(np.int64)
+        order = np.argsort((faces + ~down * len(shown)) * (len(self.y) + 1) + high)
+        order = order[(low > high)[order]]
+        count = (low - high)[order]
+        slope = (across[ends] - across[begins])[order] / (to_row - from_row)[order]
+        offset = across[begins][order] - from_row[order] * slope
+        rows = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count - high[order], count)
+        columns = np.repeat(offset, count) + np.repeat(slope, count) * rows
+        face = np.repeat(faces[order], count)
+        half = len(rows) // 2
+        if not np.array_equal(face[:half], face[half:]):
+            # By rounding the sides of a face that is all but a line may cross unlike rows.
+            way = np.where(down, 1, -1)[order] * count
+            uneven = np.bincount(faces[order], way, len(shown)) != 0
+            return self._runs(solids, corners, shown & ~uneven)
+        one, other = columns[:half], columns[half : 2 * half]
+        first = np.clip(np.ceil(np.minimum(one, other)), 0, len(self.x)).astype(np.int64)
+        last = np.clip(np.floor(np.maximum(one, other)) + 1, 0, len(self.x)).astype(np.int64)
+        return _Runs(rows[:half], first, np.maximum(last - first, 0), face[:half])
 
 
-def _nearest(fronts: Nearness, near: Nearness, numbers: Faces) -> Faces:
-    """By which of its few faces a solid is so near, the first of those that are."""
-    which = np.full(near.shape, numbers[0], dtype=np.int32)
-    for face, number in zip(fronts[:0:-1], numbers[:0:-1].tolist(), strict=True):
-        np.copyto(which, number, where=face == near)
-    np.copyto(which, numbers[0], where=fronts[0] == near)
-    return which
+def _shown(solids: Solids, seen: Projected, chosen: Bits | None) -> Bits:
+    """The faces that are turned to the eye, of the solids chosen."""
+    return seen.facing if chosen is None else seen.facing & np.repeat(chosen, solids.face_counts)
 
 
-def _sorted(solids: Solids, seen: Projected) -> tuple[Ints, list[tuple[int, int, int]]]:
-    """The faces of all solids, those turned to the eye first in each; and where the two kinds are.
-
-    The three numbers of a solid are where its faces begin, where those turned away begin, and
-    where they end. Every closed solid has faces of both kinds.
-    """
-    counts = solids.face_counts
-    last = solids.first_face + counts
-    solid = np.repeat(np.arange(len(counts)), counts)
-    order = np.lexsort((~seen.facing, solid))
-    turned = solids.first_face + np.add.reduceat(seen.facing.astype(np.int64), solids.first_face)
-    parts = zip(solids.first_face.tolist(), turned.tolist(), last.tolist(), strict=True)
-    return order, list(parts)
+def _key(nearness: float, face: int) -> np.int64:
+    """The number of a sample that shows a face so near."""
+    bits = np.float32(nearness).view(np.int32)
+    bits ^= (bits >> _SIGN) & _MAGNITUDE
+    return (np.int64(bits) << np.int64(_HALF)) | (_FIRST - np.int64(face))

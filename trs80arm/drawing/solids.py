@@ -31,6 +31,9 @@ class Solids:
         first_face: where each solid's faces begin.
         materials: index of each solid's material.
         bodies: a number for each solid; solids of one number are seen as one thing.
+        edges: the corners from which and to which each edge of each face leads, 2 x k;
+            counter-clockwise round each face as seen from outside, face by face.
+        edge_faces: the face that each edge belongs to, k.
     """
 
     corners: Floats
@@ -40,6 +43,8 @@ class Solids:
     first_face: Ints
     materials: Ints
     bodies: Ints
+    edges: Ints
+    edge_faces: Ints
 
     @classmethod
     def of(
@@ -70,6 +75,14 @@ class Solids:
             first,
             np.array([material]),
             np.array([body]),
+            np.array(
+                [
+                    [corner for face in faces for corner in face],
+                    [corner for face in faces for corner in (*face[1:], face[0])],
+                ],
+                dtype=np.int64,
+            ),
+            np.repeat(np.arange(len(faces)), [len(face) for face in faces]),
         )
 
     @classmethod
@@ -79,7 +92,8 @@ class Solids:
         if not all_of:
             nothing = np.zeros(0, dtype=np.int64)
             none = np.zeros((0, 3))
-            return cls(none, nothing, none, np.zeros(0), nothing, nothing, nothing)
+            ways = np.zeros((2, 0), dtype=np.int64)
+            return cls(none, nothing, none, np.zeros(0), nothing, nothing, nothing, ways, nothing)
         corners = np.cumsum([0, *(len(group.corners) for group in all_of[:-1])])
         faces = np.cumsum([0, *(len(group.offsets) for group in all_of[:-1])])
         return cls(
@@ -94,6 +108,12 @@ class Solids:
             ),
             np.concatenate([group.materials for group in all_of]),
             np.concatenate([group.bodies for group in all_of]),
+            np.concatenate(
+                [group.edges + at for group, at in zip(all_of, corners, strict=True)], axis=1
+            ),
+            np.concatenate(
+                [group.edge_faces + at for group, at in zip(all_of, faces, strict=True)]
+            ),
         )
 
     @property
@@ -127,6 +147,7 @@ class Solids:
         corner = [*self.first_corner.tolist(), len(self.corners)]
         face = [*self.first_face.tolist(), len(self.offsets)]
         first = np.zeros(1, dtype=np.int64)
+        edge = [*np.searchsorted(self.edge_faces, self.first_face).tolist(), len(self.edge_faces)]
         return Solids.joined(
             Solids(
                 self.corners[corner[place] : corner[place + 1]],
@@ -136,19 +157,20 @@ class Solids:
                 first,
                 self.materials[place : place + 1],
                 self.bodies[place : place + 1],
+                self.edges[:, edge[place] : edge[place + 1]] - corner[place],
+                self.edge_faces[edge[place] : edge[place + 1]] - face[place],
             )
             for place in chosen
         )
 
     def thickened(self, bodies: Iterable[int], by: float) -> Solids:
-        """The same with some bodies so many inches larger on all sides."""
+        """The same with some bodies, made of boxes, so many inches larger on all sides."""
         chosen = np.isin(self.bodies, list(bodies))
-        count = self.corner_counts
-        middles = np.add.reduceat(self.corners, self.first_corner) / count[:, None]
-        outwards = np.sign(self.corners - np.repeat(middles, count, axis=0))
+        outwards = np.zeros_like(self.corners)
+        np.add.at(outwards, self.edges[0], self.normals[self.edge_faces])
         return replace(
             self,
-            corners=self.corners + by * outwards * np.repeat(chosen, count)[:, None],
+            corners=self.corners + by * outwards * np.repeat(chosen, self.corner_counts)[:, None],
             offsets=self.offsets + by * np.repeat(chosen, self.face_counts),
         )
 

@@ -23,7 +23,7 @@ from trs80arm.drawing.camera import Camera
 from trs80arm.drawing.canvas_ascii import Point
 from trs80arm.drawing.cells import NO_INK, Samples
 from trs80arm.drawing.materials import BRIGHT, INK_OF, SHADOW, Material
-from trs80arm.drawing.raster import NOWHERE, Raster
+from trs80arm.drawing.raster import Raster
 from trs80arm.drawing.readings import Posture, Readings, Thing
 from trs80arm.drawing.rows import Ink
 from trs80arm.drawing.scene import (
@@ -316,7 +316,7 @@ def take(shot: Shot, width: int, height: int, samples: tuple[int, int], window: 
     coarse = window.scale * raster.down < FINE
     if len(shot.ghost.materials):
         raster.draw(shot.ghost, camera.sees(shot.ghost))
-        np.copyto(raster.nearness, -BEHIND, where=raster.face != NOWHERE)
+        raster.send_back(-BEHIND)
     chosen = ~np.isin(shot.solids.materials, _DETAILS) if coarse else None
     wide = 1 / (window.scale * min(ASPECT * raster.across, raster.down))
     if BAR < wide < THICKEST:
@@ -357,7 +357,7 @@ def _bare_table(
     """The table alone, far away: the same in every frame while nobody looks elsewhere."""
     raster = Raster(width, height, samples, window)
     raster.draw(table, camera.sees(table))
-    np.copyto(raster.nearness, -BEHIND, where=raster.face != NOWHERE)
+    raster.send_back(-BEHIND)
     return raster
 
 
