@@ -75,7 +75,7 @@ def test_the_shadow_of_a_thing_lies_away_from_the_sun_by_its_height() -> None:
     raster = Raster(64, 32, (2, 4), WINDOW)
     plate = box((-1, -1, 1.9), (1, 1, 2.0))
     sun = (-0.6, 0.0, 0.8)
-    covered = raster.covered(plate, FROM_ABOVE.shades(plate, sun), np.array([True]))
+    covered = raster.covered(plate, FROM_ABOVE.shades(plate, sun), np.ones(6, dtype=bool))
     _, columns = np.nonzero(covered)
     assert -4.0 + (columns.mean() + 0.5) / 16 == pytest.approx(1.95 * 0.6 / 0.8, abs=0.1)
 
@@ -85,7 +85,9 @@ def test_a_tilted_eye_sees_the_shadow_where_a_thing_lying_there_is_seen() -> Non
         camera = Camera.around((0.0, 0.0, 0.0), radians(-70), radians(35), distance)
         raster = Raster(64, 32, (2, 4), WINDOW)
         plate = box((-1, -1, 1.95), (1, 1, 2.0))
-        covered = raster.covered(plate, camera.shades(plate, (-0.6, 0.0, 0.8)), np.array([True]))
+        covered = raster.covered(
+            plate, camera.shades(plate, (-0.6, 0.0, 0.8)), np.ones(6, dtype=bool)
+        )
         lying = box((0.46, -1, -0.01), (2.5, 1, 0.0))
         shown = taken(lying, camera).face != NOWHERE
         assert (covered ^ shown).sum() < 0.08 * shown.sum()

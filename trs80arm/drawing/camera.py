@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import cos, inf, sin
+from math import cos, inf, sin, sqrt
 
 import numpy as np
 import numpy.typing as npt
 
+from trs80arm.arm.shapes import cross
 from trs80arm.drawing.solids import Floats, Place, Solids
 
 _EDGE_ON = 1e-4
@@ -70,7 +71,17 @@ class Camera:
     @cached_property
     def _axes(self) -> tuple[Floats, Floats, Floats, Floats]:
         right, up = np.array(self.right), np.array(self.up)
-        return np.array(self.target), right, up, -np.cross(right, up)
+        return np.array(self.target), right, up, -np.array(cross(self.right, self.up))
+
+    def towards(self, right: float, up: float, eye: float) -> Place:
+        """A direction given to the right, up and towards the eye, as a unit vector of the world."""
+        forward = cross(self.up, self.right)
+        x, y, z = (
+            right * a + up * b - eye * c
+            for a, b, c in zip(self.right, self.up, forward, strict=True)
+        )
+        length = sqrt(x * x + y * y + z * z)
+        return x / length, y / length, z / length
 
     @property
     def forward(self) -> Floats:

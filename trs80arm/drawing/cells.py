@@ -6,19 +6,22 @@ cells as arrays, and the rows of text that come of them.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any, TypeVar
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from trs80arm.drawing.materials import INKS
 from trs80arm.drawing.rows import LEVELS, Ink, Paint, Row
-from trs80arm.drawing.solids import Ints
+from trs80arm.drawing.solids import Floats, Ints
 
 _Number = TypeVar("_Number", bound=np.generic)
+SheetShape: TypeAlias = tuple[int, int]
+"""Height and width of a sheet of cells."""
 NO_INK = -1
 """The ink of a sample that shows nothing."""
 
@@ -64,6 +67,52 @@ def _of(values: npt.NDArray[_Number], cells: Ints) -> npt.NDArray[_Number]:
     return values.reshape(len(values), -1).take(cells, 1)
 
 
+@dataclass(frozen=True, eq=False)
+class Marks:
+    """Characters for cells in which nothing stands.
+
+    Attributes:
+        places: the cells, counted along the rows from the top; of two marks the later one is seen.
+        glyphs: code points.
+        inks: indices of their inks.
+    """
+
+    places: Ints
+    glyphs: Ints
+    inks: Ints
+
+    @classmethod
+    def written(cls, texts: Iterable[tuple[int, int, str, Ink]], shape: SheetShape) -> Marks:
+        """Texts on a sheet, each by column and row of its first character; blanks leave cells."""
+        height, width = shape
+        signs = [
+            (row * width + at, ord(sign), INKS.index(ink))
+            for column, row, text, ink in texts
+            for at, sign in enumerate(text, column)
+            if 0 <= row < height and 0 <= at < width and sign != " "
+        ]
+        places, glyphs, inks = np.array(signs, dtype=np.int64).reshape(-1, 3).T
+        return cls(places, glyphs, inks)
+
+    @classmethod
+    def dots(cls, x: Floats, y: Floats, glyphs: str, ink: Ink, shape: SheetShape) -> Marks:
+        """Dots on a sheet.
+
+        Args:
+            x: of the dots, cells from the left edge, fractions and all.
+            y: cells from the upper edge.
+            glyphs: one for the upper half of a cell and one for the lower.
+            ink: theirs.
+            shape: of the sheet.
+        """
+        height, width = shape
+        inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        x, y = x[inside], y[inside]
+        rows = y.astype(np.int64)
+        glyph = np.where(y - rows < 0.5, ord(glyphs[0]), ord(glyphs[1]))
+        return cls(rows * width + x.astype(np.int64), glyph, np.full_like(rows, INKS.index(ink)))
+
+
 class Cells:
     """A sheet of characters with their paints, as arrays, height x width.
 
@@ -83,52 +132,30 @@ class Cells:
         self.under_level = np.zeros(shape, dtype=np.int64)
         self.free = np.ones(shape, dtype=np.bool_)
 
-    def mark(self, x: npt.NDArray[Any], y: npt.NDArray[Any], glyphs: str, ink: Ink) -> None:
-        """Mark places where nothing stands.
+    def mark(self, marks: Marks) -> None:
+        """Put characters into cells where nothing stands; what they show is behind from then on."""
+        free = self.free.take(marks.places)
+        places = marks.places[free]
+        self._clear(places)
+        self.glyphs.put(places, marks.glyphs[free])
+        self.ink.put(places, marks.inks[free])
+        self.level.put(places, PLAINLY)
 
-        Args:
-            x: of the places, cells from the left edge, fractions and all.
-            y: cells from the upper edge.
-            glyphs: one for the upper half of a cell and one for the lower.
-            ink: theirs.
-        """
-        height, width = self.glyphs.shape
-        inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
-        columns, rows = x[inside].astype(np.int64), y[inside].astype(np.int64)
-        upper = y[inside] - rows < 0.5
-        free = self.free[rows, columns]
-        columns, rows, upper = columns[free], rows[free], upper[free]
-        self._put(rows, columns, np.where(upper, ord(glyphs[0]), ord(glyphs[1])), ink)
-
-    def write(self, column: int, row: int, text: str, ink: Ink) -> None:
-        """Write text where nothing stands; blanks of it leave what is there."""
-        if not 0 <= row < len(self.glyphs):
-            return
-        skipped = max(0, -column)
-        text, column = text[skipped:], column + skipped
-        codes = np.array([ord(sign) for sign in text[: max(0, self.free.shape[1] - column)]])
-        wanted = self.free[row, column : column + len(codes)] & (codes != ord(" "))
-        places = np.flatnonzero(wanted)
-        self._put(np.full(len(places), row), column + places, codes[places], ink)
-
-    def _put(self, rows: Ints, columns: Ints, glyphs: npt.NDArray[Any], ink: Ink) -> None:
-        """Put characters into cells; what a cell shows is behind them from then on."""
-        self._clear(rows, columns)
-        self.glyphs[rows, columns] = glyphs
-        self.ink[rows, columns] = INKS.index(ink)
-        self.level[rows, columns] = PLAINLY
-
-    def _clear(self, rows: Ints, columns: Ints) -> None:
+    def _clear(self, places: Ints) -> None:
         """Let what cells show be behind a character that is put there."""
-        glyphs = self.glyphs[rows, columns]
+        glyphs = self.glyphs.take(places)
         blocks = (glyphs >= FULL_BLOCK) & ((glyphs < DOTS.start) | (glyphs >= DOTS.stop))
-        bare = (self.under[rows, columns] == NO_INK) & blocks
-        rows, columns = rows[bare], columns[bare]
-        self.under[rows, columns] = self.ink[rows, columns]
-        self.under_level[rows, columns] = self.level[rows, columns]
+        bare = places[(self.under.take(places) == NO_INK) & blocks]
+        if len(bare):
+            self.under.put(bare, self.ink.take(bare))
+            self.under_level.put(bare, self.level.take(bare))
 
     def rows(self) -> list[Row]:
         """The sheet as rows of spans."""
+        return _rows(self.glyphs, self._paints())
+
+    def _paints(self) -> Ints:
+        """The paint of each cell as a number, which `_paint` reads."""
         blank = (self.glyphs == 32) & (self.under == NO_INK)
         ink, under = self.ink + np.int64(1), self.under + np.int64(1)
         code = ((ink * _STEPS + self.level) * _INKS + under) * _STEPS + self.under_level
@@ -139,21 +166,50 @@ class Cells:
             np.maximum.accumulate(places, axis=1, out=places)
             taken = np.take_along_axis(code, places, axis=1)
             code = np.where(blank & (taken % (_INKS * _STEPS) < _STEPS), taken, code)
-        begins = np.ones(code.shape, dtype=bool)
-        begins[:, 1:] = code[:, 1:] != code[:, :-1]
-        height, width = code.shape
-        starts = np.flatnonzero(begins)
-        paints = map(_paint, code.ravel()[starts].tolist())
-        text = self.glyphs.astype("<u4").tobytes().decode("utf-32-le")
-        begins_at = starts.tolist()
-        spans = [
-            (text[start:end], paint)
-            for start, end, paint in zip(
-                begins_at, [*begins_at[1:], height * width], paints, strict=True
-            )
-        ]
-        first = np.searchsorted(starts, width * np.arange(height + 1)).tolist()
-        return [tuple(spans[begin:end]) for begin, end in pairwise(first)]
+        return code
+
+
+class LastRows:
+    """The rows of a picture as it was, of which those that stand are not made again."""
+
+    def __init__(self) -> None:
+        self._glyphs = np.zeros((0, 0), dtype=np.uint32)
+        self._paints = np.zeros((0, 0), dtype=np.int64)
+        self._rows: list[Row] = []
+
+    def of(self, cells: Cells) -> list[Row]:
+        """The rows of a sheet; where a row is as it was, it is the very row."""
+        glyphs, paints = cells.glyphs, cells._paints()
+        if glyphs.shape == self._glyphs.shape:
+            changed = ((glyphs != self._glyphs) | (paints != self._paints)).any(1).nonzero()[0]
+        else:
+            changed, self._rows = np.arange(len(glyphs)), [()] * len(glyphs)
+        rows = list(self._rows)
+        if len(changed):
+            made = _rows(glyphs[changed], paints[changed])
+            for place, row in zip(changed.tolist(), made, strict=True):
+                rows[place] = row
+        self._glyphs, self._paints, self._rows = glyphs, paints, rows
+        return list(rows)
+
+
+def _rows(glyphs: npt.NDArray[np.uint32], code: Ints) -> list[Row]:
+    """Characters and the numbers of their paints as rows of spans."""
+    begins = np.ones(code.shape, dtype=bool)
+    begins[:, 1:] = code[:, 1:] != code[:, :-1]
+    height, width = code.shape
+    starts = np.flatnonzero(begins)
+    paints = map(_paint, code.ravel()[starts].tolist())
+    text = glyphs.astype("<u4").tobytes().decode("utf-32-le")
+    begins_at = starts.tolist()
+    spans = [
+        (text[start:end], paint)
+        for start, end, paint in zip(
+            begins_at, [*begins_at[1:], height * width], paints, strict=True
+        )
+    ]
+    first = np.searchsorted(starts, width * np.arange(height + 1)).tolist()
+    return [tuple(spans[begin:end]) for begin, end in pairwise(first)]
 
 
 FULL_BLOCK = 0x2580

@@ -9,12 +9,14 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from math import degrees, dist, floor, radians, tau
 
 import numpy as np
 
+from trs80arm.drawing.camera import Camera
 from trs80arm.drawing.canvas_ascii import AsciiCanvas
-from trs80arm.drawing.cells import Cells
+from trs80arm.drawing.cells import Cells, LastRows, Marks, SheetShape
 from trs80arm.drawing.pixels import Pixels
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, fitted, signed
@@ -28,7 +30,7 @@ from trs80arm.drawing.scene import (
 )
 from trs80arm.drawing.side_scene import side_scene
 from trs80arm.drawing.solids import Floats
-from trs80arm.drawing.studio import Orbit, Shot, side_shot, space_shot, take, top_shot
+from trs80arm.drawing.studio import Label, Mark, Orbit, Shot, side_shot, space_shot, take, top_shot
 from trs80arm.drawing.styles import SOLID_STYLES
 from trs80arm.drawing.top_scene import top_scene
 from trs80arm.drawing.viewport import ASPECT, ZOOMS, Viewport, Window, draw
@@ -40,6 +42,10 @@ TRAIL_STEP = 0.1
 """How far the fingertip must have gone for the next one, inches."""
 LOWEST, HIGHEST = radians(4), radians(89)
 """How far above the table one looks from in space."""
+UNSEEN = 0.25
+"""How many of the finest samples that a picture has the arm may move and not be drawn again."""
+_WIDE = 2.0
+"""How far from the hand's axis anything that turns with it may be, inches."""
 WITH_CAPTION = 9
 """Rows from which a picture gives one up for its caption."""
 _LEGENDS = ("  :: where the motors were told to be", "  :: as commanded", " :: told")
@@ -78,6 +84,11 @@ class Picture:
         self.orbit = Orbit()
         self._subject = subject
         self._viewport = Viewport()
+        self._last = LastRows()
+        self._look: object = None
+        self._rows: list[Row] = []
+        self._drawn = self._asked = Readings()
+        self._grain = 0.0
         self._trail: deque[TrailPoint] = deque(maxlen=TRAIL_POINTS)
         self._with_trail = False
         self._envelope = False
@@ -90,6 +101,7 @@ class Picture:
     @envelope.setter
     def envelope(self, value: bool) -> None:
         self._envelope = value
+        self._look = None
         if not value:
             self._viewport.forget()
 
@@ -105,14 +117,17 @@ class Picture:
 
     def zoom_in(self) -> None:
         """Look closer; the picture then follows the hand."""
+        self._look = None
         self._viewport.zoom = min(self._viewport.zoom + 1, len(ZOOMS) - 1)
 
     def zoom_out(self) -> None:
         """Look from further away."""
+        self._look = None
         self._viewport.zoom = max(self._viewport.zoom - 1, 0)
 
     def zoom_fit(self) -> None:
         """Show the arm and all that stands near it, as large as it will go."""
+        self._look = None
         self._viewport.fit()
 
     def turn(self, round_it: float, above: float) -> None:
@@ -125,6 +140,7 @@ class Picture:
         tilt = min(max(self.orbit.tilt + above, LOWEST), HIGHEST)
         self.orbit = Orbit((self.orbit.turn + round_it) % tau, tilt)
         self._viewport.forget()
+        self._look = None
 
     def clear_trail(self) -> None:
         """Forget where the fingertip has been."""
@@ -144,13 +160,31 @@ class Picture:
         caption = self.caption(readings, width, height)
         if caption:
             height -= 1
+        trail = self._trail[-1] if self._trail else None
+        look = width, height, self.style, self.labels, self._envelope, self._with_trail, trail
+        if look != self._look or self._shows_other(readings):
+            self._rows = self._rows_of(readings, width, height)
+            self._look, self._drawn = look, readings
+        self._asked = readings
+        return [*self._rows, *([fitted(((caption, Ink.LABEL),), width)] if caption else [])]
+
+    def _rows_of(self, readings: Readings, width: int, height: int) -> list[Row]:
         extras = self._extras
         scene = self._subject.scene
         if self.style is ArmStyle.OUTLINE and scene is not None:
-            rows = self._outlined(scene(readings, extras), width, height)
-        else:
-            rows = self._solid(self._subject.shot(readings, self.orbit, extras), width, height)
-        return [*rows, fitted(((caption, Ink.LABEL),), width)] if caption else rows
+            return self._outlined(scene(readings, extras), width, height)
+        return self._solid(self._subject.shot(readings, self.orbit, extras), width, height)
+
+    def _shows_other(self, readings: Readings) -> bool:
+        """Whether a picture of these readings could differ from the last one drawn.
+
+        Of what moves, not before it has moved by a part of a sample; where it comes to stand, if
+        it is elsewhere at all.
+        """
+        drawn, asked = self._drawn, self._asked
+        if readings.posture == asked.posture and readings.things == asked.things:
+            return _seen(readings) != _seen(drawn)
+        return _lying(readings) != _lying(drawn) or _moved(readings, drawn) > UNSEEN * self._grain
 
     def caption(self, readings: Readings, width: int, height: int) -> str:
         """What is written in the last row of so many, or nothing."""
@@ -178,15 +212,19 @@ class Picture:
 
     def _outlined(self, scene: Scene, width: int, height: int) -> list[Row]:
         canvas = AsciiCanvas(width, height)
-        draw(scene, self._viewport.window(scene, width, height), canvas)
+        window = self._viewport.window(scene, width, height)
+        self._grain = 1 / (window.scale * ASPECT)
+        draw(scene, window, canvas)
         return canvas.rows()
 
     def _solid(self, shot: Shot, width: int, height: int) -> list[Row]:
         style = SOLID_STYLES.get(self.style, SOLID_STYLES[ArmStyle.ASCII])
         window = self._window(shot, width, height)
+        across, down = style.samples
+        self._grain = 1 / (window.scale * max(ASPECT * across, down))
         cells = style.draw(take(shot, width, height, style.samples, window))
         self._mark(cells, shot, window)
-        return cells.rows()
+        return self._last.of(cells)
 
     def _window(self, shot: Shot, width: int, height: int) -> Window:
         window = self._viewport.window(shot, width, height)
@@ -194,31 +232,66 @@ class Picture:
 
     def _mark(self, cells: Cells, shot: Shot, window: Window) -> None:
         """Dots on the table and in the air, scales and figures."""
+        shape = cells.glyphs.shape
         for mark in shot.marks:
             if window.scale >= mark.least:
-                cells.mark(*_places(shot, window, mark.places), mark.glyphs, mark.ink)
+                cells.mark(_dots(mark, shot.camera, window, shape))
         if self.labels:
-            _label(cells, shot, window)
+            if shot.resting is not None:
+                rule_table(cells, window)
+                rule_height(cells, window)
+            if shot.labels:
+                cells.mark(_labels(tuple(shot.labels), shot.camera, window, shape))
 
 
-def _places(shot: Shot, window: Window, places: Floats) -> tuple[Floats, Floats]:
+def _seen(readings: Readings) -> tuple[object, ...]:
+    """All that a picture shows."""
+    return readings.posture, readings.believed, readings.things, readings.fittings
+
+
+def _lying(readings: Readings) -> tuple[object, ...]:
+    """What a picture shows that does not move with the arm."""
+    loose = [thing for thing in readings.things if not thing.held]
+    return readings.held, readings.believed, readings.fittings, loose
+
+
+def _moved(now: Readings, before: Readings) -> float:
+    """How far any part of the arm is from where it was, inches."""
+    a, b = now.posture.points, before.posture.points
+    pairs = ((a.elbow, b.elbow), (a.wrist, b.wrist), (a.fingertip, b.fingertip))
+    turned = dist(a.across, b.across)
+    return max(
+        *(dist(one, other) for one, other in pairs),
+        _WIDE * turned,
+        abs(now.posture.opening - before.posture.opening) / 2,
+    )
+
+
+@lru_cache(16)
+def _dots(mark: Mark, camera: Camera, window: Window, shape: SheetShape) -> Marks:
+    x, y = _places(camera, window, mark.places)
+    return Marks.dots(x, y, mark.glyphs, mark.ink, shape)
+
+
+@lru_cache(16)
+def _labels(labels: tuple[Label, ...], camera: Camera, window: Window, shape: SheetShape) -> Marks:
+    x, y = _places(camera, window, np.array([label.place for label in labels]))
+    return Marks.written(
+        [
+            (floor(column) - len(label.text) // 2, floor(row), label.text, label.ink)
+            for label, column, row in zip(labels, x.tolist(), y.tolist(), strict=True)
+        ],
+        shape,
+    )
+
+
+def _places(camera: Camera, window: Window, places: Floats) -> tuple[Floats, Floats]:
     """Places of the world in cells, across and down."""
-    seen = shot.camera.points(places)
+    seen = camera.points(places)
     return (
         (seen[:, 0] - window.left) * window.scale * ASPECT,
         (window.top - seen[:, 1]) * window.scale,
     )
-
-
-def _label(cells: Cells, shot: Shot, window: Window) -> None:
-    """Scales and figures, where nothing stands."""
-    if shot.resting is not None:
-        rule_table(cells, window)
-        rule_height(cells, window)
-    if shot.labels:
-        places = _places(shot, window, np.array([label.place for label in shot.labels]))
-        for label, x, y in zip(shot.labels, *places, strict=True):
-            cells.write(floor(x) - len(label.text) // 2, floor(y), label.text, label.ink)
 
 
 def angles_text(readings: Readings, width: int) -> str:

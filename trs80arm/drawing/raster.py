@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trs80arm.drawing.camera import Projected
-from trs80arm.drawing.solids import Floats, Ints, Solids
+from trs80arm.drawing.solids import Floats, Ints, Shape, Solids
 from trs80arm.drawing.viewport import ASPECT, Window
 
 _Number = TypeVar("_Number", bound=np.generic)
@@ -95,9 +95,9 @@ class Raster:
         Args:
             solids: what is drawn; its faces are counted on from those drawn before.
             seen: them, as the camera has them.
-            chosen: which of them, None for all.
+            chosen: which of their faces, None for all.
         """
-        rows, first, count, faces = self._runs(solids, seen.corners, _shown(solids, seen, chosen))
+        rows, first, count, faces = self._runs(solids.shape, seen.corners, _shown(seen, chosen))
         plane = seen.nearness.astype(np.float32)[faces]
         begin = np.cumsum(count) - count
         place = np.arange(count.sum())
@@ -126,8 +126,8 @@ class Raster:
         return twin
 
     def covered(self, solids: Solids, seen: Projected, chosen: Bits) -> Bits:
-        """Which samples those of the solids that are chosen cover, whatever is drawn."""
-        rows, first, count, _ = self._runs(solids, seen.corners, _shown(solids, seen, chosen))
+        """Which samples those of the faces that are chosen cover, whatever is drawn."""
+        rows, first, count, _ = self._runs(solids.shape, seen.corners, _shown(seen, chosen))
         columns = len(self.x)
         # At the ends of runs one more of them covers what follows, or one less.
         ends = np.zeros(len(self.y) * (columns + 1), dtype=np.int32)
@@ -142,19 +142,19 @@ class Raster:
         cells = values.reshape(self.height, self.down, self.width, self.across)
         return cells.transpose(1, 3, 0, 2).reshape(-1, self.height, self.width)
 
-    def _runs(self, solids: Solids, corners: Floats, shown: Bits) -> _Runs:
+    def _runs(self, shape: Shape, corners: Floats, shown: Bits) -> _Runs:
         """The samples that faces cover.
 
         Args:
-            solids: whose faces they are.
+            shape: whose faces they are.
             corners: where their corners are in the picture, inches.
             shown: which of the faces.
         """
         across = (corners[:, 0] - self._left) / self._step
         along = (self._top - corners[:, 1]) / self._drop
-        edge = np.flatnonzero(shown[solids.edge_faces])
-        begins, ends = solids.edges[:, edge]
-        faces = solids.edge_faces[edge]
+        edge = shown[shape.edge_faces].nonzero()[0]
+        begins, ends = shape.edges[:, edge]
+        faces = shape.edge_faces[edge]
         # A convex face is bounded on one side by the edges that lead down, and on the other by
         # those that lead up; each side crosses the same rows.
         from_row, to_row = along[begins], along[ends]
@@ -174,16 +174,16 @@ class Raster:
             # By rounding the sides of a face that is all but a line may cross unlike rows.
             way = np.where(down, 1, -1)[order] * count
             uneven = np.bincount(faces[order], way, len(shown)) != 0
-            return self._runs(solids, corners, shown & ~uneven)
+            return self._runs(shape, corners, shown & ~uneven)
         one, other = columns[:half], columns[half : 2 * half]
         first = np.clip(np.ceil(np.minimum(one, other)), 0, len(self.x)).astype(np.int64)
         last = np.clip(np.floor(np.maximum(one, other)) + 1, 0, len(self.x)).astype(np.int64)
         return _Runs(rows[:half], first, np.maximum(last - first, 0), face[:half])
 
 
-def _shown(solids: Solids, seen: Projected, chosen: Bits | None) -> Bits:
-    """The faces that are turned to the eye, of the solids chosen."""
-    return seen.facing if chosen is None else seen.facing & np.repeat(chosen, solids.face_counts)
+def _shown(seen: Projected, chosen: Bits | None) -> Bits:
+    """The faces that are turned to the eye, of those chosen."""
+    return seen.facing if chosen is None else seen.facing & chosen
 
 
 def _key(nearness: float, face: int) -> np.int64:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import ceil, floor
 
 import numpy as np
 
-from trs80arm.drawing.cells import Cells
-from trs80arm.drawing.materials import SHADOW
+from trs80arm.drawing.cells import Cells, Marks, SheetShape
+from trs80arm.drawing.materials import INKS, SHADOW
 from trs80arm.drawing.rows import Ink
 from trs80arm.drawing.viewport import ASPECT, Window
 
+_TABLE = INKS.index(Ink.TABLE)
 _EVERY = 5
 """Inches from one figure to the next."""
 _ROOM = 5
@@ -27,11 +29,24 @@ def rule_table(cells: Cells, window: Window) -> None:
     row = floor(window.cell((0.0, -_BELOW))[1])
     if not 0 <= row < height:
         return
-    plain = cells.free[row] & np.isin(cells.glyphs[row], (ord(" "), ord(":")))
+    glyphs = cells.glyphs[row]
+    plain = cells.free[row] & ((glyphs == ord(" ")) | (glyphs == ord(":")))
     dark = cells.under[row] == SHADOW
-    for glyph, ink, where in (("-", Ink.TABLE, plain & ~dark), ("=", Ink.SHADOW, plain & dark)):
-        places = np.flatnonzero(where) + 0.5
-        cells.mark(places, np.full(len(places), row + 0.5), 2 * glyph, ink)
+    lines = np.where(dark, ord("="), ord("-")), np.where(dark, SHADOW, _TABLE)
+    places = plain.nonzero()[0]
+    cells.mark(Marks(row * width + places, lines[0][places], lines[1][places]))
+    cells.mark(_figures(window, row, (height, width)))
+
+
+def rule_height(cells: Cells, window: Window) -> None:
+    """Write heights above the table at the left edge, every five inches."""
+    cells.mark(_heights(window, cells.glyphs.shape))
+
+
+@lru_cache(16)
+def _figures(window: Window, row: int, shape: SheetShape) -> Marks:
+    """The marks and figures of the inches."""
+    _, width = shape
     columns = window.scale * ASPECT
     first, last = ceil(window.left), floor(window.left + width / columns)
     text = [" "] * width
@@ -40,13 +55,14 @@ def rule_table(cells: Cells, window: Window) -> None:
         begin = floor(window.cell((inch, 0.0))[0]) - (len(figure) - 1) // 2
         if begin >= 0 and (figure != "+" or columns >= _LEAST):
             text[begin : begin + len(figure)] = figure
-    cells.write(0, row, "".join(text[:width]), Ink.LABEL)
+    return Marks.written([(0, row, "".join(text[:width]), Ink.LABEL)], shape)
 
 
-def rule_height(cells: Cells, window: Window) -> None:
-    """Write heights above the table at the left edge, every five inches."""
-    height, _ = cells.glyphs.shape
-    for inch in range(_EVERY, ceil(window.top) + 1, _EVERY):
-        row = floor(window.cell((0.0, inch))[1])
-        if 0 <= row < height:
-            cells.write(0, row, f"{inch}-", Ink.LABEL)
+@lru_cache(16)
+def _heights(window: Window, shape: SheetShape) -> Marks:
+    """The figures of the heights."""
+    heights = range(_EVERY, ceil(window.top) + 1, _EVERY)
+    return Marks.written(
+        [(0, floor(window.cell((0.0, inch))[1]), f"{inch}-", Ink.LABEL) for inch in heights],
+        shape,
+    )

@@ -1,13 +1,16 @@
 """Convex solids as arrays: what is drawn, before anyone looks at it.
 
 A solid is corners and the planes of its faces. Many are kept in one `Solids`, as arrays over all of
-their corners and planes, so that a frame's work is a few operations on arrays. Inches.
+their corners and planes, so that a frame's work is a few operations on arrays. What stays when they
+move, their `Shape`, is put together once. Inches.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from itertools import repeat
 from math import cos, pi, sin
 from typing import TypeAlias
 
@@ -19,32 +22,115 @@ Ints: TypeAlias = npt.NDArray[np.int64]
 Place: TypeAlias = tuple[float, float, float]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Solids:
-    """Some convex solids.
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """What of some convex solids does not depend on where they are.
 
     Attributes:
-        corners: of all solids, one after the other, n x 3.
+        corners: how many there are.
         first_corner: where each solid's corners begin.
-        normals: of all faces, outwards, unit vectors, m x 3.
-        offsets: of the faces: their normal times any point of them, m.
         first_face: where each solid's faces begin.
         materials: index of each solid's material.
         bodies: a number for each solid; solids of one number are seen as one thing.
         edges: the corners from which and to which each edge of each face leads, 2 x k;
             counter-clockwise round each face as seen from outside, face by face.
         edge_faces: the face that each edge belongs to, k.
+        faces: how many there are.
     """
 
-    corners: Floats
+    corners: int
     first_corner: Ints
-    normals: Floats
-    offsets: Floats
+    faces: int
     first_face: Ints
     materials: Ints
     bodies: Ints
     edges: Ints
     edge_faces: Ints
+
+    @cached_property
+    def corner_counts(self) -> Ints:
+        """How many corners each solid has."""
+        return np.diff(self.first_corner, append=self.corners)
+
+    @cached_property
+    def face_counts(self) -> Ints:
+        """How many faces each solid has."""
+        return np.diff(self.first_face, append=self.faces)
+
+    @cached_property
+    def face_materials(self) -> Ints:
+        """Index of each face's material."""
+        return np.repeat(self.materials, self.face_counts)
+
+    @cached_property
+    def face_bodies(self) -> Ints:
+        """The number of the thing that each face is part of."""
+        return np.repeat(self.bodies, self.face_counts)
+
+    def faces_of(self, *materials: int) -> npt.NDArray[np.bool_]:
+        """Which faces are of one of these materials."""
+        return _faces_of(self, materials)
+
+
+@lru_cache(256)
+def _faces_of(shape: Shape, materials: tuple[int, ...]) -> npt.NDArray[np.bool_]:
+    return np.isin(shape.face_materials, materials)
+
+
+@lru_cache(512)
+def _shape(count: int, faces: tuple[tuple[int, ...], ...], material: int, body: int) -> Shape:
+    """That of one solid of so many corners, with these faces."""
+    first = np.zeros(1, dtype=np.int64)
+    edges = [(a, b) for face in faces for a, b in zip(face, (*face[1:], face[0]), strict=True)]
+    return Shape(
+        count,
+        first,
+        len(faces),
+        first,
+        np.array([material]),
+        np.array([body]),
+        np.array(edges, dtype=np.int64).T.copy(),
+        np.repeat(np.arange(len(faces)), [len(face) for face in faces]),
+    )
+
+
+@lru_cache(256)
+def _joined(shapes: tuple[Shape, ...]) -> Shape:
+    """That of all solids of some shapes, in their order."""
+    corners = np.cumsum([0, *(shape.corners for shape in shapes)]).tolist()
+    faces = np.cumsum([0, *(shape.faces for shape in shapes)]).tolist()
+
+    def all_of(values: Iterable[Ints], begins: Iterable[int] = repeat(0)) -> Ints:
+        parts = [part + at for part, at in zip(values, begins, strict=False)]
+        return np.concatenate(parts, axis=-1) if parts else np.zeros(0, dtype=np.int64)
+
+    return Shape(
+        corners[-1],
+        all_of((shape.first_corner for shape in shapes), corners),
+        faces[-1],
+        all_of((shape.first_face for shape in shapes), faces),
+        all_of(shape.materials for shape in shapes),
+        all_of(shape.bodies for shape in shapes),
+        all_of((shape.edges for shape in shapes), corners).reshape(2, -1),
+        all_of((shape.edge_faces for shape in shapes), faces),
+    )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Solids:
+    """Some convex solids.
+
+    Attributes:
+        shape: what of them does not depend on where they are.
+        corners: of all solids, one after the other, n x 3.
+        normals: of all faces, outwards, unit vectors, m x 3.
+        offsets: of the faces: their normal times any point of them, m.
+    """
+
+    shape: Shape
+    corners: Floats
+    normals: Floats
+    offsets: Floats
 
     @classmethod
     def of(
@@ -66,65 +152,24 @@ class Solids:
         a, b, c = (points[[face[place] for face in faces]] for place in range(3))
         normals = np.cross(b - a, c - b)
         normals /= np.sqrt((normals * normals).sum(1))[:, None]
-        first = np.zeros(1, dtype=np.int64)
-        return cls(
-            points,
-            first,
-            normals,
-            (normals * a).sum(1),
-            first,
-            np.array([material]),
-            np.array([body]),
-            np.array(
-                [
-                    [corner for face in faces for corner in face],
-                    [corner for face in faces for corner in (*face[1:], face[0])],
-                ],
-                dtype=np.int64,
-            ),
-            np.repeat(np.arange(len(faces)), [len(face) for face in faces]),
-        )
+        shape = _shape(len(points), tuple(map(tuple, faces)), int(material), body)
+        return cls(shape, points, normals, (normals * a).sum(1))
 
     @classmethod
     def joined(cls, groups: Iterable[Solids]) -> Solids:
         """All solids of some groups, in their order."""
-        all_of = [group for group in groups if len(group.materials)]
+        all_of = [group for group in groups if group.shape.faces]
+        if len(all_of) == 1:
+            return all_of[0]
+        shape = _joined(tuple(group.shape for group in all_of))
         if not all_of:
-            nothing = np.zeros(0, dtype=np.int64)
-            none = np.zeros((0, 3))
-            ways = np.zeros((2, 0), dtype=np.int64)
-            return cls(none, nothing, none, np.zeros(0), nothing, nothing, nothing, ways, nothing)
-        corners = np.cumsum([0, *(len(group.corners) for group in all_of[:-1])])
-        faces = np.cumsum([0, *(len(group.offsets) for group in all_of[:-1])])
+            return cls(shape, np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
         return cls(
+            shape,
             np.concatenate([group.corners for group in all_of]),
-            np.concatenate(
-                [group.first_corner + at for group, at in zip(all_of, corners, strict=True)]
-            ),
             np.concatenate([group.normals for group in all_of]),
             np.concatenate([group.offsets for group in all_of]),
-            np.concatenate(
-                [group.first_face + at for group, at in zip(all_of, faces, strict=True)]
-            ),
-            np.concatenate([group.materials for group in all_of]),
-            np.concatenate([group.bodies for group in all_of]),
-            np.concatenate(
-                [group.edges + at for group, at in zip(all_of, corners, strict=True)], axis=1
-            ),
-            np.concatenate(
-                [group.edge_faces + at for group, at in zip(all_of, faces, strict=True)]
-            ),
         )
-
-    @property
-    def corner_counts(self) -> Ints:
-        """How many corners each solid has."""
-        return np.diff(self.first_corner, append=len(self.corners))
-
-    @property
-    def face_counts(self) -> Ints:
-        """How many faces each solid has."""
-        return np.diff(self.first_face, append=len(self.offsets))
 
     def placed(self, origin: npt.ArrayLike, axes: npt.ArrayLike) -> Solids:
         """The same in a frame.
@@ -135,48 +180,50 @@ class Solids:
         """
         turn, place = np.asarray(axes, dtype=np.float64), np.asarray(origin, dtype=np.float64)
         normals = self.normals @ turn
-        return replace(
-            self,
-            corners=self.corners @ turn + place,
-            normals=normals,
-            offsets=self.offsets + normals @ place,
+        return Solids(
+            self.shape, self.corners @ turn + place, normals, self.offsets + normals @ place
         )
 
     def some(self, chosen: Iterable[int]) -> Solids:
         """Only those solids, by their places."""
-        corner = [*self.first_corner.tolist(), len(self.corners)]
-        face = [*self.first_face.tolist(), len(self.offsets)]
+        shape = self.shape
+        corner = [*shape.first_corner.tolist(), shape.corners]
+        face = [*shape.first_face.tolist(), shape.faces]
+        edge = np.searchsorted(shape.edge_faces, face).tolist()
         first = np.zeros(1, dtype=np.int64)
-        edge = [*np.searchsorted(self.edge_faces, self.first_face).tolist(), len(self.edge_faces)]
         return Solids.joined(
             Solids(
+                Shape(
+                    corner[place + 1] - corner[place],
+                    first,
+                    face[place + 1] - face[place],
+                    first,
+                    shape.materials[place : place + 1],
+                    shape.bodies[place : place + 1],
+                    shape.edges[:, edge[place] : edge[place + 1]] - corner[place],
+                    shape.edge_faces[edge[place] : edge[place + 1]] - face[place],
+                ),
                 self.corners[corner[place] : corner[place + 1]],
-                first,
                 self.normals[face[place] : face[place + 1]],
                 self.offsets[face[place] : face[place + 1]],
-                first,
-                self.materials[place : place + 1],
-                self.bodies[place : place + 1],
-                self.edges[:, edge[place] : edge[place + 1]] - corner[place],
-                self.edge_faces[edge[place] : edge[place + 1]] - face[place],
             )
             for place in chosen
         )
 
     def thickened(self, bodies: Iterable[int], by: float) -> Solids:
         """The same with some bodies, made of boxes, so many inches larger on all sides."""
-        chosen = np.isin(self.bodies, list(bodies))
+        shape = self.shape
+        faces = np.isin(shape.face_bodies, list(bodies))
         outwards = np.zeros_like(self.corners)
-        np.add.at(outwards, self.edges[0], self.normals[self.edge_faces])
+        np.add.at(outwards, shape.edges[0], (self.normals * faces[:, None])[shape.edge_faces])
         return replace(
-            self,
-            corners=self.corners + by * outwards * np.repeat(chosen, self.corner_counts)[:, None],
-            offsets=self.offsets + by * np.repeat(chosen, self.face_counts),
+            self, corners=self.corners + by * outwards, offsets=self.offsets + by * faces
         )
 
     def made_of(self, material: int) -> Solids:
         """The same of another material."""
-        return replace(self, materials=np.full_like(self.materials, material))
+        materials = np.full_like(self.shape.materials, material)
+        return replace(self, shape=replace(self.shape, materials=materials))
 
 
 NOTHING = Solids.joined(())
@@ -206,11 +253,11 @@ class Articulated:
         solids, places = self._solids, np.asarray(origins, dtype=np.float64)
         turns = np.asarray(axes, dtype=np.float64)
         normals = _turned(solids.normals, turns[self._of_face])
-        return replace(
-            solids,
-            corners=_turned(solids.corners, turns[self._of_corner]) + places[self._of_corner],
-            normals=normals,
-            offsets=solids.offsets + (normals * places[self._of_face]).sum(1),
+        return Solids(
+            solids.shape,
+            _turned(solids.corners, turns[self._of_corner]) + places[self._of_corner],
+            normals,
+            solids.offsets + (normals * places[self._of_face]).sum(1),
         )
 
 

@@ -57,7 +57,7 @@ BEHIND = 1000.0
 """How far away table and ghost are taken to be, that they cover nothing of what is real."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Mark:
     """Places marked where nothing stands: by a glyph in a cell's upper half, another in its lower.
 
@@ -157,7 +157,7 @@ def side_shot(readings: Readings, extras: Extras = PLAINLY) -> Shot:
     return Shot(
         camera,
         Solids.joined((pedestal(readings.fittings, base), arm, *things)),
-        _light(camera, (-0.4, 0.62, 0.68)),
+        camera.towards(-0.4, 0.62, 0.68),
         bounds,
         focus,
         ghost=ghost,
@@ -183,7 +183,7 @@ def top_shot(readings: Readings, extras: Extras = PLAINLY) -> Shot:
     return Shot(
         camera,
         Solids.joined((_base(readings), arm, *things)),
-        _light(camera, (-0.42, 0.5, 0.76)),
+        camera.towards(-0.42, 0.5, 0.76),
         bounds,
         focus,
         ghost=_ghost(camera, readings, arm),
@@ -225,14 +225,6 @@ _SUN: Place = (-0.3, -0.62, 0.725)
 """From where light comes in space: from behind the arm and its right."""
 
 
-def _light(camera: Camera, towards: Place) -> Place:
-    """A direction given to the right, up and towards the eye, as a unit vector of the world."""
-    right, up = np.array(camera.right), np.array(camera.up)
-    way = right * towards[0] + up * towards[1] - camera.forward * towards[2]
-    x, y, z = (way / np.sqrt((way * way).sum())).tolist()
-    return x, y, z
-
-
 def _base(readings: Readings) -> Solids:
     return pedestal(readings.fittings, readings.angles.base)
 
@@ -268,7 +260,7 @@ def _ghost(camera: Camera, readings: Readings, arm: Solids) -> Solids:
 def _elsewhere(camera: Camera, told: Solids, arm: Solids) -> Solids:
     """Of the arm where it was told to be, the links that a picture shows elsewhere."""
     away = np.abs(camera.points(told.corners) - camera.points(arm.corners))[:, :2].max(1)
-    moved = np.maximum.reduceat(away, told.first_corner) > SHOWS
+    moved = np.maximum.reduceat(away, told.shape.first_corner) > SHOWS
     return told.some(np.flatnonzero(moved).tolist()).made_of(Material.GHOST)
 
 
@@ -314,22 +306,21 @@ def take(shot: Shot, width: int, height: int, samples: tuple[int, int], window: 
     raster = _bare_table(shot.table, camera, width, height, samples, window).copy()
     # What the arm was told hides the table only, and is hidden by whatever is really there.
     coarse = window.scale * raster.down < FINE
-    if len(shot.ghost.materials):
+    if shot.ghost.shape.faces:
         raster.draw(shot.ghost, camera.sees(shot.ghost))
         raster.send_back(-BEHIND)
-    chosen = ~np.isin(shot.solids.materials, _DETAILS) if coarse else None
+    chosen = ~shot.solids.shape.faces_of(*_DETAILS) if coarse else None
     wide = 1 / (window.scale * min(ASPECT * raster.across, raster.down))
     if BAR < wide < THICKEST:
         # A finger is at least a sample thick, or it would come and go.
         shot = replace(shot, solids=shot.solids.thickened(_FINGERS, (wide - BAR) / 2))
     raster.draw(shot.solids, camera.sees(shot.solids), chosen)
     solids = Solids.joined((shot.table, shot.ghost, shot.solids))
-    faces = solids.face_counts
-    material = np.repeat(solids.materials, faces)
+    material = solids.shape.face_materials
     shade = AMBIENT + (1 - AMBIENT) * np.maximum(0.0, solids.normals @ np.array(shot.sun))
     light_of = np.append(BRIGHT[material] * shade, 0.0).astype(np.float32)
     ink_of = np.append(INK_OF[material], NO_INK).astype(np.int8)
-    body_of = np.append(np.repeat(solids.bodies, faces), -1).astype(np.int16)
+    body_of = np.append(solids.shape.face_bodies, -1).astype(np.int16)
     face, nearness = raster.gathered(raster.face), raster.gathered(raster.nearness)
     # `NOWHERE` wraps round to the last.
     light = light_of.take(face, mode="wrap")
@@ -366,7 +357,7 @@ def _shadows(raster: Raster, shot: Shot, window: Window) -> npt.NDArray[np.bool_
     across, down = max(1, raster.across // 2), max(1, raster.down // 2)
     coarse = Raster(raster.width, raster.height, (across, down), window)
     solids = shot.solids
-    casts = ~np.isin(solids.materials, _WITHIN)
+    casts = ~solids.shape.faces_of(*_WITHIN)
     covered = coarse.covered(solids, shot.camera.shades(solids, shot.sun), casts)
     columns, rows = np.arange(raster.across), np.arange(raster.down)
     finer = rows[:, None] * down // raster.down * across + columns * across // raster.across
@@ -377,9 +368,9 @@ def _below(raster: Raster, shot: Shot) -> npt.NDArray[np.bool_]:
     """Which samples are below something: a table seen edge on is darker there."""
     solids = shot.solids
     boxes = shot.camera.points(solids.corners)[:, 0]
-    over = solids.bodies >= UPPER_ARM
-    left = np.minimum.reduceat(boxes, solids.first_corner)[over, None]
-    right = np.maximum.reduceat(boxes, solids.first_corner)[over, None]
+    over = solids.shape.bodies >= UPPER_ARM
+    left = np.minimum.reduceat(boxes, solids.shape.first_corner)[over, None]
+    right = np.maximum.reduceat(boxes, solids.shape.first_corner)[over, None]
     above = ((raster.x >= left) & (raster.x <= right)).any(0)
     columns = above.reshape(raster.width, raster.across).T
     return np.tile(columns, (raster.down, 1))[:, None, :]
