@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Callable, Sequence
+from itertools import takewhile
 from pathlib import Path
 
 from trs80arm.arm import benchfile
@@ -366,10 +367,13 @@ class Session:
     @property
     def slip(self) -> ArmEvent | None:
         """The first slip since the arm was where its registers say; None while it is there."""
-        if not any(abs(steps) >= RING for steps in self.rig.state.slipped):
+        new = takewhile(
+            lambda event: event.number > self._last_event, reversed(self.rig.arm.events)
+        )
+        slips = [event for event in new if event.kind is EventKind.SLIP]
+        if not slips or not any(abs(steps) >= RING for steps in self.rig.state.slipped):
             return None
-        slips = (event for event in self.rig.arm.events if event.kind is EventKind.SLIP)
-        return next((event for event in slips if event.number > self._last_event), None)
+        return slips[-1]
 
     def new_score(self) -> Score | None:
         """The score of a program that has ended on a bench with goals, told once; else None."""

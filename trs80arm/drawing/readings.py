@@ -185,8 +185,16 @@ class Readings:
         return not self.inputs & 1
 
     @classmethod
-    def of(cls, rig: Rig, history: History | None = None) -> Readings:
-        """Read the rig, and hand on what is known of its past."""
+    def of(
+        cls, rig: Rig, history: History | None = None, *, loads: Loads | None = None
+    ) -> Readings:
+        """Read the rig, and hand on what is known of its past.
+
+        Args:
+            rig: what is looked at.
+            history: what latches and arm did lately.
+            loads: what motors and hand were found to bear; None to find it.
+        """
         state = rig.state
         arm = rig.arm
         answers, selector = arm.answers(rig.clock.now), arm.bench.selector
@@ -211,7 +219,7 @@ class Readings:
             believed=believed,
             pose=state.pose,
             force=state.force,
-            loads=rig.loads,
+            loads=loads or rig.loads,
             held=state.held,
             things=(*things_of(arm.bench, rig.clock.now), *map(_sensor, answers)),
             answers=answers,

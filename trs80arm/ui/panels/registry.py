@@ -35,7 +35,7 @@ class Cadence(Enum):
 
     FRAME = "each frame"
     """What moves."""
-    PICTURE = "twenty times a second"
+    PICTURE = "every second frame"
     """What moves, and takes time to draw."""
     NUMBERS = "ten times a second"
     """What is to be read."""

@@ -19,6 +19,7 @@ from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Static
 
+from trs80arm.arm.loads import Loads
 from trs80arm.deck import Deck
 from trs80arm.drawing.readings import Readings
 from trs80arm.inspection import Inspection
@@ -33,7 +34,7 @@ from trs80arm.ui.layout import Lead
 from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.guide import ROWS, GuideBar
 from trs80arm.ui.panels.inspector import Inspector
-from trs80arm.ui.panels.registry import Cadence, PanelRow, groups
+from trs80arm.ui.panels.registry import AnyPanel, Cadence, PanelRow, groups
 from trs80arm.ui.panels.scope_panel import ScopePanel
 from trs80arm.ui.panels.space_view import SpaceView
 from trs80arm.ui.panels.status import Pace, StatusLine
@@ -49,7 +50,7 @@ written on elsewhere than at its end."""
 NUMBERS_EVERY = 0.1
 """Seconds of the wall between two looks of the panels with numbers."""
 PICTURES_EVERY = 0.045
-"""The same of the pictures of the arm."""
+"""The same of the pictures of the arm: every second frame of thirty a second, the third of sixty."""
 PIXELS_SHARE = 0.25
 """How much of the processor's time pictures in pixels may take, which are many to draw and send."""
 TOO_SMALL = (
@@ -119,6 +120,8 @@ class DeskScreen(Layer):
         self.numbers_due = 0.0
         self._pictures_due = 0.0
         self._pixels_took = 0.0
+        self._shown: list[tuple[Cadence, AnyPanel]] = []
+        self._loads: Loads | None = None
         self.still = False
         self._chosen_lead: Lead | None = None
         self._moving_lead = Lead.TUBE
@@ -178,6 +181,7 @@ class DeskScreen(Layer):
                     with_rule = kind is not layout.Frames.RULED or region.x > 0
                     panel.set_class(frames is kind and with_rule, kind.value)
                 panel.set_class(panel is leading, "leading")
+        self._shown = [(row.cadence, self.panels[row.id]) for row in self._rows if row.id in places]
         self._too_small.display = not places
         self._too_small.update(TOO_SMALL.format(*layout.SMALLEST, width, height))
         self.numbers_due = 0.0
@@ -384,11 +388,12 @@ class DeskScreen(Layer):
         self.tube.show(rig.video, cursor, cursor_hidden=hidden)
         if cursor is not None and self.tube.display:
             self._point_terminal_at(cursor)
-        readings = Readings.of(rig, self.history)
+        numbers = now >= self.numbers_due
+        readings = Readings.of(rig, self.history, loads=None if numbers else self._loads)
+        self._loads = readings.loads
         stands = (readings.posture, readings.things, readings.coils, len(readings.events))
         self.still, self._stood = stands == self._stood, stands
         self._follow(readings, now)
-        numbers = now >= self.numbers_due
         if numbers:
             self.numbers_due = now + NUMBERS_EVERY
             self._inspect(rig)
@@ -398,9 +403,8 @@ class DeskScreen(Layer):
             self._pictures_due = now + max(PICTURES_EVERY, self._pixels_took / PIXELS_SHARE)
         due = {Cadence.FRAME: True, Cadence.PICTURE: pictures, Cadence.NUMBERS: numbers}
         began = time.thread_time()
-        for row in self._rows:
-            panel = self.panels[row.id]
-            if due[row.cadence] and panel.display and not isinstance(panel, Tube):
+        for cadence, panel in self._shown:
+            if due[cadence] and not isinstance(panel, Tube):
                 panel.show(readings)
         if pictures:
             took = time.thread_time() - began
