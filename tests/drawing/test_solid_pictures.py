@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -195,3 +196,47 @@ def test_no_finger_has_gaps_between_the_samples(grain: tuple[int, int], finger: 
         rows = np.flatnonzero((taken == finger).any((1, 3)).T)
         assert np.diff(rows).tolist() == [1] * (len(rows) - 1)
         assert len(rows) > 2
+
+
+@pytest.mark.parametrize("style", [*SOLID, ArmStyle.OUTLINE])
+@pytest.mark.parametrize("view", VIEWS)
+def test_lines_of_a_picture_that_stand_are_not_made_again(view: str, style: ArmStyle) -> None:
+    subject, stands = VIEWS[view], samples.posture(20, 50, -50, -70, 60, 1.3)
+    moved, readings = samples.posture(20, 50, -52, -70, 60, 1.3), samples.readings(stands)
+    drawn = picture(subject, style)
+    before = drawn.draw(readings, 100, 40)
+    now = drawn.draw(samples.readings(moved), 100, 40)
+    other = picture(subject, style)
+    for width in (100, 99):
+        other.draw(readings, width, 40)
+    assert now == other.draw(samples.readings(moved), 100, 40) != before
+    if style is not ArmStyle.OUTLINE:
+        same = [one for one, other in zip(before[:-1], now[:-1], strict=True) if one == other]
+        assert same
+        assert {id(row) for row in same} <= {id(row) for row in now}
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_what_moves_by_less_than_a_sample_is_drawn_where_it_comes_to_stand(view: str) -> None:
+    drawn = picture(VIEWS[view])
+    before = drawn.draw(samples.readings(samples.posture(20, 50, -50, -70, 60, 1.3)), 100, 40)
+    steps = [samples.posture(20, 50 - step / 50, -50, -70, 60, 1.3) for step in range(1, 21)]
+    pictures = [drawn.draw(samples.readings(stands), 100, 40)[:-1] for stands in steps]
+    assert pictures[0] == before[:-1]
+    assert sum(one != other for one, other in pairwise(pictures)) < len(steps) - 1
+    stands = samples.readings(steps[-1])
+    exact = picture(VIEWS[view]).draw(stands, 100, 40)
+    assert drawn.draw(stands, 100, 40) == exact
+
+
+def test_what_does_not_hang_on_the_arm_is_drawn_at_once() -> None:
+    drawn = picture(FROM_ABOVE)
+    before = drawn.draw(samples.readings(), 100, 40)
+    tiny = samples.posture(0.0, 31.001, -73.4, -90.0, 0.0, 1.3)
+    lying = upright(5.0, -4.0, 0.0, (1.0, 1.0, 1.0), 0.0)
+    pushed = samples.readings(tiny, things=(Thing(Kind.PART, "other", lying),))
+    assert drawn.draw(pushed, 100, 40)[:-1] != before[:-1]
+    for change in (drawn.zoom_in, drawn.zoom_fit, lambda: setattr(drawn, "envelope", True)):
+        before = drawn.draw(pushed, 100, 40)
+        change()
+        assert drawn.draw(pushed, 100, 40) != before

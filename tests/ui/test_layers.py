@@ -252,3 +252,24 @@ async def test_only_panels_and_lines_that_changed_are_asked_for(
         await sitting.pilot.pause(0.1)
         panels = {widget: lines for widget, lines in asked.items() if widget is not desk}
         assert panels == {desk.tube: 1, desk.status: 1}
+
+
+@piloted
+async def test_a_frame_is_written_at_once_and_of_it_what_changed(sit_down: Opener) -> None:
+    async with sit_down(120, 40) as sitting:
+        await sitting.type_line("CLS")
+        desk, rig = sitting.app.desk, sitting.app.session.rig
+        updates: list[object] = []
+        monkeypatched = sitting.app._display
+        sitting.app._display = lambda _, update: updates.append(update)  # type: ignore[method-assign, assignment]
+        rig.type("AB")
+        rig.run_for(1.0)
+        desk.numbers_due = sitting.wall.now + 99
+        sitting.app.draw()
+        sitting.app._display = monkeypatched  # type: ignore[method-assign]
+        [update] = updates
+        assert isinstance(update, CellsUpdate)
+        place = desk.tube.content_region.offset
+        [change] = update.changes
+        assert (change.x, change.y) == (place.x + 1, place.y + 1)
+        assert "".join(text for text, _ in change.runs).startswith("AB")

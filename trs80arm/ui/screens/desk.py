@@ -50,7 +50,7 @@ written on elsewhere than at its end."""
 NUMBERS_EVERY = 0.1
 """Seconds of the wall between two looks of the panels with numbers."""
 PICTURES_EVERY = 0.045
-"""The same of the pictures of the arm: every second frame of thirty a second, the third of sixty."""
+"""The same of the pictures of the arm: each second frame of thirty a second."""
 PIXELS_SHARE = 0.25
 """How much of the processor's time pictures in pixels may take, which are many to draw and send."""
 TOO_SMALL = (
