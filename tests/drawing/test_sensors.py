@@ -79,7 +79,7 @@ def test_a_sensor_that_answers_is_of_a_brighter_material() -> None:
     assert {name for name, thing in seen.items() if thing.on} == {"palm", "home"}
     for thing in seen.values():
         material = Material.SENSOR if thing.on else Material.IDLE
-        assert np.unique(solids_of(thing, 10).materials).tolist() == [material]
+        assert np.unique(solids_of(thing, 10).shape.materials).tolist() == [material]
 
 
 def test_the_bank_that_the_selector_shows_is_read() -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from math import radians
 
 from textual import events
@@ -388,13 +389,14 @@ class DeskScreen(Layer):
         self.tube.show(rig.video, cursor, cursor_hidden=hidden)
         if cursor is not None and self.tube.display:
             self._point_terminal_at(cursor)
-        numbers = now >= self.numbers_due
-        readings = Readings.of(rig, self.history, loads=None if numbers else self._loads)
-        self._loads = readings.loads
+        readings = Readings.of(rig, self.history, loads=self._loads)
         stands = (readings.posture, readings.things, readings.coils, len(readings.events))
         self.still, self._stood = stands == self._stood, stands
         self._follow(readings, now)
+        numbers = now >= self.numbers_due
         if numbers:
+            self._loads = rig.loads
+            readings = replace(readings, loads=self._loads)
             self.numbers_due = now + NUMBERS_EVERY
             self._inspect(rig)
         # The last of a motion is not to be missed.
