@@ -253,10 +253,30 @@ def test_no_text_brings_more_than_a_bench_error(text: str) -> None:
     assert "\n" not in complaint(text)
 
 
-KEYS = st.sampled_from(["at", "size", "weight", "turn", "bottom", "name", "bit", "count", "range"])
+KEYS = st.sampled_from(
+    [
+        "at",
+        "size",
+        "weight",
+        "turn",
+        "bottom",
+        "name",
+        "bit",
+        "count",
+        "range",
+        "on",
+        "face",
+        "threshold",
+        "joint",
+        "play",
+        "bank",
+        "bits",
+    ]
+)
 VALUES = st.one_of(
     st.integers(-(10**20), 10**20).map(str),
     st.floats().map(str),
+    st.sampled_from(["'hand'", "'left finger'", "'palm'", "'base'", "'tip'", "1", "2"]),
     st.sampled_from(["[8,0]", "[1,1,1]", "'x'", "true", "[[1]]", "{a=1}", "1979-05-27", "''"]),
 )
 
@@ -264,7 +284,18 @@ VALUES = st.one_of(
 @settings(max_examples=150, deadline=None)
 @given(
     st.sampled_from(
-        ["[[part]]", "[[feeder]]", "[[tray]]", "[[proximity]]", "[turntable]", "[arm]"]
+        [
+            "[[part]]",
+            "[[feeder]]",
+            "[[tray]]",
+            "[turntable]",
+            "[arm]",
+            "[selector]",
+            "[[proximity]]",
+            "[[tactile]]",
+            "[[force]]",
+            "[[home]]",
+        ]
     ),
     st.dictionaries(KEYS, VALUES, max_size=5),
 )

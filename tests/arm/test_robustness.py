@@ -55,7 +55,7 @@ def random_bench(chance: random.Random) -> Bench:
         bench.cell.devices.append(Turntable("turntable", Plate(6.0, -2.0, 3.0)))
     bench.selector = Selector((0, 1, 2, 3))
     for k in range(chance.randrange(13)):
-        bench.add_sensor(random_sensor(chance, f"sensor {k}", chance.randrange(1, 4), k))
+        bench.sensors.append(random_sensor(chance, f"sensor {k}", chance.randrange(1, 4), k))
     return bench
 
 

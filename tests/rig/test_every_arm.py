@@ -5,6 +5,7 @@ That one is unlike the others in all that can be chosen, and entered among them 
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from click.testing import CliRunner
 from tests.statements import done
 from trs80arm import Rig
 from trs80arm.arm import ArmSettings, benchfile
+from trs80arm.arm.cell.home import JOINTS
 from trs80arm.arm.geometry import inverse
 from trs80arm.arm.model import ArmModel, Hand, Motor, Pose
 from trs80arm.arm.models import MINIMOVER5, MODELS
@@ -95,6 +97,26 @@ def test_it_takes_a_part_turns_and_lifts_it_as_its_drives_say(model: ArmModel) -
     assert now.base - start.base == pytest.approx(0.2, abs=0.002)
     assert now.shoulder - start.shoulder == pytest.approx(0.1, abs=0.002)
     assert now.elbow == pytest.approx(start.elbow, abs=0.002)
+
+
+def test_its_home_switches_close_where_its_joints_are_at_their_marks(model: ArmModel) -> None:
+    settings = RigSettings(arm=ArmSettings(model=model.name))
+    start = Rig(settings).state.angles
+    marks = dict(zip(JOINTS, (math.degrees(angle) + 1 for angle in start.driven), strict=True))
+    tables = (
+        f"[[home]]\njoint = '{joint}'\nat = {mark}\nbit = {1 + number % 3}\nbank = {number // 3}"
+        for number, (joint, mark) in enumerate(marks.items())
+    )
+    rig = Rig(settings, benchfile.parse("\n".join(["[selector]\nbits = [0]", *tables])))
+    for joint, motor in JOINTS.items():
+        latch = model.latch(motor)
+        name, drive = f"{joint} home", model.drives[latch]
+        for _ in range(40):
+            if rig.sensors[name].given:
+                break
+            done(rig, f"@STEP 200{',0' * latch},{drive.sign}")
+        beyond = rig.state.angles.driven[motor] - math.radians(marks[joint])
+        assert 0 <= beyond * drive.steps < 1
 
 
 def test_it_goes_on_from_a_snapshot(model: ArmModel) -> None:

@@ -325,6 +325,35 @@ OTHER = st.sampled_from(
 )
 
 
+SENSING = """
+[[tactile]]
+on = "left finger"
+bit = 1
+[[home]]
+joint = "base"
+at = 10
+bit = 2
+"""
+
+
+@pytest.mark.parametrize(
+    ("was", "forged"),
+    [
+        ('"bit":2', '"bit":4'),
+        ('["named","Motor","BASE"]', '["named","Motor","HAND"]'),
+        ('["named","Link","LEFT_FINGER"]', '["named","Link","FOREARM"]'),
+        ('["value","TactilePad"', '["value","Pose"'),
+        ('["list",["value","TactilePad"', '["list",["list"],["value","TactilePad"'),
+    ],
+)
+def test_a_forged_sensor_is_refused(was: str, forged: str) -> None:
+    _, _, content = Rig(bench=benchfile.parse(SENSING)).snapshot().partition(b"\n")
+    text = content.decode("ascii")
+    assert text.count(was) == 1
+    with pytest.raises(SnapshotError):
+        Rig().restore(sealed(json.loads(text.replace(was, forged))))
+
+
 def test_a_forged_snapshot_of_which_the_operator_cannot_break_off_is_refused() -> None:
     """Its stack has nothing to come back to."""
     stack = ["list", ["new", "Pause", {}]]

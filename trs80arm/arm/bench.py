@@ -55,7 +55,6 @@ class Bench:
         feeders, trays, obstacles: as the file lists them.
         sensors: what is on the free bits of the input nibble.
         selector: of the banks in which they are seen, or None.
-        homes: the home switches among the sensors.
         cell: the devices on the auxiliary latch.
         goals: what shall be where at the end.
         beginning: the parts as they stand at the beginning, all at rest.
@@ -72,7 +71,6 @@ class Bench:
         self.obstacles: list[Obstacle] = list(_own_base(self.settings))
         self.sensors: list[Answering] = []
         self.selector: Selector | None = None
-        self.homes: list[HomeSwitch] = []
         self.cell = WorkCell()
         self.goals: list[Goal] = []
         self.news: list[tuple[EventKind, str]] = []
@@ -89,11 +87,10 @@ class Bench:
         bench.add_part("block", (0.5, 0.5, 1.0), 0.4, 8.0, 0.0, 0.0)
         return bench
 
-    def add_sensor(self, sensor: Answering) -> None:
-        """Wire a sensor to its bit of the input nibble."""
-        self.sensors.append(sensor)
-        if isinstance(sensor, HomeSwitch):
-            self.homes.append(sensor)
+    @property
+    def homes(self) -> list[HomeSwitch]:
+        """The home switches among the sensors."""
+        return [sensor for sensor in self.sensors if isinstance(sensor, HomeSwitch)]
 
     @property
     def parts(self) -> dict[str, Part]:

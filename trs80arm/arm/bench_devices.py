@@ -143,7 +143,7 @@ def _photocell(bench: Bench, item: Table, conveyor: Conveyor) -> None:
     above = cell.number("above", 0.05, 10.0, 0.25)
     cell.done("name, along, above, bit, bank")
     ends = [place.point(along, side * (half[1] + BESIDE), half[2] + above) for side in (-1, 1)]
-    bench.add_sensor(LightBeam(bit, ends[0], ends[1], name, bank))
+    bench.sensors.append(LightBeam(bit, ends[0], ends[1], name, bank))
 
 
 def _machine(bench: Bench, item: Table) -> None:
@@ -219,7 +219,7 @@ def read_lamp(bench: Bench, item: Table, key: str, device: Device, at: Vector) -
     table.done("name, bit, bank")
     x, y, z = at
     lamp = upright(x, y, z - LAMP / 2, (LAMP, LAMP, LAMP), 0.0)
-    bench.add_sensor(Lamp(device, key, name, bit, bank, lamp))
+    bench.sensors.append(Lamp(device, key, name, bit, bank, lamp))
 
 
 def _turntable(bench: Bench, item: Table) -> None:

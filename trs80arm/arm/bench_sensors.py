@@ -46,7 +46,7 @@ def read_sensors(bench: Bench, top: Table) -> None:
     """
     for head, read in _READERS.items():
         for item in top.tables(head):
-            bench.add_sensor(read(bench, item))
+            bench.sensors.append(read(bench, item))
 
 
 def _selector(item: Table) -> Selector:

@@ -100,7 +100,7 @@ class _Stretch:
             before = np.concatenate(([first & 7], rows[:-1]))
             turns[mine] = (rows - before + 3) % 8 - 3
         self._cut(turns == 4)
-        if arm.bench.homes:
+        if arm.world.homes:
             self._cut(self._turning_back(turns))
         n = self.free_until
         self.turns = turns[:n]

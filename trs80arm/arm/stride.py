@@ -45,7 +45,7 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
         ahead is None or any(each.latch != Motor.HAND for each in ahead.turnings)
     ):
         return burst
-    if ahead is None or (arm.bench.homes and not all(each.way for each in ahead.turnings)):
+    if ahead is None or (arm.world.homes and not all(each.way for each in ahead.turnings)):
         # A home switch has to see where its joint turns back.
         return None
     low, high = list(arm.rotors), list(arm.rotors)

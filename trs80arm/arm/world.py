@@ -18,6 +18,7 @@ import numpy.typing as npt
 from trs80arm.arm.ahead import Ahead
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.body import Body
+from trs80arm.arm.cell.home import HomeSwitch
 from trs80arm.arm.cell.inputs import IDLE, nibble
 from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.contact.clock import TICK_STATES
@@ -86,6 +87,7 @@ class World:
         bench.lay()
         bench.scene.arm = self._linkage
         bench.scene.put_arm(self._commands(self._rotors))
+        self._homes: list[HomeSwitch] | None = None
         driven = drive.driven(self._rotors)
         for switch in bench.homes:
             switch.begin(driven[switch.motor])
@@ -325,11 +327,19 @@ class World:
 
     # The arm
 
+    @property
+    def homes(self) -> list[HomeSwitch]:
+        """The home switches, which have to see where joints turn back."""
+        if self._homes is None:
+            self._homes = self.bench.homes
+        return self._homes
+
     def _turn_homes(self) -> None:
         """The cams of the home switches turn with the joints."""
-        driven = self.drive.driven(self._rotors)
-        for switch in self.bench.homes:
-            switch.turn(driven[switch.motor])
+        if self.homes:
+            driven = self.drive.driven(self._rotors)
+            for switch in self.homes:
+                switch.turn(driven[switch.motor])
 
     def moved(self, rotors: Sequence[int], latch: int) -> None:
         """Follow a rotor.
@@ -341,8 +351,7 @@ class World:
         self._rotors[latch] = rotors[latch]
         self.grip.cable = self.drive.cable(self._rotors)
         self._busy = True
-        if self.bench.homes:
-            self._turn_homes()
+        self._turn_homes()
 
     def arrive(self, rotors: Sequence[int], ticked: Sequence[int], time: int) -> None:
         """Be somewhere that free motion has led to.
@@ -354,8 +363,7 @@ class World:
         """
         self._rotors[:] = rotors
         self.grip.cable = self.drive.cable(rotors)
-        if self.bench.homes:
-            self._turn_homes()
+        self._turn_homes()
         if time >= self.due:
             ticks = (time - self.due) // TICK_STATES
             self.skip(time)

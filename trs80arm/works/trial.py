@@ -47,6 +47,7 @@ def try_out(works: Works) -> None:
         pass_time(2 * _BREAK)
         if not all(-0x8000 <= count <= 0x7FFF for count in works.driver.registers):
             raise ValueError("registers have 16 bits")
+        works.arm.answers(works.clock.now)
         if not all(map(math.isfinite, astuple(works.arm.state().pose))):
             raise ValueError("the hand is nowhere")
     except Exception:

@@ -199,3 +199,11 @@ def test_a_home_switch_that_cannot_be_gets_one_line(text: str, line: str) -> Non
     with pytest.raises(BenchError) as caught:
         benchfile.parse(text, "b.toml")
     assert str(caught.value).startswith(f"b.toml: {line}")
+
+
+def test_a_switch_is_closed_from_the_t_state_of_the_write_that_turns_its_joint_there() -> None:
+    arm = MiniMover(bench=benchfile.parse("[[home]]\njoint = 'base'\nat = 0.03\nbit = 3"))
+    arm.apply([1000], [0], [PHASES[0]])
+    assert arm.inputs(99_999) == 0b1111
+    arm.apply([100_000], [0], [PHASES[1]])
+    assert arm.inputs(100_000) == 0b0111
