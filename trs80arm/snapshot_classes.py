@@ -154,6 +154,16 @@ CHECKS: dict[type, Callable[[Any], bool]] = {
         and all(is_value(array.kind, value) for value in array.data)
     ),
     inputs.Selector: lambda selector: all(0 <= bit <= 3 for bit in selector.bits),
+    **dict.fromkeys(
+        (
+            turntable.Turntable,
+            conveyor.Conveyor,
+            commanded_feeder.CommandedFeeder,
+            machine.Machine,
+        ),
+        lambda device: device.possible,
+    ),
+    device.Lamp: _wired,
     home.HomeSwitch: lambda switch: _wired(switch) and switch.motor in home.JOINTS.values(),
     mounted.TactilePad: lambda pad: _wired(pad) and (pad.face is None or pad.on in FINGERS),
     **dict.fromkeys(

@@ -90,16 +90,19 @@ def assert_possible(arm: MiniMover) -> None:
         for other in parts[:i]:
             depth = RESTING if part.asleep and other.asleep else TUMBLING
             assert not any(deep(a, b, depth) for a in part.placed for b in other.placed)
-        for obstacle in arm.bench.obstacles:
-            (box,) = obstacle.placed
-            assert not any(deep(solid, box, TUMBLING) for solid in part.placed)
+        for obstacle in (*arm.bench.obstacles, *arm.bench.cell.obstacles):
+            for box in obstacle.placed:
+                assert not any(deep(solid, box, TUMBLING) for solid in part.placed)
     state = arm.state()
     assert state.pose.z > -0.2
     assert 0 <= state.pose.opening <= 3
     assert 0 <= state.force <= 3 + 4 / 52
     time = arm.world.due - 1
-    given = {answer.bank: 1 << answer.bit for answer in arm.answers(time) if answer.given}
-    shown = given.get(arm.bench.cell.nibble, 0)
+    selector, nibble = arm.bench.selector, arm.bench.cell.nibble
+    bank = 0 if selector is None else selector.bank(nibble)
+    shown = 0
+    for answer in arm.answers(time):
+        shown |= (answer.given and answer.bank == bank) << answer.bit
     assert arm.inputs(time) & 0b1110 == 0b1110 & ~shown
     held = [part.name for part in parts if part.held]
     assert (state.held in held) if held else state.held is None

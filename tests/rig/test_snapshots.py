@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import contextlib
 import copy
-import hashlib
 import json
 import os
 import pickle
@@ -20,6 +19,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.sealing import sealed
 from trs80arm import Rig, RigSettings
 from trs80arm.arm import benchfile
 from trs80arm.arm.settings import ArmSettings
@@ -28,7 +28,6 @@ from trs80arm.machine.clock import END_OF_TIME
 from trs80arm.machine.driver import DriverSettings
 from trs80arm.rig import SnapshotError
 from trs80arm.snapshot_classes import OBJECTS, VALUES
-from trs80arm.snapshots import FORMAT
 
 BENCH = "[[part]]\nname = 'cube'\nat = [9, 1]\nsize = [1, 1, 1]\nweight = 1\n"
 SETTINGS = RigSettings(
@@ -210,12 +209,6 @@ def test_equal_machines_have_equal_bytes_in_every_process() -> None:
         for seed in ("1", "2")
     }
     assert len(sums) == 1
-
-
-def sealed(content: Any) -> bytes:
-    """A snapshot with the right length and checksum, whatever is in it."""
-    text = json.dumps(content).encode()
-    return f"{FORMAT} {len(text)} {hashlib.sha256(text).hexdigest()}\n".encode() + text
 
 
 def busy() -> bytes:

@@ -68,6 +68,11 @@ class Conveyor(Device):
         """Whether it runs, and which way."""
         return "stands" if not self.goal else "runs" if self.goal > 0 else "runs back"
 
+    @property
+    def possible(self) -> bool:
+        """Whether it can be."""
+        return super().possible and self.speed > 0 and self.ramp > 0
+
     # How it runs
 
     def velocity(self, time: int) -> float:

@@ -68,6 +68,11 @@ class Device:
         """What it does now, in a word or two."""
         raise NotImplementedError
 
+    @property
+    def possible(self) -> bool:
+        """Whether its values can be those of a device."""
+        return all(0 <= bit <= 3 for bit in self.wires.values())
+
     # The latch
 
     def connect(self, nibble: int) -> None:

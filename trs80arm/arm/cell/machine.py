@@ -74,6 +74,12 @@ class Machine(Device):
         """What it does."""
         return self.phase
 
+    @property
+    def possible(self) -> bool:
+        """Whether it can be."""
+        known = self.phase in (IDLE, BUSY, DONE, ERROR)
+        return super().possible and known and 0 <= self.until <= NEVER and self.seconds > 0
+
     # The handshake
 
     def write(self, time: int, before: int, nibble: int, site: Site, log: EventLog) -> None:

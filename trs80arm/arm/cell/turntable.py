@@ -86,6 +86,11 @@ class Turntable(Device):
         """How far it has been turned."""
         return f"{360 * self.rotor / self.steps:.1f} deg"
 
+    @property
+    def possible(self) -> bool:
+        """Whether it can be."""
+        return super().possible and self.steps > 0
+
     # The latch
 
     def connect(self, nibble: int) -> None:

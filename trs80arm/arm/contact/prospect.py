@@ -122,7 +122,7 @@ class Prospect:
                 for point, _ in contact.points:
                     velocity = plus(move.velocity, cross(move.spin, minus(point, middle)))
                     room, closing = level - dot(normal, point), dot(normal, velocity)
-                    if closing * seconds > room:
+                    if closing > 0 and closing * seconds > room:
                         seconds = max(0.0, room / closing)
         return seconds
 

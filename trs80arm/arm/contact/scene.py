@@ -121,9 +121,9 @@ class Scene:
         return thing
 
     def take_away(self, name: str) -> None:
-        """Have something fixed stand no more; what leaned on it wakes."""
+        """Have something fixed stand no more, if it does; what leaned on it wakes."""
         self._coast = None
-        del self.fixed[name]
+        self.fixed.pop(name, None)
         self._memory.forget(name)
         for body in list(self.bodies.values()):
             if name in body.touching:
@@ -177,9 +177,9 @@ class Scene:
                 body.touching = ()
 
     def carry(self, name: str, velocity: Vector) -> None:
-        """Have the upper side of something fixed carry what lies on it from now on."""
-        thing = self.fixed[name]
-        if thing.carries != velocity:
+        """Have the upper side of something carry what lies on it from now on, if it stands."""
+        thing = self.fixed.get(name)
+        if thing is not None and thing.carries != velocity:
             thing.carries = velocity
             self._coast = None
             for body in list(self.bodies.values()):
