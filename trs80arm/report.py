@@ -12,6 +12,7 @@ from typing import Any
 
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.loads import MotorLoad
+from trs80arm.arm.model import ArmModel
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.outcome import Outcome
 from trs80arm.machine.clock import T_STATES_PER_SECOND
@@ -49,8 +50,8 @@ def report(rig: Rig) -> dict[str, Any]:
 
     Returns:
         `arm`, `bench`, `screen`, `registers`, `joints`, `angles`, `pose`, `grip`, `motors`,
-        `slipped`, `slips`, `events`, `parts`, `score` (None where the bench has no goals), `time`
-        (virtual seconds since power-on).
+        `slipped`, `slips`, `events`, `parts`, `devices`, `sensors`, `score` (None where the bench
+        has no goals), `time` (virtual seconds since power-on).
     """
     state, loads, arm = rig.state, rig.loads, rig.arm
     pose, angles, grip = state.pose, state.angles, loads.grip
@@ -76,7 +77,7 @@ def report(rig: Rig) -> dict[str, Any]:
             "slipped": list(state.slipped),
             "slips": [
                 {
-                    "motor": arm.model.motor_names[event.motor or 0],
+                    "motor": _name(arm.model, event.motor or 0),
                     "time": event.time / T_STATES_PER_SECOND,
                     "steps": event.steps,
                     "reason": event.reason.value if event.reason else None,
@@ -96,11 +97,21 @@ def report(rig: Rig) -> dict[str, Any]:
                 }
                 for name, part in arm.bench.parts.items()
             ],
+            "devices": [{"name": name, "does": does} for name, does in rig.devices.items()],
+            "sensors": [
+                {"name": name, "bit": each.bit, "bank": each.bank, "answers": each.given}
+                for name, each in rig.sensors.items()
+            ],
             "score": rig.score().plain() if arm.bench.goals else None,
             "time": rig.time,
         }
     )
     return told
+
+
+def _name(model: ArmModel, latch: int) -> str:
+    """What people call the motor of a latch; that of the auxiliary one turns a turntable."""
+    return (*model.motor_names, "turntable")[latch]
 
 
 def _motor(load: MotorLoad) -> dict[str, Any]:

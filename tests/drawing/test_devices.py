@@ -116,3 +116,36 @@ def test_a_small_picture_leaves_out_details_but_no_device(device: str) -> None:
         window = Viewport().window(shot, width, height).aligned()
         found = take(shot, width, height, (2, 3), window).body == body
         assert found.mean() > 0.005
+
+
+MACHINE = """
+[[machine]]
+name = "press"
+at = [11.0, 0.0]
+size = [1.5, 1.5, 2.0]
+height = 0.5
+seconds = 2
+start = 2
+busy = 1
+done = 2
+[[part]]
+at = [11.0, 0.0]
+bottom = 0.5
+size = [0.5, 0.5, 0.5]
+"""
+
+
+def test_a_machine_is_seen_with_its_hood_while_that_is_closed_and_its_lamps() -> None:
+    idle, busy, done = (
+        seen(MACHINE, statement, seconds)
+        for statement, seconds in (("OUT 158,0", 0.1), ("OUT 158,4", 0.1), ("OUT 158,4", 2.5))
+    )
+    for readings, state in ((idle, "idle"), (busy, "busy"), (done, "done")):
+        assert readings.devices == (("machine 'press'", state),)
+        machines = {each.name for each in readings.things if each.kind is Kind.MACHINE}
+        assert machines == ({"press", "press hood"} if state == "busy" else {"press"})
+        lit = {each.name for each in readings.things if each.kind is Kind.SENSOR and each.on}
+        assert lit == ({f"press {state}"} if state != "idle" else set())
+        assert all("%" in glyphs for glyphs in fills(readings))
+    hood = solids_of(thing(busy, "press hood"), 1)
+    assert len(hood.corners) == 5 * 8, "four walls and a roof"

@@ -107,3 +107,44 @@ def test_json_is_given_without_what_it_has_in_it(tmp_path: Path) -> None:
     done, told = run(tmp_path, "10 END\n", "--pose")
     assert (done.exit_code, told) == (2, None)
     assert done.stderr.count("\n") == 1
+
+
+CELL = """
+[[conveyor]]
+name = "belt"
+at = [8, -6]
+length = 6
+width = 2
+speed = 1
+run = 0
+photocell = { bit = 2, along = -1 }
+[[turntable]]
+at = [8, 5]
+radius = 1
+drive = "pulse"
+pulse = 3
+[[part]]
+at = [7, -6]
+bottom = 1
+size = [0.5, 0.5, 0.5]
+"""
+
+
+def test_devices_and_what_the_inputs_say_are_told(tmp_path: Path) -> None:
+    program = "10 FOR I=1 TO 30:OUT 158,1:OUT 158,9:NEXT\n"
+    done, told = run(tmp_path, program, bench=CELL)
+    assert done.exit_code == 0
+    belt, turntable = told["devices"]
+    assert belt == {"name": "conveyor 'belt'", "does": "runs"}
+    assert turntable["name"] == "turntable"
+    assert told["sensors"] == [
+        {"name": "belt photocell", "bit": 2, "bank": 0, "answers": True},
+    ]
+
+
+def test_a_turntable_that_slips_is_among_the_slips(tmp_path: Path) -> None:
+    program = "10 OUT 158,5:FOR I=1 TO 99:OUT 158,2:OUT 158,8:OUT 158,1:OUT 158,4:NEXT\n"
+    done, told = run(tmp_path, program, bench="[turntable]\nat = [8, 5]\nradius = 1\n")
+    assert done.exit_code == 0
+    assert {slip["motor"] for slip in told["slips"]} <= {"turntable"}
+    assert told["slips"]
