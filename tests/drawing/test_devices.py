@@ -141,7 +141,7 @@ def test_a_machine_is_seen_with_its_hood_while_that_is_closed_and_its_lamps() ->
         for statement, seconds in (("OUT 158,0", 0.1), ("OUT 158,4", 0.1), ("OUT 158,4", 2.5))
     )
     for readings, state in ((idle, "idle"), (busy, "busy"), (done, "done")):
-        assert readings.devices == (("machine 'press'", state),)
+        assert readings.devices == (("press", state),)
         machines = {each.name for each in readings.things if each.kind is Kind.MACHINE}
         assert machines == ({"press", "press hood"} if state == "busy" else {"press"})
         lit = {each.name for each in readings.things if each.kind is Kind.SENSOR and each.on}

@@ -214,7 +214,7 @@ class Readings:
             slipped=state.slipped,
             coils=state.coils,
             inputs=arm.inputs(rig.clock.now),
-            devices=tuple(rig.devices.items()),
+            devices=tuple((each.name, each.state) for each in arm.bench.cell.devices),
             motors_on=state.motors_on,
             believed=believed,
             pose=state.pose,

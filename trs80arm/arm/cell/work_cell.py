@@ -81,7 +81,7 @@ class WorkCell:
     @property
     def stands(self) -> bool:
         """Whether nothing that devices move will be moved otherwise on the next tick."""
-        return all(device.stands for device in self.devices)
+        return not self.devices or all([device.stands for device in self.devices])
 
     def drive(self, scene: Scene) -> None:
         """Move on a tick what devices move."""
@@ -91,7 +91,7 @@ class WorkCell:
     @property
     def alarm(self) -> int:
         """T-state at which a device acts next of itself."""
-        return min((device.alarm for device in self.devices), default=NEVER)
+        return min([device.alarm for device in self.devices]) if self.devices else NEVER
 
     def ring(self, site: Site, log: EventLog) -> None:
         """That T-state has come: those act whose it is."""
