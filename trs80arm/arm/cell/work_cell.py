@@ -81,7 +81,7 @@ class WorkCell:
     @property
     def stands(self) -> bool:
         """Whether nothing that devices move will be moved otherwise on the next tick."""
-        return not self.devices or all([device.stands for device in self.devices])
+        return not self.devices or all(device.stands for device in self.devices)
 
     def drive(self, scene: Scene) -> None:
         """Move on a tick what devices move."""
