@@ -44,6 +44,9 @@ MODES = re.compile(rb"\x1b\[\?([\d;]+)([hl])")
 STACK = re.compile(rb"\x1b\[([<>])(\d*)u")
 COLOURS = re.compile(r"\x1b\[[\d;]*m")
 PLACE = re.compile(r"\x1b\[(\d+);(\d+)H")
+CODES = re.compile(
+    r"\x1b\[(?P<row>\d+);(?P<column>\d+)H|\x1b\[[?<>=]?[\d;]*[A-Za-z]|(?P<sign>[^\x00-\x1f])"
+)
 
 
 class Terminal:
@@ -110,20 +113,32 @@ class Terminal:
             assert self.process.poll() is None, self.output[-3000:]
             self.read(0.05)
 
+    @property
+    def screen(self) -> str:
+        """What is seen: only what changes is written, be it a letter."""
+        cells = [[" "] * 80 for _ in range(24)]
+        row = column = 0
+        for code in CODES.finditer(self.output.decode(errors="ignore")):
+            if code["row"]:
+                row, column = int(code["row"]) - 1, int(code["column"]) - 1
+            elif code["sign"] and row < 24 and column < 80:
+                cells[row][column] = code["sign"]
+                column += 1
+        return "\n".join(map("".join, cells))
+
     def send(self, data: str, seconds: float = 0.0) -> None:
         """Press keys, and let a little time pass."""
         os.write(self.master, data.encode())
         self.read(seconds)
 
     def type(self, text: str, shown: str | None = None) -> None:
-        """Type text as this terminal spells it, and wait until something is shown for it."""
-        since = len(self.output)
+        """Type text as this terminal spells it, and wait until something is seen for it."""
         for character in text:
             self.send(self._down(character))
             self.read(0.02)
             self.send(self._up(character))
         if shown is not None:
-            self.wait_for(shown, since)
+            self.until(lambda: shown in self.screen)
 
     def _down(self, character: str) -> str:
         if not self.reports:
@@ -316,9 +331,8 @@ def test_told_to_end_it_keeps_the_program_and_leaves_the_terminal_as_it_was(
     tmp_path: Path, number: signal.Signals
 ) -> None:
     with terminal(tmp_path) as one:
-        one.type("10 END\r")
-        one.wait_for("at READY")
-        one.read(1.0)
+        one.type("10 END\r", shown=">10 END")
+        one.read(1.5)
         os.kill(one.process.pid, number)
         assert one.leave() == 128 + number
         assert one.is_as_it_was()
