@@ -15,11 +15,13 @@ from typing import Any
 
 from trs80arm import files, snapshots
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.by_hand import TURNED_BY_HAND
 from trs80arm.arm.cell.inputs import Answer
 from trs80arm.arm.goals import Score
 from trs80arm.arm.loads import Loads
-from trs80arm.arm.minimover import TURNED_BY_HAND, ArmState, MiniMover
+from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.model import Pose
+from trs80arm.arm.state import ArmState
 from trs80arm.basic import cruncher
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.errors import BasicError

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from trs80arm import Rig, RigSettings
 from trs80arm.arm import benchfile
-from trs80arm.arm.minimover import MotorsOn
+from trs80arm.arm.by_hand import MotorsOn
 from trs80arm.basic.activity import Waiting
 from trs80arm.rig import Input
 

@@ -13,6 +13,7 @@ import math
 from typing import TYPE_CHECKING
 
 from trs80arm.arm.ahead import Ahead, look_ahead
+from trs80arm.arm.bearing import period_at
 from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.forces import nearest_and_farthest
 from trs80arm.arm.model import Motor
@@ -188,7 +189,7 @@ def _arrive(arm: MiniMover, ahead: Ahead) -> None:
         motor.asked(ahead.moments(order, max(0, steps - RING - 1), steps), turning.turn)
         motor.follow(steps)
         motor.moved = turning.last
-        motor.done = turning.last + arm.period_at(turning.latch, turning.turn, stood)
+        motor.done = turning.last + period_at(arm, turning.latch, turning.turn, stood)
         motor.field = (motor.field if motor.row >= 0 else motor.rotor) + turning.net
         motor.rotor += turning.net
         motor.row = ROWS[turning.nibble]

@@ -12,8 +12,8 @@ import numpy as np
 from trs80arm.arm import benchfile
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.figures import Figure, FigureError, figure
-from trs80arm.arm.minimover import ArmState
 from trs80arm.arm.settings import ArmSettings
+from trs80arm.arm.state import ArmState
 from trs80arm.article.interface import block_diagram, drive_circuit
 from trs80arm.article.keyboard import keyboard
 from trs80arm.bundled import programs_folder

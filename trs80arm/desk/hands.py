@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import astuple, dataclass, replace
 from math import degrees
 
+from trs80arm.arm.by_hand import InTheWay, MotorsOn
 from trs80arm.arm.geometry import JointAngles, OutOfReach
-from trs80arm.arm.minimover import InTheWay, MotorsOn
 from trs80arm.desk.session import Session
 from trs80arm.rig import Pose
 

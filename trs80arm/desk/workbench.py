@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from trs80arm.arm.by_hand import InTheWay
 from trs80arm.arm.events import Reason
-from trs80arm.arm.minimover import InTheWay
 from trs80arm.arm.motors import RING
 from trs80arm.benches import bench_files
 from trs80arm.bundled import comes_along, programs_folder

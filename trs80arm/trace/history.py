@@ -19,7 +19,8 @@ from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.pulses import Series
 
 if TYPE_CHECKING:
-    from trs80arm.arm.minimover import ArmState, MiniMover
+    from trs80arm.arm.minimover import MiniMover
+    from trs80arm.arm.state import ArmState
 
 WRITES = 1 << 16
 """How many latch writes are kept: some minutes of one motor, half a minute of six."""

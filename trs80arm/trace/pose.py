@@ -25,7 +25,7 @@ from trs80arm.trace.files import kind_of, seconds, trace_file
 
 if TYPE_CHECKING:
     from trs80arm.arm.loads import Loads
-    from trs80arm.arm.minimover import ArmState
+    from trs80arm.arm.state import ArmState
 
 _MOTORS = tuple(motor.name.lower() for motor in Motor)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from trs80arm.arm.bench import BenchError
-from trs80arm.arm.minimover import InTheWay, MotorsOn
+from trs80arm.arm.by_hand import InTheWay, MotorsOn
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 
 

@@ -18,9 +18,9 @@ from trs80arm.arm.figures.gripping import gripping
 from trs80arm.arm.figures.measured import envelope, grip_curves, phase_table, table1_rows
 from trs80arm.arm.figures.structure import structure
 from trs80arm.arm.figures.wrist import roll_and_pitch
-from trs80arm.arm.minimover import ArmState
 from trs80arm.arm.model import ArmModel
 from trs80arm.arm.settings import ArmSettings
+from trs80arm.arm.state import ArmState
 
 __all__ = [
     "NAMES",

@@ -10,11 +10,12 @@ import math
 from dataclasses import replace
 
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.by_hand import InTheWay
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.experiments import Verdict, table1
 from trs80arm.arm.figures.chart import Chart, Series, Style, Table
 from trs80arm.arm.geometry import JointAngles, forward
-from trs80arm.arm.minimover import InTheWay, MiniMover
+from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.model import Motor, Pose
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.stepping import PulseGenerator, delay_period

@@ -1,0 +1,122 @@
+"""How an arm goes through a burst: in strides while nothing happens, else write by write."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from trs80arm.arm.burst import LONGEST, run_free
+from trs80arm.arm.cell.device import NEVER
+from trs80arm.arm.model import Motor
+from trs80arm.arm.stride import stride
+from trs80arm.pulses import Burst
+
+if TYPE_CHECKING:
+    from trs80arm.arm.minimover import MiniMover
+
+SHORT = 24
+"""Writes in a burst below which they are done one by one."""
+FEW = 4
+"""Writes done one by one where something may happen, before it is looked at again."""
+
+HAND = int(Motor.HAND)
+
+
+def follow_burst(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> int:
+    """`MiniMover.follow`, without having the load be shown where it is."""
+    count = len(burst)
+    if count < SHORT or (stop is not None and stop[0] & 0b1110 and arm.bench.sensors):
+        return _follow_singly(arm, burst, None, stop)[0]
+    rest, patience = burst, FEW
+    while rest:
+        if len(rest) >= SHORT:
+            arm.let_pass(rest.begins)
+        if len(rest) >= SHORT and arm.free:
+            near, beyond = _before_alarm(arm, rest)
+            left, ended = _stride(arm, near, stop)
+            done = len(near) - len(left)
+            if ended:
+                return count - len(rest) + done
+            # Where something happens it goes on happening for a while.
+            patience = FEW if done else min(2 * patience, 8 * SHORT)
+            rest = left if beyond is None else rest.split(done)[1]
+            if not rest:
+                break
+        few, rest = rest.split(min(len(rest), patience if arm.free else FEW))
+        done, ended = _follow_singly(arm, few, rest.begins if rest else None, stop)
+        if ended:
+            return count - len(rest) - len(few) + done
+    return count
+
+
+def _before_alarm(arm: MiniMover, burst: Burst) -> tuple[Burst, Burst | None]:
+    """The writes before a device acts of itself, and the rest of them if it does by the end."""
+    alarm = arm.world.alarm
+    if alarm == NEVER or alarm > burst.ends:
+        return burst, None
+    return burst.until(alarm)
+
+
+def _stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> tuple[Burst, bool]:
+    """As much of a burst at once as can be; what is left, and whether it was stopped there."""
+    ahead = _hand_ahead(arm, burst, stop)
+    if ahead < len(burst):
+        near = burst.split(ahead)[0]
+        left = stride(arm, near, stop) if near else near
+        done = 0 if left is None else len(near) - len(left)
+        return burst.split(done)[1], False
+    left = stride(arm, burst, stop)
+    if left is not None:
+        return left, False
+    some, beyond = burst.split(min(len(burst), LONGEST))
+    then = beyond.begins if beyond else None
+    done, ended = run_free(arm, some.columns(), then, stop)
+    return burst.split(done)[1], ended
+
+
+def _hand_ahead(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> int:
+    """Writes at the beginning of a burst up to which the hand alone cannot come to its end.
+
+    Its end is where it is shut or wide open, squeezes as hard as it can, or closes the switch.
+    """
+    grip, model = arm.grip, arm.model
+    if not burst.only(HAND):
+        return len(burst)
+    if grip.contact:
+        hand = model.hand
+        most = hand.most_squeeze if stop is None else hand.switch_steps
+        room = most - 1 - int(grip.squeeze)
+    elif grip.cable > 0:
+        room = min(int(model.hand.range * model.hand_steps) - grip.cable, grip.cable)
+    else:
+        return len(burst)
+    return max(0, min(len(burst), room - 2))
+
+
+def _follow_singly(
+    arm: MiniMover, burst: Burst, then: int | None, stop: tuple[int, int] | None
+) -> tuple[int, bool]:
+    """Do writes one by one.
+
+    Args:
+        arm: the arm.
+        burst: the writes.
+        then: T-state of the write after them, if they are the beginning of a burst.
+        stop: as for `MiniMover.follow`.
+
+    Returns:
+        How many were done, and whether they were stopped there.
+    """
+    writes, write = burst.columns(), arm.write
+    times, latches, nibbles = writes.times, writes.latches, writes.nibbles
+    if stop is None:
+        for time, latch, nibble in zip(times, latches, nibbles, strict=True):
+            write(int(time), int(latch), int(nibble))
+        return len(times), False
+    mask, value = stop
+    for done, latch in enumerate(latches, start=1):
+        time = int(times[done - 1])
+        write(time, int(latch), int(nibbles[done - 1]))
+        after = times[done] if done < len(times) else then
+        if after != time and arm.inputs(time) & mask == value:
+            return done, True
+    return len(times), False
