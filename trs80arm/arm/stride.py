@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 Span = tuple[float, float]
 
+_BY_THEMSELVES = (Motor.SHOULDER, Motor.ELBOW)
+"""What bears its load at its own angle, wherever the others are."""
+
 
 def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst | None:
     """Do a burst at once, or the beginning of it in which it is certain that nothing happens.
@@ -181,9 +184,13 @@ def _arrive(arm: MiniMover, ahead: Ahead) -> None:
         there[turning.latch] += turning.net
     for order, turning in enumerate(turnings):
         # Where every rotor stood just before the last step of this one, whose time hangs on it.
-        stood = list(here)
-        for each, turned in zip(turnings, ahead.turned_at_last(order), strict=True):
-            stood[each.latch] += turned
+        if arm.motor_kinds[turning.latch] in _BY_THEMSELVES:
+            stood = list(there)
+            stood[turning.latch] -= turning.turn
+        else:
+            stood = list(here)
+            for each, turned in zip(turnings, ahead.turned_at_last(order), strict=True):
+                stood[each.latch] += turned
         motor = arm.motors[turning.latch]
         steps = turning.steps
         motor.asked(ahead.moments(order, max(0, steps - RING - 1), steps), turning.turn)
