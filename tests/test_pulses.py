@@ -154,3 +154,14 @@ def test_a_motor_that_stands_elsewhere_in_the_ring_is_not_looked_ahead_at() -> N
     motors = standing(burst)
     motors[0].rotor = 1
     assert PulsesAhead.of(motors, burst) is None
+
+
+def test_a_motor_that_turns_back_is_not_taken_to_go_on_with_another() -> None:
+    places = [1, 2, 3, 2, 1, 0, -1, -2]
+    writes = [(1000 * k, 3, PHASES[k + 1]) for k in range(2)]
+    writes += [(2000 + 1000 * k, 4, PHASES[place % 8]) for k, place in enumerate(places)]
+    columns = Columns(*zip(*writes, strict=True)).arrays()
+    ahead = ColumnsAhead.of([StepperMotor() for _ in range(6)], columns)
+    assert ahead is not None
+    assert ahead.together(((3, 1), (4, 1))) == (0, 5)
+    assert ahead.together(((4, 1),)) == (-2, 3)
