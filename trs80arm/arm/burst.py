@@ -1,9 +1,9 @@
 """Whole motions at once: a burst of latch writes as arrays, while nothing happens.
 
-`MiniMover` sends long bursts here first. Everything that could make a difference, a stop near,
-something on the bench near, a motor out of step, a feeder about to feed, ends the stretch that
-is done in one go, and the arm does what follows write by write. The tests for "nothing near"
-are wider than the ones for contact, so both ways give the same state to the last half-step.
+Bursts come here whose bounds are not enough for a stride. Everything that could make a difference,
+a stop near, something on the bench near, a motor out of step, a feeder about to feed, ends the
+stretch that is done in one go, and the arm does what follows write by write. The tests for "nothing
+near" are wider than the ones for contact, so both ways give the same state to the last half-step.
 """
 
 from __future__ import annotations
