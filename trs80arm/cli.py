@@ -15,6 +15,7 @@ import os
 import re
 import sys
 from collections.abc import Callable
+from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
@@ -158,10 +159,11 @@ class Told(click.Option):
         record = super().get_help_record(ctx)
         if record is None or "{arms}" not in record[1]:
             return record
-        from trs80arm.arm.models import MODELS
-
+        # Their modules are listed, not loaded: help answers without numpy.
+        modules = (file.name for file in (resources.files("trs80arm") / "arm" / "models").iterdir())
+        arms = sorted(name[:-3] for name in modules if name.endswith(".py") and name[0] != "_")
         flag, text = record
-        return flag, text.format(arms=" or ".join(MODELS))
+        return flag, text.format(arms=" or ".join(arms))
 
 
 def _settings_options(flags: dict[str, tuple[str, str]]) -> Callable[[Command], Command]:
