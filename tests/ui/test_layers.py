@@ -273,3 +273,16 @@ async def test_a_frame_is_written_at_once_and_of_it_what_changed(sit_down: Opene
         [change] = update.changes
         assert (change.x, change.y) == (place.x + 1, place.y + 1)
         assert "".join(text for text, _ in change.runs).startswith("AB")
+
+
+@piloted
+async def test_where_nothing_changes_nothing_is_written(sit_down: Opener) -> None:
+    async with sit_down(120, 40) as sitting:
+        await sitting.type_line("CLS")
+        await sitting.settle()
+        await sitting.pilot.pause(0.1)
+        written = watch_lines(sitting)
+        for _ in range(5):
+            sitting.app.draw()
+            await sitting.pilot.pause(0.05)
+        assert written == []

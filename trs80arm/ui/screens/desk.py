@@ -123,6 +123,7 @@ class DeskScreen(Layer):
         self._pixels_took = 0.0
         self._shown: list[tuple[Cadence, AnyPanel]] = []
         self._loads: Loads | None = None
+        self._titles = "", ""
         self.still = False
         self._chosen_lead: Lead | None = None
         self._moving_lead = Lead.TUBE
@@ -426,6 +427,9 @@ class DeskScreen(Layer):
 
     def entitle(self, program: str, bench: str) -> None:
         """Say on the frames which program is in memory, and which bench stands there."""
+        if (program, bench) == self._titles:
+            return
+        self._titles = program, bench
         self.tube.border_subtitle = escape(shown(program))
         for view in self._arm_views:
             if isinstance(view, TopView):
