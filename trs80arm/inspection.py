@@ -5,29 +5,25 @@ Looking changes nothing and takes none of the machine's time. The terminal's pan
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import islice
 from typing import Any
 
-from trs80arm.basic import addresses
 from trs80arm.basic.control import DIRECT, ForFrame
 from trs80arm.basic.execution import DIRECT_LINE
-from trs80arm.basic.kinds import BY_SIZE, DOUBLE, INTEGER, SINGLE, STRING, Kind
-from trs80arm.basic.numbers import double
+from trs80arm.basic.kinds import DOUBLE, INTEGER, STRING, Kind
 from trs80arm.basic.numbers.decimal import number_text
-from trs80arm.basic.variables import Key
 from trs80arm.deck import Deck, cassettes_of
 from trs80arm.program_text import spell
 from trs80arm.rig import Rig
+from trs80arm.works.named_variables import as_number as as_number
+from trs80arm.works.named_variables import stored_value
 
 MOST_ELEMENTS = 16
 """Elements of an array that are shown."""
 _MARKS = {INTEGER: "%", STRING: "$", DOUBLE: "#"}
-_SUFFIXES = {"%": INTEGER, "!": SINGLE, "#": DOUBLE, "$": STRING}
-_NAME = re.compile(r"([A-Z][A-Z0-9]?)[A-Z0-9]*([%!#$]?)(?:\((.*)\))?")
 
 Line = tuple[int, bytes]
 """A program line as the machine has it: its number, and its crunched text."""
@@ -166,7 +162,7 @@ def depth(rig: Rig) -> int:
 
 
 def value_of(rig: Rig, name: str) -> Any:
-    """What a variable, or an element of an array, holds: a number, or text.
+    """What a variable, or an element of an array, holds: a number of the machine's, or text.
 
     Args:
         rig: the machine.
@@ -175,29 +171,7 @@ def value_of(rig: Rig, name: str) -> Any:
     Raises:
         LookupError: there is none; one line that says why.
     """
-    found = _NAME.fullmatch(name.strip().upper().replace(" ", ""))
-    if found is None:
-        raise LookupError(f"{name.strip()} is no name of a variable")
-    key = _key(rig, found[1], found[2])
-    variables = rig.basic.state.variables
-    if found[3] is None:
-        scalar = variables.scalars.get(key)
-        if scalar is None or scalar.offset is None:
-            raise LookupError(f"there is no {_name(*key)} yet")
-        return _plain(rig, key[1], scalar.value)
-    array = variables.arrays.get(key)
-    if array is None:
-        raise LookupError(f"there is no array {_name(*key)}() yet")
-    index, size = 0, 1
-    subscripts = [_subscript(rig, part) for part in found[3].split(",")]
-    if len(subscripts) != len(array.dims):
-        raise LookupError(f"{_name(*key)}() has {len(array.dims)} subscripts")
-    for subscript, dim in zip(subscripts, array.dims, strict=True):
-        if not 0 <= subscript < dim:
-            raise LookupError(f"{_name(*key)}() has no element {found[3]}")
-        index += subscript * size
-        size *= dim
-    return _plain(rig, key[1], array.data[index])
+    return stored_value(rig.basic, name)
 
 
 def value_text(rig: Rig, name: str) -> str:
@@ -210,30 +184,6 @@ def value_text(rig: Rig, name: str) -> str:
     if isinstance(value, str):
         return f'"{value}"'
     return number_text(value).strip()
-
-
-def as_number(value: Any) -> float:
-    """A number of any type, to be compared."""
-    if isinstance(value, double.Double):
-        return float(value.mantissa) * 2.0 ** (value.exponent - 128 - double.BITS)
-    return float(value)
-
-
-def _subscript(rig: Rig, text: str) -> int:
-    return int(text) if text.isdecimal() else int(as_number(value_of(rig, text)))
-
-
-def _key(rig: Rig, name: str, suffix: str) -> Key:
-    if suffix:
-        return name, _SUFFIXES[suffix]
-    code = rig.memory.ram[addresses.TYPE_TABLE + ord(name[0]) - ord("A")]
-    return name, BY_SIZE.get(code, SINGLE)
-
-
-def _plain(rig: Rig, kind: Kind, value: Any) -> Any:
-    if kind == STRING:
-        return rig.basic.state.strings.bytes_of(value).decode("latin-1")
-    return value
 
 
 def elements(rig: Rig, most: int) -> Iterator[Variable]:

@@ -17,6 +17,8 @@ from trs80arm import files, snapshots
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.by_hand import TURNED_BY_HAND
 from trs80arm.arm.cell.inputs import Answer
+from trs80arm.arm.events import ArmEvent
+from trs80arm.arm.fixtures import Part
 from trs80arm.arm.goals import Score
 from trs80arm.arm.loads import Loads
 from trs80arm.arm.minimover import MiniMover
@@ -42,6 +44,7 @@ from trs80arm.snapshots import SnapshotError
 from trs80arm.works.devices import RigSettings, Works, assemble
 from trs80arm.works.inputs import Input, ReplayError, replay
 from trs80arm.works.key_events import KeyEvents
+from trs80arm.works.named_variables import NamedVariables
 from trs80arm.works.observers import Observers, attach
 from trs80arm.works.running import Running
 from trs80arm.works.trial import try_out
@@ -151,6 +154,57 @@ class Rig:
             Whether the condition holds.
         """
         return self._running.run_until(lambda: condition(self), seconds)
+
+    def run_until_line(self, line: int, seconds: float = 60.0) -> bool:
+        """Run until the program is about to execute the first statement of a line.
+
+        The machine stops at the very T-state, before the statement, and goes on with it. A machine
+        that stands at the line already goes on to where it comes to the line again.
+
+        Args:
+            line: its number.
+            seconds: the most virtual time to spend.
+
+        Returns:
+            Whether it got there. A program that has ended, waits for its operator, or has no such
+            line uses up the time.
+        """
+        standing = self._works.basic.next_address
+        begun = self.clock.now
+
+        def reached(address: int) -> bool:
+            if address == standing and self.clock.now == begun:
+                return False
+            program = self._works.basic.program
+            link = program.find(line)
+            return link is not None and address == link - 1
+
+        stop = self.stop_before(reached)
+        try:
+            return not self.run_to(self.clock.now + round(seconds * T_STATES_PER_SECOND))
+        finally:
+            stop()
+
+    def run_until_text(self, text: str, seconds: float = 60.0) -> bool:
+        r"""Run until the machine has printed a text since this call, or what was typed shows it.
+
+        Looked at each sixtieth of a virtual second. It does not matter whether it is still on
+        the tube by then; the end of a line is `\n`.
+
+        Args:
+            text: as it is sent to the display.
+            seconds: the most virtual time to spend.
+
+        Returns:
+            Whether it was printed.
+        """
+        printed = bytearray()
+        wanted = text.replace("\n", "\r").encode("latin-1", errors="replace")
+        stop = self.listen(lambda code, is_echo: printed.append(code))
+        try:
+            return self.run_until(lambda _: wanted in printed, seconds)
+        finally:
+            stop()
 
     def run_until_waiting(self, seconds: float = 60.0) -> Waiting:
         """Run until everything typed is in and the machine waits for the operator again.
@@ -458,6 +512,11 @@ class Rig:
         return self._works.basic
 
     @property
+    def variables(self) -> NamedVariables:
+        """The program's variables by name: `rig.variables["A1"]`, to be read and written."""
+        return NamedVariables(self._works.basic, self.change)
+
+    @property
     def memory(self) -> Memory:
         """The memory map."""
         return self._works.memory
@@ -555,6 +614,25 @@ class Rig:
         """What the devices on the auxiliary latch do at this moment, by what they are called."""
         self._works.arm.advance(self.clock.now)
         return {each.title: each.state for each in self._works.arm.bench.cell.devices}
+
+    @property
+    def parts(self) -> dict[str, Part]:
+        """The parts on the bench as they are at this moment, by name.
+
+        A part says its `origin` (x, y, z of its middle, inches), `turn`, `upwards`, `weight`
+        (ounces), whether it is `held`, and the names of what it is `touching`. Look, do not touch.
+        """
+        self._works.arm.advance(self.clock.now)
+        return dict(self._works.arm.bench.parts)
+
+    @property
+    def events(self) -> list[ArmEvent]:
+        """What happened to arm and bench, the latest `arm.events_kept` of it, in order.
+
+        An event says `kind`, `text`, when it began and last went on in T-states (`time`, `until`),
+        and for a slip the `motor`, the half-steps lost (`steps`) and the `reason`.
+        """
+        return list(self._works.arm.events)
 
     def score(self) -> Score:
         """How well the goals of the bench are done at this moment, from where its parts truly are.

@@ -144,3 +144,29 @@ def test_a_trace_that_cannot_be_written_says_so_in_one_line(tmp_path, name):
     assert str(tmp_path / name) in str(error.value)
     assert "\n" not in str(error.value)
     assert machine.card.observers == [machine.analyser]
+
+
+def test_a_path_may_be_plain_text(tmp_path):
+    machine = Machine()
+    with Trace(machine, str(tmp_path / "a.csv")):
+        machine.step(20, 2)
+    assert len((tmp_path / "a.csv").read_text().splitlines()) == 1 + 2
+
+
+def test_without_a_path_the_writes_are_arrays_at_any_time():
+    machine = Machine()
+    with Trace(machine) as trace:
+        machine.step(20, 2)
+        assert len(trace.arrays["nibble"]) == 2
+        machine.step(20, 0, 3)
+    machine.step(20, 5)
+    arrays = trace.arrays
+    assert [arrays["names"][latch] for latch in arrays["latch"]] == ["base"] * 2 + ["shoulder"] * 3
+    assert [*zip(arrays["t_states"], arrays["latch"], arrays["nibble"], strict=True)] == (
+        machine.analyser.writes[:5]
+    )
+
+
+def test_a_text_file_has_no_arrays(tmp_path):
+    with Trace(Machine(), tmp_path / "a.vcd") as trace, pytest.raises(TraceError, match="arrays"):
+        _ = trace.arrays

@@ -182,3 +182,13 @@ def test_a_pose_trace_that_cannot_be_written_says_so(tmp_path, name):
 def test_a_rate_must_be_possible(tmp_path, rate):
     with pytest.raises(ValueError):
         PoseTrace(Rig(Follower()), tmp_path / "a.csv", rate=rate)
+
+
+def test_without_a_path_the_looks_are_arrays():
+    rig = Rig()
+    with PoseTrace(rig) as eye:
+        rig.type("@STEP 50,100\r")
+        rig.run_until_waiting()
+    arrays = eye.arrays
+    assert arrays["base"][-1] == pytest.approx(100 / 937.8 * 57.2958, abs=1e-3)
+    assert {len(column) for column in arrays.values()} == {1 + 100}

@@ -16,27 +16,27 @@ class TraceError(Exception):
     """A trace cannot be written where it was asked for; one line says why."""
 
 
-def kind_of(path: Path, kinds: Collection[str]) -> str:
+def kind_of(path: Path | str, kinds: Collection[str]) -> str:
     """The suffix of a file in lower case, if it is one of `kinds`.
 
     Raises:
         TraceError: it is none of them.
     """
-    suffix = path.suffix.lower()
+    suffix = Path(path).suffix.lower()
     if suffix not in kinds:
         raise TraceError(f"{path}: a trace of this sort is a file named {' or '.join(kinds)}")
     return suffix
 
 
 @contextmanager
-def trace_file(path: Path) -> Iterator[BinaryIO]:
+def trace_file(path: Path | str) -> Iterator[BinaryIO]:
     """A file that takes its name when the trace ends.
 
     Raises:
         TraceError: it cannot be written.
     """
     try:
-        with whole_file(path) as file:
+        with whole_file(Path(path)) as file:
             yield file
     except OSError as error:
         raise TraceError(f"{path}: {reason(error)}") from None

@@ -12,14 +12,14 @@ from array import array
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
-from typing import BinaryIO, Protocol
+from typing import Any, BinaryIO, Protocol
 
 import numpy as np
 
 from trs80arm.machine.card import Card, Latch, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.pulses import Series
-from trs80arm.trace.files import kind_of, seconds, trace_file
+from trs80arm.trace.files import TraceError, kind_of, seconds, trace_file
 from trs80arm.trace.vcd import VcdSink
 
 NAMES = tuple(latch.name.lower().replace("_", " ") for latch in Latch)
@@ -71,14 +71,13 @@ class CsvSink:
         self._text.detach()
 
 
-class NpzSink:
+class ArraySink:
     """Arrays `t_states`, `seconds`, `latch`, `nibble`, and `names` of the latches by number.
 
-    Ten bytes are kept for a write until the end.
+    Ten bytes are kept for a write.
     """
 
-    def __init__(self, file: BinaryIO) -> None:
-        self._file = file
+    def __init__(self) -> None:
         self._times = array("q")
         self._latches = array("B")
         self._nibbles = array("B")
@@ -92,17 +91,31 @@ class NpzSink:
         ):
             column.frombytes(np.asarray(values).astype(column.typecode).tobytes())
 
+    def arrays(self) -> dict[str, Any]:
+        """What was written so far."""
+        times = np.array(self._times, dtype=np.int64)
+        return {
+            "t_states": times,
+            "seconds": times / T_STATES_PER_SECOND,
+            "latch": np.array(self._latches, dtype=np.uint8),
+            "nibble": np.array(self._nibbles, dtype=np.uint8),
+            "names": np.array(NAMES),
+        }
+
+    def finish(self, time: int) -> None:
+        """Nothing is to be done."""
+
+
+class NpzSink(ArraySink):
+    """The arrays as a file, when the trace ends."""
+
+    def __init__(self, file: BinaryIO) -> None:
+        super().__init__()
+        self._file = file
+
     def finish(self, time: int) -> None:
         """Write the arrays, compressed."""
-        times = np.frombuffer(self._times, dtype=np.int64)
-        np.savez_compressed(
-            self._file,
-            t_states=times,
-            seconds=times / T_STATES_PER_SECOND,
-            latch=np.frombuffer(self._latches, dtype=np.uint8),
-            nibble=np.frombuffer(self._nibbles, dtype=np.uint8),
-            names=np.array(NAMES),
-        )
+        np.savez_compressed(self._file, **self.arrays())
 
 
 class Trace:
@@ -110,7 +123,8 @@ class Trace:
 
     Args:
         rig: what to watch.
-        path: a `.csv`, `.npz` or `.vcd` file; it appears, complete, when the trace is closed.
+        path: a `.csv`, `.npz` or `.vcd` file; it appears, complete, when the trace is closed. None
+            keeps the trace in memory, for `arrays`.
 
     Raises:
         TraceError: the suffix is another one, or the file cannot be written.
@@ -118,20 +132,35 @@ class Trace:
 
     each_step = False
 
-    def __init__(self, rig: Probed, path: Path) -> None:
-        kind = kind_of(path, (".csv", ".npz", ".vcd"))
+    def __init__(self, rig: Probed, path: Path | str | None = None) -> None:
         self._rig = rig
         self._opened = ExitStack()
-        file = self._opened.enter_context(trace_file(path))
-        self._sink: LatchSink
-        if kind == ".csv":
-            self._sink = CsvSink(file)
-        elif kind == ".npz":
-            self._sink = NpzSink(file)
-        else:
-            self._sink = VcdSink(file, rig.clock.now, rig.card.latches)
+        self._sink: LatchSink = ArraySink() if path is None else self._sink_of(path)
         self._take_off = rig.watch_latches(self)
         self._is_on = True
+
+    def _sink_of(self, path: Path | str) -> LatchSink:
+        kind = kind_of(path, (".csv", ".npz", ".vcd"))
+        file = self._opened.enter_context(trace_file(path))
+        if kind == ".csv":
+            return CsvSink(file)
+        if kind == ".npz":
+            return NpzSink(file)
+        return VcdSink(file, self._rig.clock.now, self._rig.card.latches)
+
+    @property
+    def arrays(self) -> dict[str, Any]:
+        """What was written so far, as numpy arrays of one length but for `names`.
+
+        `t_states`, `seconds` since power-on, `latch` (0 the base's), `nibble` (phi1 is its bit of
+        value 8), and `names` of the latches by number.
+
+        Raises:
+            TraceError: the trace goes to a text file.
+        """
+        if not isinstance(self._sink, ArraySink):
+            raise TraceError("a trace that goes to a text file has no arrays")
+        return self._sink.arrays()
 
     def wrote(self, times: Series, latches: Series, nibbles: Series) -> None:
         """Note a burst of writes (the card calls this)."""

@@ -21,7 +21,7 @@ from trs80arm.arm.model import Motor
 from trs80arm.machine.card import Card, Observer
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.pulses import Series
-from trs80arm.trace.files import kind_of, seconds, trace_file
+from trs80arm.trace.files import TraceError, kind_of, seconds, trace_file
 
 if TYPE_CHECKING:
     from trs80arm.arm.loads import Loads
@@ -97,11 +97,10 @@ class CsvSink:
         self._text.detach()
 
 
-class NpzSink:
+class ArraySink:
     """Arrays `t_states` and `seconds`, and one of each column's name."""
 
-    def __init__(self, file: BinaryIO) -> None:
-        self._file = file
+    def __init__(self) -> None:
         self._times = array("q")
         self._values = array("d")
 
@@ -110,14 +109,27 @@ class NpzSink:
         self._times.append(time)
         self._values.extend(values)
 
+    def arrays(self) -> dict[str, Any]:
+        """What was seen so far."""
+        times = np.array(self._times, dtype=np.int64)
+        values = np.array(self._values, dtype=np.float64).reshape(-1, len(COLUMNS))
+        columns = {name: values[:, place] for place, name in enumerate(COLUMNS)}
+        return {"t_states": times, "seconds": times / T_STATES_PER_SECOND, **columns}
+
+    def finish(self) -> None:
+        """Nothing is to be done."""
+
+
+class NpzSink(ArraySink):
+    """The arrays as a file, when the trace ends."""
+
+    def __init__(self, file: BinaryIO) -> None:
+        super().__init__()
+        self._file = file
+
     def finish(self) -> None:
         """Write the arrays, compressed."""
-        times = np.frombuffer(self._times, dtype=np.int64)
-        values = np.frombuffer(self._values, dtype=np.float64).reshape(-1, len(COLUMNS))
-        columns: dict[str, Any] = {name: values[:, place] for place, name in enumerate(COLUMNS)}
-        np.savez_compressed(
-            self._file, t_states=times, seconds=times / T_STATES_PER_SECOND, **columns
-        )
+        np.savez_compressed(self._file, **self.arrays())
 
 
 class PoseTrace:
@@ -130,7 +142,8 @@ class PoseTrace:
 
     Args:
         rig: what to watch.
-        path: a `.csv` or `.npz` file; it appears, complete, when the trace is closed.
+        path: a `.csv` or `.npz` file; it appears, complete, when the trace is closed. None keeps
+            the trace in memory, for `arrays`.
         rate: looks a virtual second, or None for each step.
 
     Raises:
@@ -140,22 +153,40 @@ class PoseTrace:
 
     each_step = True
 
-    def __init__(self, rig: Watched, path: Path, rate: float | None = None) -> None:
+    def __init__(
+        self, rig: Watched, path: Path | str | None = None, rate: float | None = None
+    ) -> None:
         if rate is not None and not 0 < rate <= T_STATES_PER_SECOND:
             raise ValueError(f"{rate} looks a second cannot be taken")
-        kind = kind_of(path, (".csv", ".npz"))
         self._rig = rig
         self._interval = None if rate is None else T_STATES_PER_SECOND / rate
         self._start = rig.clock.now
         self._looks = 0
         self._last = values_of(rig)
         self._opened = ExitStack()
-        file = self._opened.enter_context(trace_file(path))
-        self._sink: PoseSink = CsvSink(file) if kind == ".csv" else NpzSink(file)
+        self._sink: PoseSink = ArraySink() if path is None else self._sink_of(path)
         if rate is None:
             self._sink.row(self._start, self._last)
         self._take_off = rig.watch_latches(self)
         self._is_on = True
+
+    def _sink_of(self, path: Path | str) -> PoseSink:
+        kind = kind_of(path, (".csv", ".npz"))
+        file = self._opened.enter_context(trace_file(path))
+        return CsvSink(file) if kind == ".csv" else NpzSink(file)
+
+    @property
+    def arrays(self) -> dict[str, Any]:
+        """What was seen so far, as numpy arrays of one length, by the names of `COLUMNS`.
+
+        `t_states` and `seconds` since power-on stand before them.
+
+        Raises:
+            TraceError: the trace goes to a text file.
+        """
+        if not isinstance(self._sink, ArraySink):
+            raise TraceError("a trace that goes to a text file has no arrays")
+        return self._sink.arrays()
 
     def wrote(self, times: Series, latches: Series, nibbles: Series) -> None:
         """Look at the arm after an instant's writes (the card calls this)."""
