@@ -185,7 +185,7 @@ def test_a_rate_must_be_possible(tmp_path, rate):
 
 
 def test_without_a_path_the_looks_are_arrays():
-    rig = Rig()
+    rig = trs80arm.Rig()
     with PoseTrace(rig) as eye:
         rig.type("@STEP 50,100\r")
         rig.run_until_waiting()
