@@ -404,6 +404,30 @@ def film(**given: Any) -> None:
 
 
 @cli.command()
+@click.argument("programs", type=A_PROGRAM, nargs=-1, required=True)
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["text", "json", "sarif"]),
+    default="text",
+    show_default=True,
+    help="Lines `file:line: text`, one JSON object, or SARIF 2.1.0.",
+)
+@click.option("--strict", is_flag=True, help="Exit code 1 for warnings too.")
+@click.option("--no-armbasic", is_flag=True, help="The bare ROM: @ words are errors.")
+def check(programs: tuple[Path, ...], form: str, strict: bool, no_armbasic: bool) -> None:
+    """Read PROGRAMS without running them, and tell what is wrong in them.
+
+    Errors are what stops the machine when it comes there: syntax, jumps to missing lines, too many
+    values for @STEP. Warnings are two names that are one variable, and lines lost to a later one of
+    the same number. The exit code is 1 when there are errors, 2 when a file is no program.
+    """
+    from trs80arm.check.command import run_check
+
+    sys.exit(run_check(programs, form, strict=strict, armbasic=not no_armbasic))
+
+
+@cli.command()
 @click.argument("source", type=A_PROGRAM)
 @click.argument("target", type=A_PATH)
 @click.option("--keep-good", is_flag=True, help="Take what is good of a damaged file.")

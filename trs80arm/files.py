@@ -26,6 +26,7 @@ __all__ = [
     "kind_of",
     "load_program",
     "parse_program",
+    "read_program",
     "save_program",
 ]
 
@@ -96,11 +97,11 @@ def parse_program(data: bytes, *, keep_good: bool = False) -> list[ProgramLine]:
     return lines
 
 
-def load_program(path: Path, *, keep_good: bool = False) -> list[ProgramLine]:
-    """The program in a file.
+def read_program(path: Path) -> bytes:
+    """The content of a program file.
 
     Raises:
-        FileFormatError: the file is damaged or no program; the message begins with its path.
+        FileFormatError: it is too long for a program; the message begins with its path.
         OSError: it cannot be read.
     """
     try:
@@ -110,9 +111,20 @@ def load_program(path: Path, *, keep_good: bool = False) -> list[ProgramLine]:
         # What fails while it is read has no name of its own.
         error.filename = error.filename or str(path)
         raise
+    if len(data) > LARGEST:
+        raise FileFormatError(f"{path}: longer than {LARGEST >> 20} MB, which no program is")
+    return data
+
+
+def load_program(path: Path, *, keep_good: bool = False) -> list[ProgramLine]:
+    """The program in a file.
+
+    Raises:
+        FileFormatError: the file is damaged or no program; the message begins with its path.
+        OSError: it cannot be read.
+    """
+    data = read_program(path)
     try:
-        if len(data) > LARGEST:
-            raise FileFormatError(f"longer than {LARGEST >> 20} MB, which no program is")
         return parse_program(data, keep_good=keep_good)
     except FileFormatError as error:
         named = FileFormatError(f"{path}: {error}")

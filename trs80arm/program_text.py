@@ -38,6 +38,42 @@ class _Source:
         return self.skipped + len(self.text[:position].encode(self.encoding))
 
 
+@dataclass(frozen=True)
+class WrittenLine:
+    """A line of a listing that is not blank.
+
+    Attributes:
+        place: which line of the file it is, from 1.
+        offset: where in the file it begins, in bytes.
+        text: as it is written.
+        number: its line number.
+        crunched: its text as the machine holds it.
+        fault: why it is no program line; empty if it is one.
+    """
+
+    place: int
+    offset: int
+    text: str
+    number: int = 0
+    crunched: bytes = b""
+    fault: str = ""
+
+
+def written_lines(data: bytes) -> Iterator[WrittenLine]:
+    """The lines of a listing as they stand in the file, blank ones left out."""
+    source = _decode(data)
+    for place, (position, text) in enumerate(_split(source.text), start=1):
+        if not text.strip():
+            continue
+        offset = source.offset(position)
+        try:
+            number, crunched = _parse_line(text)
+        except _BadLine as bad:
+            yield WrittenLine(place, offset, text, fault=str(bad))
+            continue
+        yield WrittenLine(place, offset, text, number, crunched)
+
+
 def parse(data: bytes, *, keep_good: bool = False) -> list[ProgramLine]:
     """The program of a listing, its lines in order.
 
@@ -52,21 +88,16 @@ def parse(data: bytes, *, keep_good: bool = False) -> list[ProgramLine]:
     Raises:
         FileFormatError: a line without a number, or one that the machine has no characters for.
     """
-    source = _decode(data)
     lines: dict[int, bytes] = {}
-    for count, (position, text) in enumerate(_split(source.text), start=1):
-        if not text.strip():
-            continue
-        try:
-            number, crunched = _parse_line(text)
-        except _BadLine as bad:
+    for line in written_lines(data):
+        if line.fault:
             if keep_good:
                 continue
-            raise FileFormatError(f"line {count} {bad}", source.offset(position)) from None
-        if crunched:
-            lines[number] = crunched
+            raise FileFormatError(f"line {line.place} {line.fault}", line.offset)
+        if line.crunched:
+            lines[line.number] = line.crunched
         else:
-            lines.pop(number, None)
+            lines.pop(line.number, None)
     return sorted(lines.items())
 
 

@@ -1,0 +1,1 @@
+"""Programs read without running them: `trs80arm check`."""

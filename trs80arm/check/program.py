@@ -1,0 +1,155 @@
+"""One program file read without running it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from trs80arm.basic.errors import Code
+from trs80arm.basic.proofreader import Misprint, misprints
+from trs80arm.check.findings import Finding, Level, Rule
+from trs80arm.check.names import Clash, clashes
+from trs80arm.files import FileFormatError, Kind, kind_of, parse_program, read_program
+from trs80arm.machine.cassette import ProgramLine
+from trs80arm.program_text import WrittenLine, spell, written_lines
+from trs80arm.rig import Rig, RigSettings
+
+_LARGEST_KIB: Final = 48
+_RULES: Final = {
+    Code.SN: Rule.SYNTAX,
+    Code.MO: Rule.SYNTAX,
+    Code.UL: Rule.MISSING_LINE,
+    Code.TM: Rule.TYPE,
+    Code.L3: Rule.DISK_BASIC,
+}
+
+
+@dataclass(frozen=True)
+class _Listing:
+    """The lines of a file by what they are in the machine."""
+
+    file: Path
+    lines: dict[int, bytes]
+    places: dict[int, int]
+    """By line number, which line of the file it is."""
+    written: dict[int, str]
+    """By line number, how it stands in the file, where that is a text."""
+
+    def finding(self, rule: Rule, level: Level, text: str, number: int, position: int) -> Finding:
+        """What was found behind so many bytes of a line's crunched text."""
+        crunched = self.lines[number]
+        as_listed = f"{number} {spell(crunched)}"
+        column = None
+        if self.written.get(number, "").rstrip() == as_listed.rstrip():
+            column = len(f"{number} {spell(crunched[:position])}") + 1
+        return Finding(self.file, self.places[number], rule, level, text, number, column)
+
+
+def check_program(path: Path, *, armbasic: bool = True) -> list[Finding]:
+    """What is wrong in a program, as far as reading it tells for certain.
+
+    Args:
+        path: the program: text, crunched or a cassette.
+        armbasic: whether ARMBASIC is loaded; without it its words are errors.
+
+    Returns:
+        The findings in the order of the file.
+
+    Raises:
+        FileFormatError: the file is damaged or no program.
+        OSError: it cannot be read.
+    """
+    data = read_program(path)
+    try:
+        return check_bytes(path, data, armbasic=armbasic)
+    except FileFormatError as error:
+        raise FileFormatError(f"{path}: {error}") from None
+
+
+def check_bytes(path: Path, data: bytes, *, armbasic: bool = True) -> list[Finding]:
+    """The same of what stands in a file.
+
+    Raises:
+        FileFormatError: it is damaged or no program.
+    """
+    findings: list[Finding] = []
+    if data and kind_of(data) is Kind.TEXT:
+        listing = _of_text(path, list(written_lines(data)), findings)
+    else:
+        lines = parse_program(data)
+        places = {number: place for place, (number, _) in enumerate(lines, start=1)}
+        listing = _Listing(path, dict(lines), places, {})
+    findings += _of_program(listing, armbasic)
+    return sorted(findings, key=lambda each: (each.place, each.column or 0))
+
+
+def _of_text(path: Path, written: list[WrittenLine], findings: list[Finding]) -> _Listing:
+    listing = _Listing(path, {}, {}, {})
+    for line in written:
+        if line.fault:
+            text = f"this line {line.fault}"
+            findings.append(Finding(path, line.place, Rule.NO_LINE, Level.ERROR, text))
+            continue
+        number = line.number
+        before = listing.places.get(number)
+        if before is not None and line.crunched:
+            text = f"line {number} stands here again: that of line {before} of the file is lost"
+            findings.append(Finding(path, line.place, Rule.LINE_TWICE, Level.WARNING, text, number))
+        if not line.crunched:
+            listing.lines.pop(number, None)
+            continue
+        listing.lines[number] = line.crunched
+        listing.places[number] = line.place
+        listing.written[number] = line.text
+    return listing
+
+
+def _of_program(listing: _Listing, armbasic: bool) -> Iterator[Finding]:
+    lines: list[ProgramLine] = sorted(listing.lines.items())
+    rig = Rig(RigSettings(ram_kib=_LARGEST_KIB, armbasic=armbasic))
+    rig.load_lines(lines)
+    state = rig.basic.state
+    if len(state.program) < len(lines):
+        number = lines[len(state.program)][0]
+        text = f"the program fits into {_LARGEST_KIB}K up to here (?OM)"
+        yield listing.finding(Rule.MEMORY, Level.ERROR, text, number, 0)
+        return
+    for misprint in misprints(state):
+        rule = Rule.STEP_VALUES if misprint.too_many else _RULES.get(misprint.code, Rule.OTHER)
+        text = f"{_told(misprint, listing.lines[misprint.line])} (?{misprint.code.letters})"
+        yield listing.finding(rule, Level.ERROR, text, misprint.line, misprint.position)
+    for clash in clashes(lines):
+        yield listing.finding(
+            Rule.SAME_VARIABLE, Level.WARNING, _clash(clash), clash.line, clash.position
+        )
+
+
+def _told(misprint: Misprint, crunched: bytes) -> str:
+    """What is wrong, in words."""
+    if misprint.too_many:
+        return "@STEP takes a delay and six joints, here is one value more"
+    match misprint.code:
+        case Code.UL if misprint.target is None:
+            return "a line number is missing"
+        case Code.UL:
+            return f"there is no line {misprint.target}"
+        case Code.TM:
+            return "a number and a string do not go together"
+        case Code.MO:
+            return "an operand is missing"
+        case Code.L3:
+            return "a word of Disk BASIC"
+        case Code.SN:
+            rest = spell(crunched[misprint.position :]).strip()
+            return f"syntax error before {rest[:30]!r}" if rest else "syntax error at the end"
+        case _:
+            return "an error whatever the variables hold"
+
+
+def _clash(clash: Clash) -> str:
+    return (
+        f"{clash.name} is the same variable as {clash.other} in line {clash.other_line}: "
+        f"only {clash.name[:2]} counts"
+    )
