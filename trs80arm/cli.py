@@ -403,6 +403,25 @@ def film(**given: Any) -> None:
         fail(error)
 
 
+@cli.command("export")
+@click.argument("program", type=A_PROGRAM, required=False)
+@click.option("-o", "--output", type=A_PATH, required=True, help="The file; its suffix says which.")
+@_machine_options
+def export_(program: Path | None, output: Path, bench: Path | None, **given: Any) -> None:
+    """Write the arm and its bench for other programs.
+
+    MuJoCo's MJCF (.xml, .mjcf) and URDF (.urdf) have the arm that --arm names, as it is switched
+    on, with the bench of --bench or of PROGRAM.
+    """
+    from trs80arm.export.exporting import Export, ExportError, export
+
+    settings = _take_settings(given)
+    try:
+        export(Export(output, program, bench, rig=settings.rig()))
+    except ExportError as error:
+        fail(error)
+
+
 @cli.command()
 @click.argument("programs", type=A_PROGRAM, nargs=-1, required=True)
 @click.option(
