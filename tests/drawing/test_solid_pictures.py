@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 from itertools import pairwise
@@ -156,6 +157,20 @@ def test_the_side_view_has_a_scale_in_inches() -> None:
     assert inches is not None
     assert inches[1].count("+") == 4
     assert any(row.startswith("5-") for row in rows)
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_figures_do_not_run_into_one_another_in_small_pictures(view: str) -> None:
+    drawn, bare = picture(VIEWS[view]), samples.readings(things=())
+    figures: set[str] = set()
+    for _ in range(18):
+        drawn.turn(math.radians(20), 0.0)
+        for width, height in ((66, 8), (30, 8), (20, 5)):
+            rows = drawn.draw(bare, width, height)
+            figures |= {figure for row in rows for figure in re.findall(r"\d+", text_of(row))}
+    assert figures
+    # What stands before a figure can hide its second digit.
+    assert figures <= {"0", "5", "10", "15", "20", "25", "30", "1"}
 
 
 def test_walking_round_the_arm_shows_it_from_elsewhere_and_all_round_is_where_one_began() -> None:

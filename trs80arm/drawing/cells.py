@@ -20,6 +20,8 @@ from trs80arm.drawing.rows import LEVELS, Ink, Paint, Row
 from trs80arm.drawing.solids import Floats, Ints
 
 _Number = TypeVar("_Number", bound=np.generic)
+Text: TypeAlias = tuple[int, int, str, Ink]
+"""What is written on a sheet: column and row of its first character, the text and its ink."""
 SheetShape: TypeAlias = tuple[int, int]
 """Height and width of a sheet of cells."""
 NO_INK = -1
@@ -82,8 +84,8 @@ class Marks:
     inks: Ints
 
     @classmethod
-    def written(cls, texts: Iterable[tuple[int, int, str, Ink]], shape: SheetShape) -> Marks:
-        """Texts on a sheet, each by column and row of its first character; blanks leave cells."""
+    def written(cls, texts: Iterable[Text], shape: SheetShape) -> Marks:
+        """Texts on a sheet; blanks leave cells."""
         height, width = shape
         signs = [
             (row * width + at, ord(sign), INKS.index(ink))
@@ -111,6 +113,22 @@ class Marks:
         rows = y.astype(np.int64)
         glyph = np.where(y - rows < 0.5, ord(glyphs[0]), ord(glyphs[1]))
         return cls(rows * width + x.astype(np.int64), glyph, np.full_like(rows, INKS.index(ink)))
+
+
+def apart(figures: Iterable[Text]) -> list[Text]:
+    """The figures that can be told from one another: without those with another one within a cell.
+
+    Args:
+        figures: what is written where, the ones first that are to be kept.
+    """
+    kept: list[Text] = []
+    for figure in figures:
+        column, row, text, _ = figure
+        if all(
+            y != row or column > x + len(other) or x > column + len(text) for x, y, other, _ in kept
+        ):
+            kept.append(figure)
+    return kept
 
 
 class Cells:

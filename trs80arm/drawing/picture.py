@@ -16,7 +16,7 @@ import numpy as np
 
 from trs80arm.drawing.camera import Camera
 from trs80arm.drawing.canvas_ascii import AsciiCanvas
-from trs80arm.drawing.cells import Cells, LastRows, Marks, SheetShape
+from trs80arm.drawing.cells import Cells, LastRows, Marks, SheetShape, apart
 from trs80arm.drawing.pixels import Pixels
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, fitted, signed
@@ -277,10 +277,10 @@ def _dots(mark: Mark, camera: Camera, window: Window, shape: SheetShape) -> Mark
 def _labels(labels: tuple[Label, ...], camera: Camera, window: Window, shape: SheetShape) -> Marks:
     x, y = _places(camera, window, np.array([label.place for label in labels]))
     return Marks.written(
-        [
+        apart(
             (floor(column) - len(label.text) // 2, floor(row), label.text, label.ink)
             for label, column, row in zip(labels, x.tolist(), y.tolist(), strict=True)
-        ],
+        ),
         shape,
     )
 

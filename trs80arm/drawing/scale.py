@@ -7,7 +7,7 @@ from math import ceil, floor
 
 import numpy as np
 
-from trs80arm.drawing.cells import Cells, Marks, SheetShape
+from trs80arm.drawing.cells import Cells, Marks, SheetShape, Text, apart
 from trs80arm.drawing.materials import INKS, SHADOW
 from trs80arm.drawing.rows import Ink
 from trs80arm.drawing.viewport import ASPECT, Window
@@ -49,13 +49,17 @@ def _figures(window: Window, row: int, shape: SheetShape) -> Marks:
     _, width = shape
     columns = window.scale * ASPECT
     first, last = ceil(window.left), floor(window.left + width / columns)
-    text = [" "] * width
-    for inch in range(first, last + 1):
-        figure = str(abs(inch)) if inch % _EVERY == 0 or columns >= _ROOM else "+"
-        begin = floor(window.cell((inch, 0.0))[0]) - (len(figure) - 1) // 2
-        if begin >= 0 and (figure != "+" or columns >= _LEAST):
-            text[begin : begin + len(figure)] = figure
-    return Marks.written([(0, row, "".join(text[:width]), Ink.LABEL)], shape)
+    inches = sorted(range(first, last + 1), key=abs)
+    fives = [inch for inch in inches if inch % _EVERY == 0]
+    figured = inches if columns >= _ROOM else fives
+
+    def at(inch: int, sign: str) -> Text:
+        column = floor(window.cell((inch, 0.0))[0]) - (len(sign) - 1) // 2
+        return column, row, sign, Ink.LABEL
+
+    marks = [at(inch, "+") for inch in inches] if _LEAST <= columns < _ROOM else []
+    figures = apart(at(inch, str(abs(inch))) for inch in figured)
+    return Marks.written([*marks, *(figure for figure in figures if figure[0] >= 0)], shape)
 
 
 @lru_cache(16)
