@@ -17,7 +17,7 @@ def functions(tree: ast.Module) -> Functions:
 
 
 def asserts(node: ast.AST, known: Functions, seen: frozenset[str] = frozenset()) -> bool:
-    """Whether something is asserted, here or in a function of the module that is called here."""
+    """Whether something is asserted, here or in a known function that is called here."""
     for inner in ast.walk(node):
         if isinstance(inner, ast.Assert):
             return True
@@ -34,11 +34,19 @@ def asserts(node: ast.AST, known: Functions, seen: frozenset[str] = frozenset())
 
 def test_every_test_asserts_something() -> None:
     idle = []
-    for path in sorted(Path(__file__).parent.rglob("test_*.py")):
-        known = functions(ast.parse(path.read_text(encoding="utf-8")))
-        idle += [
-            f"{path.name}: {name}"
-            for name, node in known.items()
-            if name.startswith("test") and not asserts(node, known, frozenset((name,)))
-        ]
+    paths = sorted(Path(__file__).parent.rglob("*.py"))
+    everywhere = {path: functions(ast.parse(path.read_text(encoding="utf-8"))) for path in paths}
+    shared = {
+        name: node
+        for known in everywhere.values()
+        for name, node in known.items()
+        if name.startswith("assert_")
+    }
+    for path, known in everywhere.items():
+        if path.name.startswith("test_"):
+            idle += [
+                f"{path.name}: {name}"
+                for name, node in known.items()
+                if name.startswith("test") and not asserts(node, shared | known, frozenset((name,)))
+            ]
     assert idle == []
