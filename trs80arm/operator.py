@@ -79,6 +79,14 @@ class Operator:
         self._holds: deque[Hold] = deque()
         self._busy_until = 0.0
 
+    def answer(self, text: str) -> None:
+        """Have an answer more to INPUT, after those that there are."""
+        self._inputs.append(text)
+
+    def jog(self, holds: Iterable[Hold]) -> None:
+        """Have something more to do in an `@SET`, after what there is."""
+        self._sets.append(list(holds))
+
     def run(self, seconds: float) -> Waiting:
         """Let the program run, with the operator's help.
 

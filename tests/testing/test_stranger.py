@@ -1,0 +1,110 @@
+"""The plugin in a stranger's repository: a wheel in a fresh venv, one program, one bench, tests.
+
+Kept quick: the wheel is built by setuptools in this process without a build environment, the fresh
+venv has no pip of its own, and what trs80arm stands on is taken from the environment of this run by
+a `.pth` file, so no registry is asked.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from tests.testing.stranger import files, hurry, settle
+
+pytest_plugins = ["pytester"]
+TREE = Path(__file__).parents[2]
+BUILD = "import sys; from setuptools import build_meta; print(build_meta.build_wheel(sys.argv[1]))"
+
+
+def apart(lines: list[str]) -> None:
+    """The diff of the snapshot shows base and shoulder where register and joint had agreed."""
+    text = "\n".join(line.removeprefix("E").strip() for line in lines)
+    assert "-   J1 base                 300       300         0" in text
+    assert "+   J1 base                 300         4       296" in text
+    assert "-   J2 shoulder             -80       -80         0" in text
+
+
+def wheel(folder: Path) -> Path:
+    """A wheel of the tree."""
+    source = folder / "source"
+    unwanted = shutil.ignore_patterns("__pycache__", "*.egg-info")
+    for name in ("trs80arm", "programs"):
+        shutil.copytree(TREE / name, source / name, ignore=unwanted)
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(TREE / name, source / name)
+    subprocess.run(
+        [sys.executable, "-c", BUILD, str(folder)], cwd=source, check=True, capture_output=True
+    )
+    (made,) = folder.glob("*.whl")
+    return made
+
+
+def fresh_environment(folder: Path, made: Path) -> Path:
+    """The Python of a new venv with the wheel in it, and this run's packages behind it."""
+    venv.create(folder, with_pip=False, symlinks=os.name != "nt")
+    places = {"base": str(folder), "platbase": str(folder)}
+    site = Path(sysconfig.get_path("purelib", "venv", places))
+    with zipfile.ZipFile(made) as archive:
+        archive.extractall(site)
+    behind = [place for place in sys.path if place.endswith("-packages")]
+    (site / "behind.pth").write_text("\n".join(behind))
+    return Path(sysconfig.get_path("scripts", "venv", places)) / Path("python").with_suffix(
+        ".exe" if os.name == "nt" else ""
+    )
+
+
+def test_a_strangers_tests_pass_and_a_hurried_arm_fails_them(pytester: pytest.Pytester) -> None:
+    aside = pytester.mkdir("aside")
+    python = fresh_environment(aside / "venv", wheel(aside))
+    repository = pytester.mkdir("repository")
+    settle(repository)
+    clean = {name: value for name, value in os.environ.items() if not name.startswith("PYT")}
+
+    def said(*arguments: str) -> tuple[int, list[str]]:
+        done = subprocess.run(
+            [str(python), *arguments],
+            cwd=repository,
+            env=clean,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            check=False,
+        )
+        return done.returncode, [*done.stdout.splitlines(), *done.stderr.splitlines()]
+
+    tests = ("-m", "pytest", "-p", "no:cacheprovider")
+    _, (where,) = said("-c", "import trs80arm; print(trs80arm.__file__)")
+    assert Path(where).is_relative_to(aside)
+    code, lines = said(*tests, "--snapshot-update", "-k", "table")
+    assert code == 0, lines
+    code, lines = said(*tests)
+    assert code == 0, lines
+    hurry(repository)
+    code, lines = said(*tests)
+    assert code == 1
+    apart(lines)
+    text = "\n".join(lines)
+    assert "motors have slipped" in text
+    assert "shoulder slipped 88 steps: too fast" in text
+    assert "What the arm did" in text
+    assert "1 passed" in text
+    assert "2 failed" in text
+
+
+def test_the_page_leads_to_a_whole_repository() -> None:
+    assert set(files()) == {
+        "arm/fetch.bas",
+        "arm/fetch.toml",
+        "pyproject.toml",
+        "tests/test_fetch.py",
+        ".github/workflows/arm.yml",
+    }

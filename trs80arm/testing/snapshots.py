@@ -1,0 +1,46 @@
+"""Snapshots of a rig as files of their own, by syrupy: text, SVG, and traces as CSV."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from syrupy.extensions.single_file import SingleFileSnapshotExtension, WriteMode
+
+from trs80arm.drawing.readings import Readings
+from trs80arm.drawing.vectors import svg
+from trs80arm.rig import Rig
+from trs80arm.testing.portraits import portrait
+from trs80arm.testing.program_rig import CsvTrace
+
+
+class ArmText(SingleFileSnapshotExtension):
+    """A rig as one readable text file; what is text already stays as it is."""
+
+    _write_mode = WriteMode.TEXT
+    file_extension = "arm.txt"
+
+    def serialize(self, data: Any, **_: Any) -> str:
+        """The portrait of a rig."""
+        return portrait(data) if isinstance(data, Rig) else str(data)
+
+
+class ArmSvg(SingleFileSnapshotExtension):
+    """A rig as a drawing from the side and from above."""
+
+    _write_mode = WriteMode.TEXT
+    file_extension = "svg"
+
+    def serialize(self, data: Any, **_: Any) -> str:
+        """The drawing of a rig."""
+        return svg(Readings.of(data)) if isinstance(data, Rig) else str(data)
+
+
+class ArmCsv(SingleFileSnapshotExtension):
+    """A trace as CSV."""
+
+    _write_mode = WriteMode.TEXT
+    file_extension = "csv"
+
+    def serialize(self, data: Any, **_: Any) -> str:
+        """The lines of a trace."""
+        return data.text if isinstance(data, CsvTrace) else str(data)
