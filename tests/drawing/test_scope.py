@@ -48,6 +48,40 @@ def test_one_joint_in_ascii(history: History) -> None:
     check_golden("scope-joint", text)
 
 
+@pytest.mark.parametrize("height", [10, 30, 37])
+def test_names_of_motors_are_whole_words_beside_rows_and_phases(
+    history: History, height: int
+) -> None:
+    rows = Scope().draw(history, NAMES, 80, height)
+    labels = [text_of(row)[: LABEL - 1].rstrip(" 1") for row in rows]
+    assert [label for label in labels if label[:1] == "J"] == [
+        "J1 base",
+        "J2 shoulder",
+        "J3 elbow",
+        "J4 l wrist",
+        "J5 r wrist",
+        "J6 hand",
+    ]
+
+
+def test_a_strip_has_a_rule_above_it_and_tells_most_now_and_least(history: History) -> None:
+    scope = Scope()
+    scope.joint = 3
+    rows = scope.draw(history, NAMES, 80, 22)
+    labels = [text_of(row)[:LABEL].split() for row in rows]
+    begin = labels.index(["angle,", "deg"])
+    assert rows[begin][1] == ("─" * (80 - LABEL), Ink.FAINT)
+    words, figures = zip(*labels[begin + 1 : begin + 4], strict=True)
+    assert words == ("most", "now", "least")
+    most, now, least = map(float, figures)
+    assert most >= now > least
+    scope.put_cursor(LABEL + 1)
+    at_cursor = [text_of(row)[:LABEL].split() for row in scope.draw(history, NAMES, 80, 22)]
+    word, figure = at_cursor[begin + 2]
+    assert word == "here"
+    assert float(figure) < now
+
+
 def ending_at(scope: Scope, time: int, history: History) -> Scope:
     """The scope with a T-state just before its right edge."""
     scope.scroll(-1_000_000, history)

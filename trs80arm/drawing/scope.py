@@ -31,6 +31,7 @@ MARGIN = 6
 """Columns that stay free on the right of what happened last."""
 
 _ON, _OFF, _MANY, _NONE = "▆", "▁", "▒", "·"
+_RULE, _ASCII_RULE = "─", "-"
 _ASCII_ON, _ASCII_OFF, _ASCII_MANY, _ASCII_NONE = "#", "_", ":", "."
 
 Times = npt.NDArray[np.int64]
@@ -153,15 +154,17 @@ class Scope:
         rows: list[Row] = []
         whole = body >= LATCHES * PHASES
         spaced = body >= LATCHES * (PHASES + 1)
-        for latch in range(LATCHES):
-            name = f"J{latch + 1} {names[latch]}" if latch < JOINTS else "auxiliary"
+        room = LABEL - (3 if whole else 1)
+        motors = names[:JOINTS]
+        if any(len(f"J1 {name}") > room for name in motors):
+            motors = tuple(map(_shortened, motors))
+        called = [*(f"J{joint} {name}" for joint, name in enumerate(motors, 1)), "auxiliary"]
+        for latch, name in enumerate(called):
             if not whole:
-                rows.append(
-                    ((f"{name[: LABEL - 1]:{LABEL}}", Ink.LABEL), *self._cycle(history, latch))
-                )
+                rows.append(((f"{name:{LABEL}}", Ink.LABEL), *self._cycle(history, latch)))
                 continue
             for phase in range(PHASES):
-                label = f"{name if phase == 0 else '':{LABEL - 3}.{LABEL - 3}} {phase + 1}"
+                label = f"{name if phase == 0 else '':{LABEL - 3}} {phase + 1}"
                 rows.append(((f"{label:{LABEL}}", Ink.LABEL), *self._wave(history, latch, phase)))
             if spaced:
                 rows.append(())
@@ -250,22 +253,31 @@ class Scope:
     def _chart(
         self, name: str, unit: str, values: npt.NDArray[np.float64], times: Times, height: int
     ) -> list[Row]:
-        """A strip with its name, the value at the cursor or at the end, and its range."""
+        """A strip below a rule with its name; beside it what was greatest, is now, and was least.
+
+        At the cursor, if there is one, it is what was there instead of what is now.
+        """
         seen = values[np.isfinite(values)]
-        low, high = (float(seen.min()), float(seen.max())) if len(seen) else (0.0, 0.0)
-        low, high = _widened(low, high, unit)
+        least, most = (float(seen.min()), float(seen.max())) if len(seen) else (0.0, 0.0)
         here = values[-1:] if self.cursor is None else values[times >= self.cursor][:1]
-        value = f"{here[0]:.1f} {unit}" if len(here) and np.isfinite(here[0]) else ""
-        room = LABEL - 1 - len(name)
-        labels = [f"{name}{high:>{room}.3g}", value, *[""] * height][:height]
-        if height == 1:
-            labels = [f"{name} {value.split(' ')[0]}"]
-        elif height > 2:
-            labels[-1] = f"{low:>{LABEL - 1}.3g}"
-        lines = strip(values, low, high, height, ascii=self.ascii)
-        ink = Ink.ALARM if unit == "%" and len(seen) and seen.min() <= 0 else Ink.TRAIL
-        return [
-            ((f"{label[: LABEL - 1]:{LABEL}}", Ink.LABEL), (line, ink))
+        value = _figure(float(here[0]), unit) if len(here) and np.isfinite(here[0]) else ""
+        moment = "here" if self.cursor is not None else "now" if self._end is None else "end"
+        ruled = height > 2
+        room = height - ruled
+        between = f"{_figure(least, unit)}..{_figure(most, unit)}"
+        labels = [_told(moment, value) if ruled else f"{name} {value}", between][:room]
+        if room > 2:
+            ends = _told("most", _figure(most, unit)), _told("least", _figure(least, unit))
+            labels = [ends[0], _told(moment, value), *[""] * (room - 3), ends[1]]
+        lines = strip(values, *_widened(least, most, unit), room, ascii=self.ascii)
+        ink = Ink.ALARM if unit == "%" and len(seen) and least <= 0 else Ink.TRAIL
+        rule = self._glyph(_RULE, _ASCII_RULE) * len(self._shown)
+        head: Row = ((f"{f'{name}, {unit}':{LABEL}}", Ink.LABEL), (rule, Ink.FAINT))
+        return [head] * ruled + [
+            (
+                (f"{label[: LABEL - 1]:{LABEL}}", Ink.STRONG if moment in label else Ink.LABEL),
+                (line, ink),
+            )
             for label, line in zip(labels, lines, strict=True)
         ]
 
@@ -276,6 +288,21 @@ _ROW_OF_FIGURE_8 = np.array(
         for nibble in range(1 << PHASES)
     ]
 )
+
+
+def _shortened(name: str) -> str:
+    """A name with the initials of all its words but the last: `r wrist`."""
+    *before, last = name.split()
+    return " ".join((*(word[0] for word in before), last))
+
+
+def _figure(value: float, unit: str) -> str:
+    digits = 1 if unit in ("deg", "deg/s", "%") else 2
+    return f"{round(value, digits) + 0.0:.{digits}f}"
+
+
+def _told(word: str, figure: str) -> str:
+    return f"{word:5}{figure:>{LABEL - 6}}"
 
 
 def _seconds(time: int) -> str:
@@ -296,7 +323,7 @@ def _over(row: Row, column: int, glyph: str) -> Row:
     at = 0
     for text, ink in row:
         place = column - at
-        if 0 <= place < len(text) and text[place] in " _▁·.":
+        if 0 <= place < len(text) and text[place] in " _▁·.─-":
             spans += [(text[:place], ink), (glyph, Ink.STRONG), (text[place + 1 :], ink)]
         else:
             spans.append((text, ink))
