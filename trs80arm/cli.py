@@ -380,12 +380,12 @@ def film(**given: Any) -> None:
     RUN is typed, and the film goes on for a moment after the program has ended, or until it waits
     for what the options do not answer. The file's suffix says which kind it is to be.
     """
-    from trs80arm.ui.filming import FilmError, Shooting, make_film
-
     size = re.fullmatch(r"(\d{1,3})x(\d{1,3})", given.pop("size"))
     if size is None:
         fail("--size is COLUMNSxROWS, as 100x30")
-    shooting = Shooting(
+    _make_film(
+        given,
+        given.pop("output"),
         columns=int(size[1]),
         rows=int(size[2]),
         fps=given.pop("pictures"),
@@ -396,9 +396,14 @@ def film(**given: Any) -> None:
         do=given.pop("commands"),
         font=given.pop("font"),
     )
-    output = given.pop("output")
+
+
+def _make_film(given: dict[str, Any], output: Path, **shooting: Any) -> None:
+    """Film a run of the terminal, as `Shooting` has it."""
+    from trs80arm.ui.filming import FilmError, Shooting, make_film
+
     try:
-        make_film(_terminal_options(given), shooting, output)
+        make_film(_terminal_options(given), Shooting(**shooting), output)
     except FilmError as error:
         fail(error)
 
@@ -406,18 +411,42 @@ def film(**given: Any) -> None:
 @cli.command("export")
 @click.argument("program", type=A_PROGRAM, required=False)
 @click.option("-o", "--output", type=A_PATH, required=True, help="The file; its suffix says which.")
+@click.option(
+    "--seconds",
+    type=Finite(min=0, max=LONGEST_FILM, min_open=True),
+    default=60.0,
+    show_default=True,
+    help="End a run after so many virtual seconds.",
+)
+@click.option(
+    "--fps",
+    "looks",
+    type=Finite(min=0.5, max=1000),
+    help="Looks at a run a virtual second; 30 unless given, 10 of a .cast.",
+)
+@click.option("--input", "inputs", multiple=True, help="The answer to the next INPUT.")
+@click.option("--set", "sets", multiple=True, help='The next @SET, as in "6:1.0 1+W:0.5 0".')
 @_machine_options
-def export_(program: Path | None, output: Path, bench: Path | None, **given: Any) -> None:
-    """Write the arm and its bench for other programs.
+def export_(**given: Any) -> None:
+    """Write the arm and its bench, or a run of PROGRAM, for other programs.
 
     MuJoCo's MJCF (.xml, .mjcf) and URDF (.urdf) have the arm that --arm names, as it is switched
-    on, with the bench of --bench or of PROGRAM.
+    on, with the bench of --bench or of PROGRAM. Of a run there are animated glTF (.gltf, .glb),
+    joints over time (.csv, .npz) and an asciinema cast of the terminal (.cast).
     """
-    from trs80arm.export.exporting import Export, ExportError, export
+    from trs80arm.export.exporting import FILM, Export, ExportError, export
 
+    output, looks = given.pop("output"), given.pop("looks")
+    answers = {name: given.pop(name) for name in ("seconds", "inputs", "sets")}
+    if output.suffix.lower() == FILM:
+        if given["program"] is None:
+            fail(f"{output}: a {FILM} file is of a run: name a program")
+        _make_film(given, output, fps=min(looks or 10.0, 50.0), **answers)
+        return
+    bench, program = given.pop("bench"), given.pop("program")
     settings = _take_settings(given)
     try:
-        export(Export(output, program, bench, rig=settings.rig()))
+        export(Export(output, program, bench, fps=looks or 30.0, rig=settings.rig(), **answers))
     except ExportError as error:
         fail(error)
 

@@ -1,4 +1,4 @@
-"""What `trs80arm export` does: a rig as it stands, as a file for another program."""
+"""What `trs80arm export` does: a rig as it stands, or a program's run, for another program."""
 
 from __future__ import annotations
 
@@ -8,11 +8,15 @@ from pathlib import Path
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.benches import BenchFile, bench_beside
+from trs80arm.export.gltf import glb, gltf
 from trs80arm.export.mjcf import mjcf
+from trs80arm.export.recording import Recording, record
+from trs80arm.export.table import csv_table, npz_table
 from trs80arm.export.urdf import urdf
 from trs80arm.files import FileFormatError, load_program
+from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.reasons import one_line
-from trs80arm.rig import Rig, RigSettings
+from trs80arm.rig import Rig, RigSettings, Waiting
 from trs80arm.saving import write_whole
 
 
@@ -26,14 +30,21 @@ class Export:
 
     Attributes:
         path: the file, whose suffix says the format.
-        program: whose bench it is, unless another is given.
-        bench: a bench file.
+        program: that is run, or whose bench it is.
+        bench: a bench file instead of the program's.
+        seconds: the most virtual time that is recorded, from when RUN is typed.
+        fps: looks a virtual second.
+        inputs, sets: what the operator answers, as for `trs80arm run`.
         rig: the machine's fittings, the arm among them.
     """
 
     path: Path
     program: Path | None = None
     bench: Path | None = None
+    seconds: float = 60.0
+    fps: float = 30.0
+    inputs: tuple[str, ...] = ()
+    sets: tuple[str, ...] = ()
     rig: RigSettings = field(default_factory=RigSettings)
 
 
@@ -43,12 +54,16 @@ def export(asked: Export) -> None:
     Raises:
         ExportError: it cannot be done; one line says why.
     """
-    write = WRITERS.get(asked.path.suffix.lower())
-    if write is None:
-        raise ExportError(f"{asked.path}: an export is a {', '.join(WRITERS)} file")
+    suffix = asked.path.suffix.lower()
     try:
-        write(asked)
-    except (FileFormatError, BenchError, OSError) as error:
+        if suffix in _STANDING:
+            _STANDING[suffix](asked)
+        elif suffix in _RUNS:
+            rig, run = _run(asked)
+            write_whole(asked.path, _RUNS[suffix](rig, run))
+        else:
+            raise ExportError(f"{asked.path}: an export is a {', '.join(SUFFIXES)} file")
+    except (FileFormatError, BenchError, ScriptError, OSError) as error:
         raise ExportError(one_line(error)) from None
 
 
@@ -66,6 +81,17 @@ def _write_urdf(asked: Export) -> None:
     write_whole(asked.path, text.encode("utf-8"))
 
 
+def _run(asked: Export) -> tuple[Rig, Recording]:
+    """A program's run, and the machine after it."""
+    if asked.program is None:
+        raise ExportError(f"{asked.path}: a {asked.path.suffix} file is of a run: name a program")
+    sets = [parse_holds(holds) for holds in asked.sets]
+    rig = _rig(asked)
+    if rig.waiting is Waiting.MEMORY_SIZE:
+        raise ExportError(f"MEMORY SIZE? does not take {asked.rig.memory_size!r}")
+    return rig, record(rig, asked.fps, asked.seconds, asked.inputs, sets)
+
+
 def _rig(asked: Export) -> Rig:
     """A machine with the arm on its bench, and the program in memory."""
     lines = load_program(asked.program) if asked.program else []
@@ -75,9 +101,19 @@ def _rig(asked: Export) -> Rig:
     return rig
 
 
-WRITERS: dict[str, Callable[[Export], None]] = {
+_STANDING: dict[str, Callable[[Export], None]] = {
     ".xml": _write_mjcf,
     ".mjcf": _write_mjcf,
     ".urdf": _write_urdf,
 }
-"""By suffix."""
+"""Of the arm and its bench as they stand, by suffix."""
+_RUNS: dict[str, Callable[[Rig, Recording], bytes]] = {
+    ".gltf": gltf,
+    ".glb": glb,
+    ".csv": lambda _, run: csv_table(run),
+    ".npz": lambda _, run: npz_table(run),
+}
+"""Of a program's run, by suffix."""
+FILM = ".cast"
+"""What is filmed in the terminal, which `trs80arm.ui.filming` does."""
+SUFFIXES = (*_STANDING, *_RUNS, FILM)
