@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NoReturn
+
 from trs80arm.arm.events import EventKind
 from trs80arm.rig import Rig
 from trs80arm.testing.story import APART, account
@@ -120,6 +122,6 @@ def _compare(
         _fail(rig, "\n".join([f"{what} is elsewhere", *wrong]))
 
 
-def _fail(rig: Rig, what: str) -> None:
+def _fail(rig: Rig, what: str) -> NoReturn:
     __tracebackhide__ = True
     raise AssertionError("\n".join([what, *account(rig)]))

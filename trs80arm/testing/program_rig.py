@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NoReturn
 
 from trs80arm.arm.bench import Bench
 from trs80arm.basic.outcome import Ending
@@ -91,7 +92,7 @@ class ProgramRig(Rig):
         while not (found := pattern.search(self.output, self._read)):
             if not self._go_on(end):
                 wanted = pattern.pattern if isinstance(text, re.Pattern) else text
-                self._fail(f"{wanted!r} was not printed within {seconds:g} virtual seconds")
+                self._fail(f"{wanted!r} was not printed{self._in_time(end, seconds)}")
         self._read = found.end()
         return found[0]
 
@@ -111,8 +112,7 @@ class ProgramRig(Rig):
             pass
         outcome = self.outcome
         if outcome is None:
-            self._fail(f"the program has not ended within {seconds:g} virtual seconds")
-            return
+            self._fail(f"the program has not ended{self._in_time(end, seconds)}")
         letters = outcome.code.letters if outcome.ending is Ending.ERROR and outcome.code else None
         if letters != error:
             self._fail(f"the program shall end {f'with ?{error} Error' if error else 'well'}")
@@ -125,7 +125,12 @@ class ProgramRig(Rig):
         self.run_for(min(LOOK, left))
         return True
 
-    def _fail(self, what: str) -> None:
+    def _in_time(self, end: float, seconds: float) -> str:
+        """What is said of a limit, if it was that which ended a wait."""
+        over = self.time >= end
+        return f" within {seconds:g} virtual seconds" if over else ", and nothing more is to come"
+
+    def _fail(self, what: str) -> NoReturn:
         __tracebackhide__ = True
         lately = self.output[self._read :].splitlines()[-8:]
         raise AssertionError("\n".join([what, *account(self), "printed since:", *lately]))
