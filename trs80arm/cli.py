@@ -14,7 +14,7 @@ import math
 import os
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
@@ -26,6 +26,7 @@ from trs80arm.shown import shown
 
 if TYPE_CHECKING:
     from trs80arm.options import TerminalOptions
+    from trs80arm.rig import RigSettings
     from trs80arm.settings import Settings
 
 USAGE_ERROR = 2
@@ -339,6 +340,68 @@ def run(**given: Any) -> None:
     settings = _take_settings(given)
     options = BatchOptions(rig=settings.rig(), **given)
     sys.exit(run_program(options, stopwatch=perf_counter))
+
+
+@cli.command()
+@click.argument("program", type=A_PROGRAM)
+@click.option(
+    "--vary",
+    multiple=True,
+    required=True,
+    metavar="NAME=VALUES",
+    help="What is varied: D=10:200:10 or weight=1,4,8 (repeatable).",
+)
+@click.option(
+    "--noise",
+    type=Finite(min=0, max=12),
+    default=0.0,
+    help="Parts are placed with an error of so many inches, along x and along y.",
+)
+@click.option("--runs", type=click.IntRange(1, 100_000), default=1, help="Runs of each cell.")
+@click.option("--seed", type=int, default=1, help="What the errors are drawn from.")
+@click.option(
+    "--seconds",
+    type=Finite(min=0, max=LONGEST_RUN, min_open=True),
+    default=600.0,
+    show_default=True,
+    help="Look at a run after so many virtual seconds, if it has not ended.",
+)
+@click.option("--input", "inputs", multiple=True, help="The answer to the next INPUT.")
+@click.option("--set", "sets", multiple=True, help='The next @SET, as in "6:1.0 1+W:0.5 0".')
+@click.option("--no-slip", is_flag=True, help="A run in which a motor slips has failed.")
+@click.option("--expect", default="", metavar="TEXT", help="What a run has to print.")
+@click.option("-o", "--output", type=A_PATH, help="All runs as CSV.")
+@click.option("--plot", type=A_PATH, help="Success as a .svg, .png or .pdf (extra `plot`).")
+@click.option("--jobs", type=click.IntRange(1, 256), help="Processes; one a core unless given.")
+@_machine_options
+def sweep(**given: Any) -> None:
+    """Run PROGRAM over a grid of values and tell how often it succeeds.
+
+    NAME is a BASIC variable that the program gives a plain number (D; D@420 in line 420), the N-th
+    number of a line (470#2), weight, friction, dx, dy or dturn of the parts ("block.weight" of
+    one), noise, or a setting (arm.pad_friction). A run succeeds when the goals of its bench are
+    met; on a bench without goals, when no motor slipped.
+    """
+    from trs80arm.sweep.axes import SweepError
+    from trs80arm.sweep.command import SweepOptions, run_sweep
+    from trs80arm.sweep.constants import number_text
+
+    flags = [flag.replace("-", "_") for flag in _SETTING_FLAGS]
+    shared = ("config", "option", "break_now", "no_armbasic", *flags)
+    machine = {name: given.pop(name) for name in shared}
+
+    def settings_of(varied: Mapping[str, float]) -> RigSettings:
+        chosen = dict(machine)
+        chosen["option"] = [
+            *chosen["option"],
+            *(f"{name}={number_text(value)}" for name, value in varied.items()),
+        ]
+        return _take_settings(chosen).rig()
+
+    try:
+        run_sweep(SweepOptions(**given), settings_of)
+    except SweepError as error:
+        fail(error)
 
 
 @cli.command()

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import tomllib
 from pathlib import Path
+from typing import Any
 
 from trs80arm.arm.bench import Bench, BenchError, around, deep, obstacle
 from trs80arm.arm.bench_devices import DEVICES, read_command, read_devices
@@ -78,6 +79,19 @@ def parse(text: str, name: str = "bench") -> Bench:
     except (ValueError, RecursionError) as error:
         line = " ".join(str(error).split())
         raise BenchError(f"{name}: expected TOML: {line}") from None
+    return build(data, name)
+
+
+def build(data: dict[str, Any], name: str = "bench") -> Bench:
+    """Set up what the tables of a bench file say.
+
+    Args:
+        data: the tables, as TOML gives them.
+        name: of the file, for errors.
+
+    Raises:
+        BenchError: one line, if that is no bench.
+    """
     try:
         return _bench(Table(name, "", data), Path(name).stem or "bench")
     except SettingsError as error:

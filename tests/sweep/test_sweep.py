@@ -1,0 +1,176 @@
+"""`trs80arm sweep`: the grid, its errors in placing, what is told."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+from trs80arm.cli import cli
+from trs80arm.files import parse_program
+from trs80arm.rig import RigSettings
+from trs80arm.sweep.axes import Axis
+from trs80arm.sweep.placing import placed
+from trs80arm.sweep.running import Case, Plan, run_all
+
+KINDS = ("basic", "toml")
+TURN = '10 D=50\n20 @STEP D,150\n30 PRINT "DONE"\n'
+BENCH = """
+[[part]]
+name = "block"
+at = [8, 0]
+size = [0.5, 0.5, 1.0]
+[[part]]
+at = [8, 3]
+size = [0.5, 0.5, 1.0]
+[[goal]]
+part = "block"
+at = [8, 0]
+tolerance = 0.1
+"""
+
+
+def sweep(folder: Path, *options: str, program: str = TURN, bench: str = "") -> Result:
+    (folder / "p.bas").write_text(program)
+    if bench:
+        (folder / "p.toml").write_text(bench)
+    return CliRunner().invoke(cli, ["sweep", str(folder / "p.bas"), "--jobs", "1", *options])
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(path.read_text())))
+
+
+def test_too_fast_a_motor_slips_and_the_table_says_so(tmp_path: Path) -> None:
+    out = tmp_path / "runs.csv"
+    done = sweep(tmp_path, "--vary", "D=0,60", "-o", str(out))
+    assert done.exit_code == 0, done.stderr
+    slow, fast = done.stdout.splitlines()[-1].split(), done.stdout.splitlines()[-2].split()
+    assert (fast, slow) == (["0", "0", "%", "1", "1"], ["60", "100", "%", "1", "0"])
+    fast_run, slow_run = rows(out)
+    assert (fast_run["D"], fast_run["success"], fast_run["ended"]) == ("0", "0", "end")
+    assert int(fast_run["lost_half_steps"]) > 0 == int(slow_run["slips"])
+
+
+def test_goals_of_the_bench_are_what_a_run_is_for(tmp_path: Path) -> None:
+    out = tmp_path / "runs.csv"
+    done = sweep(tmp_path, "--vary", "block.dx=0,0.5", "-o", str(out), bench=BENCH)
+    assert done.exit_code == 0, done.stderr
+    assert [(row["success"], row["goals_met"], row["off"]) for row in rows(out)] == [
+        ("1", "1", "0.0000"),
+        ("0", "0", "0.5000"),
+    ]
+
+
+def test_two_things_varied_are_rows_and_columns_of_the_table_and_curves(tmp_path: Path) -> None:
+    chart = tmp_path / "chart.svg"
+    done = sweep(tmp_path, "--vary", "D=0,60", "--vary", "weight=1,8", "--plot", str(chart))
+    assert done.exit_code == 0, done.stderr
+    assert r"D \ weight" in done.stdout
+    assert "weight = 8" in chart.read_text()
+
+
+def test_the_seed_and_nothing_else_decides_the_errors(tmp_path: Path) -> None:
+    told = []
+    for seed in ("7", "7", "8"):
+        out = tmp_path / f"{len(told)}.csv"
+        options = ("--vary", "D=60", "--noise", "0.1", "--runs", "3", "--seed", seed)
+        assert sweep(tmp_path, *options, "-o", str(out), bench=BENCH).exit_code == 0
+        told.append(out.read_text())
+    assert told[0] == told[1] != told[2]
+    offs = {row["off"] for row in rows(tmp_path / "0.csv")}
+    assert len(offs) == 3
+
+
+def test_a_run_has_the_same_errors_in_every_cell(tmp_path: Path) -> None:
+    out = tmp_path / "runs.csv"
+    options = ("--vary", "noise=0.1,0.2", "--vary", "D=50,60", "-o", str(out))
+    assert sweep(tmp_path, *options, bench=BENCH).exit_code == 0
+    offs = [float(row["off"]) for row in rows(out)]
+    assert offs[0] == offs[1] == pytest.approx(offs[2] / 2, abs=1e-4)
+    assert offs[2] == offs[3]
+
+
+def test_parts_that_would_stand_in_one_another_are_drawn_again() -> None:
+    near: dict[str, Any] = {
+        "part": [{"at": [8 + 0.6 * place, 0], "size": [0.5, 0.5, 0.5]} for place in range(3)]
+    }
+    for run in range(20):
+        assert len(placed("bench", near, 0.1, 1, run).parts) == 3
+
+
+def test_other_processes_find_the_same() -> None:
+    lines = tuple(parse_program(TURN.encode()))
+    plan = Plan(lines, "bench", {"part": [{"name": "block", "at": [8, 0]}]}, noise=0.05)
+    plan.bench["part"][0]["size"] = [0.5, 0.5, 0.5]
+    axes = [Axis("D", (50.0,))]
+    each = [Case((50.0,), run, RigSettings()) for run in (1, 2, 3)]
+    assert list(run_all(plan, axes, each, 2)) == list(run_all(plan, axes, each, 1))
+
+
+def test_an_expectation_has_to_be_printed(tmp_path: Path) -> None:
+    done = sweep(tmp_path, "--vary", "D=60", "--expect", "DONE")
+    assert "100 %" in done.stdout
+    assert " 0 %" in sweep(tmp_path, "--vary", "D=60", "--expect", "OVER").stdout
+
+
+def test_settings_can_be_varied(tmp_path: Path) -> None:
+    done = sweep(tmp_path, "--vary", "machine.ram=16,48", "--expect", "DONE")
+    assert done.stdout.count("100 %") == 2, done.stderr
+
+
+def test_a_question_that_nobody_answers_is_a_failure_and_told(tmp_path: Path) -> None:
+    program = "10 D=1\n20 INPUT A\n"
+    done = sweep(tmp_path, "--vary", "D=1,2", program=program)
+    assert "2 of 2 runs stopped at an INPUT that no --input answers" in done.stderr
+    done = sweep(tmp_path, "--vary", "D=1,2", "--input", "5", program=program)
+    assert (done.stdout.count("100 %"), done.stderr) == (2, "")
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--vary", "D"), "must be NAME="),
+        (("--vary", "Z=1"), "no line gives Z"),
+        (("--vary", "D=1", "--vary", "10#1=2"), "are one number"),
+        (("--vary", "D=1", "--vary", "D=2"), "given twice"),
+        (("--vary", "cup.weight=2"), "no such part"),
+        (("--vary", "weight=-1"), "weight"),
+        (("--vary", "dy=3"), "overlaps"),
+        (("--vary", "arm.nothing=1"), "unknown key"),
+        (("--vary", "machine.ram=5"), "ram must be"),
+        (("--vary", "D=1", "--plot", "x.doc"), "saved as one of"),
+        (("--vary", "D=1", "--vary", "dx=0", "--vary", "noise=0", "--plot", "x.svg"), "one or two"),
+        (("--vary", "D=1", "--bench", "no-such.toml"), "cannot be read"),
+        (("--vary", "D=1", "-o", "no/such/folder.csv"), "no/such"),
+        (("--vary", "D=1", "--set", "?:1"), "KEYS"),
+        (("--vary", "noise=-1"), "noise"),
+    ],
+)
+def test_wrong_values_are_one_line(tmp_path: Path, options: tuple[str, ...], said: str) -> None:
+    bench = BENCH.replace("[8, 3]", "[8, 0.6]")
+    if "dy=3" in options:
+        options = ("--vary", "block.dy=0.5")
+    done = sweep(tmp_path, *options, bench=bench)
+    assert (done.exit_code, done.stdout) == (2, ""), done.output
+    assert said in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+def test_the_example_of_the_page_prints_what_the_page_says(tmp_path: Path) -> None:
+    page = (Path(__file__).parents[2] / "docs/sweeps.md").read_text(encoding="utf-8")
+    program, bench = (re.findall(rf"```{kind}\n(.*?)```", page, re.DOTALL)[0] for kind in KINDS)
+    (line,) = re.findall(r"^\$ trs80arm sweep lift.bas (.*)$", page, re.MULTILINE)
+    # Of the page's table two cells, one run each; all of it would take a minute.
+    for part, less in (("D=20:140:20", "D=40,60"), ("1,4,8,12", "1"), ("--runs 4", "--runs 1")):
+        assert part in line
+        line = line.replace(part, less)
+    options = line.partition(" -o")[0].split()
+    done = sweep(tmp_path, *options, program=program, bench=bench)
+    for row in done.stdout.splitlines()[-2:]:
+        assert " ".join(row.split()) in re.sub(" +", " ", page)
