@@ -19,6 +19,13 @@ from trs80arm.arm.goals import Mark, Score
 from trs80arm.arm.state import ArmState
 from trs80arm.operator import Operator, parse_holds
 from trs80arm.rig import Pose, Rig, RigSettings
+from trs80arm.testing.assertions import (
+    assert_at,
+    assert_no_slip,
+    assert_part_at,
+    assert_registers,
+)
+from trs80arm.testing.program_rig import ProgramRig
 from trs80arm.trace import PoseTrace, Trace
 from trs80arm.works.named_variables import NamedVariables
 
@@ -38,6 +45,11 @@ DOCUMENTED = (
     Pose,
     Score,
     Mark,
+    ProgramRig,
+    assert_at,
+    assert_part_at,
+    assert_no_slip,
+    assert_registers,
 )
 _SECTION = re.compile(r"(Args|Returns|Raises|Attributes):")
 _ENTRY = re.compile(r"(\*?[\w, ]+): (.*)")
