@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
@@ -210,7 +212,7 @@ def run_all(
         jobs: processes; as many as there are cores unless given, and with one no other process.
 
     Raises:
-        SweepError: a run cannot be.
+        SweepError: a run cannot be, or a process was ended from outside.
         BenchError: its bench cannot be.
     """
     do = partial(run_case, plan, axes)
@@ -218,13 +220,17 @@ def run_all(
     if jobs <= 1:
         yield from map(do, each)
         return
-    # A new process has none of this one's threads, as that of a progress bar.
-    pool = ProcessPoolExecutor(jobs, multiprocessing.get_context("spawn"))
+    # A new process has none of this one's threads, as that of a progress bar. Ctrl+C ends it
+    # without a word: the one that waits for it says what is to be said.
+    context = multiprocessing.get_context("spawn")
+    pool = ProcessPoolExecutor(jobs, context, signal.signal, (signal.SIGINT, signal.SIG_DFL))
     try:
         ahead = iter(each)
         under_way = deque(pool.submit(do, case) for case in islice(ahead, jobs * _IN_HAND))
         while under_way:
             yield under_way.popleft().result()
             under_way.extend(pool.submit(do, case) for case in islice(ahead, 1))
+    except BrokenProcessPool:
+        raise SweepError("one of the processes that did the runs was ended from outside") from None
     finally:
         pool.shutdown(cancel_futures=True)
