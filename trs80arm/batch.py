@@ -9,22 +9,25 @@ from __future__ import annotations
 import io
 import json
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TextIO
+from typing import Any, TextIO
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.outcome import Ending
 from trs80arm.benches import BenchFile, bench_beside
+from trs80arm.expectations import unmet
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.machine.clock import T_STATES_PER_SECOND
-from trs80arm.operator import Hold, Operator, ScriptError, parse_holds
+from trs80arm.operator import Operator, ScriptError, parse_holds
 from trs80arm.reasons import one_line
 from trs80arm.report import ended, report
 from trs80arm.rig import Rig, RigSettings
+from trs80arm.script import Expected, RunScript, read_script, script_beside
+from trs80arm.shown import shown
 from trs80arm.teletype import ENTER, Teletype
 from trs80arm.trace import PoseTrace, Trace, TraceError
 
@@ -52,7 +55,46 @@ class BatchOptions:
     trace: Path | None = None
     trace_pose: Path | None = None
     trace_rate: float | None = None
+    script: Path | None = None
     rig: RigSettings = field(default_factory=RigSettings)
+
+
+@dataclass(frozen=True)
+class Done:
+    """A run that is over.
+
+    Attributes:
+        rig: as it stands.
+        waiting: what the machine waits for.
+        spent: virtual seconds from RUN on.
+        wall: seconds of the wall's clock, where somebody gave one.
+        limited: whether the limit of seconds was asked for.
+        expected: by the script.
+    """
+
+    rig: Rig
+    waiting: Waiting
+    spent: float
+    wall: float | None
+    limited: bool
+    expected: Expected
+
+    def told(self, program: Path, output: str) -> dict[str, Any]:
+        """The whole run as one plain object."""
+        return {
+            "program": str(program),
+            "ended": ended(self.rig.outcome, self.waiting),
+            "output": output,
+            **report(self.rig),
+            "seconds": {
+                "virtual": round(self.spent, 6),
+                "wall": None if self.wall is None else round(self.wall, 6),
+            },
+        }
+
+
+UNUSABLE = (ScriptError, FileFormatError, BenchError, TraceError, OSError)
+"""What is raised for what cannot be used, beside `UnusableError`."""
 
 
 def run_program(
@@ -75,7 +117,7 @@ def run_program(
         return _run(options, stream, stopwatch)
     except BrokenPipeError:
         raise
-    except (UnusableError, ScriptError, FileFormatError, BenchError, TraceError, OSError) as error:
+    except (UnusableError, *UNUSABLE) as error:
         if isinstance(error, OSError) and error.filename is None:
             raise  # Of the stream that is printed to.
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
@@ -86,36 +128,19 @@ def _run(options: BatchOptions, stream: TextIO, stopwatch: Callable[[], float] |
     _check_traces(options)
     if options.as_json and (options.screen or options.registers or options.pose):
         raise UnusableError("--json has screen, registers and pose in it: give it without them")
-    lines = load_program(options.program)
-    bench = options.bench or bench_beside(options.program)
-    sets = [parse_holds(holds) for holds in options.sets]
-    rig = Rig(options.rig, BenchFile.read(bench).bench if bench else None)
-    if rig.waiting is Waiting.MEMORY_SIZE:
-        raise UnusableError(
-            f"MEMORY SIZE? does not take {options.rig.memory_size!r}: an address from 17430 to "
-            f"{0x4000 + 1024 * options.rig.ram_kib - 1}, or nothing"
-        )
-    rig.load_lines(lines)
-    begun = stopwatch() if stopwatch else 0.0
     kept = io.StringIO() if options.as_json else None
-    with ExitStack() as traces:
-        if options.trace:
-            traces.enter_context(Trace(rig, options.trace))
-        if options.trace_pose:
-            traces.enter_context(PoseTrace(rig, options.trace_pose, options.trace_rate))
-        waiting, spent = _from_run_to_end(rig, options, sets, kept or stream)
-    if kept is not None:
-        told = {
-            "program": str(options.program),
-            "ended": ended(rig.outcome, waiting),
-            "output": kept.getvalue(),
-            **report(rig),
-            "seconds": {
-                "virtual": round(spent, 6),
-                "wall": round(stopwatch() - begun, 6) if stopwatch else None,
-            },
-        }
-        print(json.dumps(told, indent=1), file=stream)
+    out: TextIO = kept or stream
+    script = script_of(options)
+    if script.expected.anything and kept is None:
+        out = _Both(stream)
+    done = carry_out(options, script, out, stopwatch)
+    rig = done.rig
+    failures: list[str] = []
+    if kept is not None or script.expected.anything:
+        told = done.told(options.program, out.getvalue() if isinstance(out, io.StringIO) else "")
+        failures = unmet(script.expected, told)
+        if kept is not None:
+            print(json.dumps({**told, "unmet": failures}, indent=1), file=stream)
     if options.screen:
         print("\n".join(rig.screen()), file=stream)
     if options.registers:
@@ -127,7 +152,78 @@ def _run(options: BatchOptions, stream: TextIO, stopwatch: Callable[[], float] |
     if rig.arm.bench.goals and not options.as_json:
         print(rig.score().text(), file=stream)
     stream.flush()
-    return _verdict(rig, options, waiting)
+    for words in faults(done):
+        print(f"trs80arm: {words}", file=sys.stderr)
+    for failure in failures:
+        print(shown(f"{options.program}: {failure}"), file=sys.stderr)
+    return 1 if failures or failed(done) else 0
+
+
+class _Both(io.StringIO):
+    """Keeps what is printed, and prints it."""
+
+    def __init__(self, stream: TextIO) -> None:
+        super().__init__()
+        self._stream = stream
+
+    def write(self, text: str) -> int:
+        """Print."""
+        self._stream.write(text)
+        return super().write(text)
+
+    def flush(self) -> None:
+        """Let it be seen."""
+        self._stream.flush()
+
+
+def script_of(options: BatchOptions) -> RunScript:
+    """What the operator does, by the script and by the options."""
+    path = options.script or script_beside(options.program)
+    script = read_script(path) if path else RunScript()
+    return replace(
+        script,
+        seconds=script.seconds if options.seconds is None else options.seconds,
+        inputs=(*script.inputs, *options.inputs),
+        sets=(*script.sets, *(tuple(parse_holds(holds)) for holds in options.sets)),
+    )
+
+
+def carry_out(
+    options: BatchOptions,
+    script: RunScript,
+    stream: TextIO,
+    stopwatch: Callable[[], float] | None,
+) -> Done:
+    """Run a program to its end, its limit, or what nobody answers.
+
+    Args:
+        options: the program, its bench, the rig and the traces.
+        script: what the operator does.
+        stream: what is printed to.
+        stopwatch: seconds of the wall's clock.
+
+    Raises:
+        UnusableError: the memory size cannot be.
+        FileFormatError, BenchError, TraceError, OSError: a file cannot be used.
+    """
+    lines = load_program(options.program)
+    bench = options.bench or bench_beside(options.program)
+    rig = Rig(options.rig, BenchFile.read(bench).bench if bench else None)
+    if rig.waiting is Waiting.MEMORY_SIZE:
+        raise UnusableError(
+            f"MEMORY SIZE? does not take {options.rig.memory_size!r}: an address from 17430 to "
+            f"{0x4000 + 1024 * options.rig.ram_kib - 1}, or nothing"
+        )
+    rig.load_lines(lines)
+    begun = stopwatch() if stopwatch else 0.0
+    with ExitStack() as traces:
+        if options.trace:
+            traces.enter_context(Trace(rig, options.trace))
+        if options.trace_pose:
+            traces.enter_context(PoseTrace(rig, options.trace_pose, options.trace_rate))
+        waiting, spent = _from_run_to_end(rig, script, stream)
+    wall = stopwatch() - begun if stopwatch else None
+    return Done(rig, waiting, spent, wall, script.seconds is not None, script.expected)
 
 
 def _check_traces(options: BatchOptions) -> None:
@@ -139,9 +235,7 @@ def _check_traces(options: BatchOptions) -> None:
         raise UnusableError(f"{options.trace}: --trace and --trace-pose need a file each")
 
 
-def _from_run_to_end(
-    rig: Rig, options: BatchOptions, sets: list[list[Hold]], stream: TextIO
-) -> tuple[Waiting, float]:
+def _from_run_to_end(rig: Rig, script: RunScript, stream: TextIO) -> tuple[Waiting, float]:
     """Type RUN and let the program run until it ends, waits in vain, or its time is over.
 
     Returns:
@@ -164,9 +258,11 @@ def _from_run_to_end(
     rig.type("RUN\r")
     while not start:
         rig.run_for(0.01)
-    limit = DEFAULT_SECONDS if options.seconds is None else options.seconds
+    limit = DEFAULT_SECONDS if script.seconds is None else script.seconds
     spent = (rig.clock.now - start[0]) / T_STATES_PER_SECOND
-    waiting = Operator(rig, options.inputs, sets).run(limit - spent)
+    begun = start[0] / T_STATES_PER_SECOND
+    keys = [(begun + at, hold) for at, hold in script.keys]
+    waiting = Operator(rig, script.inputs, script.sets, keys).run(limit - spent)
     stop_listening()
     # `?UL Error in 20` is the program's last word; READY and the prompt are the machine's.
     for code in after_the_end.partition(b"READY")[0]:
@@ -175,20 +271,25 @@ def _from_run_to_end(
     return waiting, (rig.clock.now - start[0]) / T_STATES_PER_SECOND
 
 
-def _verdict(rig: Rig, options: BatchOptions, waiting: Waiting) -> int:
-    """Say on standard error what the output does not show, and give the exit code."""
+def faults(done: Done) -> Iterator[str]:
+    """What the output of a run does not show, in words."""
+    rig = done.rig
     for device, fault in (("cassette", rig.tape.fault), ("printer", rig.printer.fault)):
         if fault is not None:
-            print(f"trs80arm: {device}: {fault}", file=sys.stderr)
-    outcome = rig.outcome
-    if outcome is not None and outcome.ending is Ending.ERROR:
-        return 1
-    if waiting in (Waiting.INPUT, Waiting.SET):
-        word, option = ("INPUT", "--input") if waiting is Waiting.INPUT else ("@SET", "--set")
-        print(f"trs80arm: stopped at an {word} that no {option} answers", file=sys.stderr)
-    elif waiting is Waiting.NOTHING and options.seconds is None:
-        print(
-            f"trs80arm: stopped after {DEFAULT_SECONDS:.0f} virtual seconds; --seconds N for more",
-            file=sys.stderr,
-        )
-    return 0
+            yield f"{device}: {fault}"
+    if _stopped_by_error(rig) or done.expected.ended is not None:
+        return
+    if done.waiting in (Waiting.INPUT, Waiting.SET):
+        word, option = ("INPUT", "--input") if done.waiting is Waiting.INPUT else ("@SET", "--set")
+        yield f"stopped at an {word} that no {option} answers"
+    elif done.waiting is Waiting.NOTHING and not done.limited:
+        yield f"stopped after {DEFAULT_SECONDS:.0f} virtual seconds; --seconds N for more"
+
+
+def failed(done: Done) -> bool:
+    """Whether the run ended on a BASIC error that no script expects."""
+    return _stopped_by_error(done.rig) and done.expected.ended != Ending.ERROR.value
+
+
+def _stopped_by_error(rig: Rig) -> bool:
+    return rig.outcome is not None and rig.outcome.ending is Ending.ERROR

@@ -11,6 +11,7 @@ from pathlib import Path
 from trs80arm.arm import benchfile
 from trs80arm.arm.bench import Bench
 from trs80arm.paths import is_file
+from trs80arm.script import SUFFIX
 
 
 def bench_beside(program: Path) -> Path | None:
@@ -25,7 +26,11 @@ def bench_files(folder: Path) -> list[Path]:
         found = [*folder.glob("*.toml"), *folder.glob("benches/*.toml")]
     except (OSError, ValueError):
         return []
-    return [path for path in found if path.name != "pyproject.toml" and is_file(path)]
+    return [
+        path
+        for path in found
+        if path.name != "pyproject.toml" and not path.name.endswith(SUFFIX) and is_file(path)
+    ]
 
 
 @dataclass(frozen=True)

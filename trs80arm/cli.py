@@ -307,7 +307,7 @@ def serve(host: str, port: int, program: Path | None, allow_files: bool) -> None
 
 
 @cli.command()
-@click.argument("program", type=A_PROGRAM)
+@click.argument("programs", type=A_PROGRAM, nargs=-1, required=True)
 @click.option(
     "--seconds",
     type=Finite(min=0, max=LONGEST_RUN),
@@ -315,6 +315,9 @@ def serve(host: str, port: int, program: Path | None, allow_files: bool) -> None
 )
 @click.option("--input", "inputs", multiple=True, help="The answer to the next INPUT.")
 @click.option("--set", "sets", multiple=True, help='The next @SET, as in "6:1.0 1+W:0.5 0".')
+@click.option(
+    "--script", type=A_PATH, help="What the operator does and what is expected: a TOML file."
+)
 @click.option("--screen", is_flag=True, help="Print the final 16 lines of the tube.")
 @click.option("--registers", is_flag=True, help="Print J1 to J6 at the end.")
 @click.option("--pose", is_flag=True, help="Print x y z pitch roll opening at the end.")
@@ -326,20 +329,28 @@ def serve(host: str, port: int, program: Path | None, allow_files: bool) -> None
     type=Finite(min=0, max=100_000, min_open=True),
     help="Poses a virtual second; one after each step unless given.",
 )
+@click.option("--jobs", type=click.IntRange(1, 1024), help="How many programs run at once.")
+@click.option("--junit", type=A_PATH, help="Write JUnit XML to a file, and print a table.")
 @_machine_options
-def run(**given: Any) -> None:
-    """Run PROGRAM without a screen, as fast as the computer can.
+def run(programs: tuple[Path, ...], jobs: int | None, junit: Path | None, **given: Any) -> None:
+    """Run PROGRAMS without a screen, as fast as the computer can.
 
-    What the program prints goes to standard output. It runs until it ends, until the limit of
-    virtual seconds, or until it waits for input or an @SET that the options do not have.
+    What one program prints goes to standard output; of several, run at once, a table does. A
+    program runs until it ends, until the limit of virtual seconds, or until it waits for input or
+    an @SET that neither the options nor its script have. A script NAME.run.toml beside a program is
+    taken as a bench NAME.toml is.
     """
     from time import perf_counter
 
     from trs80arm.batch import BatchOptions, run_program
 
     settings = _take_settings(given)
-    options = BatchOptions(rig=settings.rig(), **given)
-    sys.exit(run_program(options, stopwatch=perf_counter))
+    options = BatchOptions(programs[0], rig=settings.rig(), **given)
+    if len(programs) == 1 and junit is None:
+        sys.exit(run_program(options, stopwatch=perf_counter))
+    from trs80arm.several import run_programs
+
+    sys.exit(run_programs(programs, options, perf_counter, jobs=jobs, junit=junit))
 
 
 @cli.command()

@@ -12,11 +12,15 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from trs80arm.basic.activity import Waiting
+from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.keys import Key
 from trs80arm.rig import LONGEST_HOLD, Rig
 
 HAND_PAUSE = 0.1
 """Seconds between two holds, and how long the ending key is held: a person's fingers."""
+_TICK = 1 / T_STATES_PER_SECOND
+_ANSWERED_BY_KEYS = (Waiting.NOTHING, Waiting.INPUT, Waiting.SET)
+"""What a key that is still to be pressed can bring on."""
 
 
 class ScriptError(ValueError):
@@ -68,14 +72,20 @@ class Operator:
         rig: the rig to sit at.
         inputs: the answers to INPUT, in order, each typed with ENTER.
         sets: what to do in each `@SET`, in order.
+        keys: what to hold down at times of the rig's clock in seconds, in order, whatever goes on.
     """
 
     def __init__(
-        self, rig: Rig, inputs: Iterable[str] = (), sets: Iterable[Iterable[Hold]] = ()
+        self,
+        rig: Rig,
+        inputs: Iterable[str] = (),
+        sets: Iterable[Iterable[Hold]] = (),
+        keys: Iterable[tuple[float, Hold]] = (),
     ) -> None:
         self.rig = rig
         self._inputs = deque(inputs)
         self._sets = deque(list(holds) for holds in sets)
+        self._keys = deque(keys)
         self._holds: deque[Hold] = deque()
         self._busy_until = 0.0
 
@@ -99,11 +109,14 @@ class Operator:
         rig = self.rig
         end = rig.time + seconds
         while rig.time < end:
-            waiting = rig.run_until_waiting(end - rig.time)
+            until = self._press_due(end)
+            waiting = rig.run_until_waiting(until - rig.time)
             if waiting is Waiting.INPUT and self._inputs:
                 rig.type(self._inputs.popleft() + "\r")
             elif waiting is Waiting.SET and self._sets:
                 self._jog(self._sets.popleft(), end)
+            elif waiting in _ANSWERED_BY_KEYS and until < end:
+                self._pass(until - rig.time, end)
             else:
                 return waiting
         return Waiting.NOTHING
@@ -138,5 +151,20 @@ class Operator:
             if rig.waiting is not Waiting.SET or rig.time >= end:
                 return
             rig.hold(hold.keys, hold.seconds)
-            rig.run_for(min(hold.seconds, end - rig.time))
-            rig.run_for(min(HAND_PAUSE, max(0.0, end - rig.time)))
+            self._pass(hold.seconds, end)
+            self._pass(HAND_PAUSE, end)
+
+    def _press_due(self, end: float) -> float:
+        """Hold the keys whose time has come; until when nothing more is due."""
+        while self._keys and self._keys[0][0] - self.rig.time < _TICK:
+            hold = self._keys.popleft()[1]
+            self.rig.hold(hold.keys, hold.seconds)
+        return min(end, self._keys[0][0]) if self._keys else end
+
+    def _pass(self, seconds: float, end: float) -> None:
+        """Let time pass, not beyond the end; keys are held at theirs."""
+        rig = self.rig
+        target = min(rig.time + seconds, end)
+        while target - rig.time >= _TICK:
+            if not rig.run_for(min(target, self._press_due(end)) - rig.time):
+                return
