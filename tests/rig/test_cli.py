@@ -182,7 +182,7 @@ def test_figure_10_shows_the_article_s_21_steps_against_3() -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["run"], "Missing argument 'PROGRAM'"),
+        (["run"], "Missing argument 'PROGRAMS...'"),
         (["run", "a.bas", "--seconds", "soon"], "--seconds"),
         (["terminal", "--speed", "3"], "--speed 3"),
         (["--frobnicate"], "--frobnicate"),
