@@ -99,6 +99,32 @@ async def test_only_the_lines_that_changed_are_written_behind_a_dialog(sit_down:
 
 
 @piloted
+async def test_only_the_cells_that_changed_are_written_behind_a_dialog(sit_down: Opener) -> None:
+    async with sit_down(120, 40) as sitting:
+        await sitting.type_line("CLS")
+        written = watch_lines(sitting)
+        await sitting.press("f8")
+        await sitting.type_line("?1")
+        await until_all_is_written(sitting, written)
+        spans: list[tuple[int, int, int]] = []
+        real = sitting.app._display
+
+        def display(screen: Screen[object], update: object) -> None:
+            if isinstance(update, ChopsUpdate):
+                spans.extend(update.spans)
+            real(screen, update)  # type: ignore[arg-type]
+
+        sitting.app._display = display  # type: ignore[assignment, method-assign]
+        sitting.app.session.rig.type("?2")
+        await sitting.pass_time(0.4)
+        await until_all_is_written(sitting, written)
+        tube = sitting.app.desk.tube.content_region
+        lengths = [right - left for y, left, right in spans if tube.y <= y < tube.bottom]
+        assert lengths
+        assert max(lengths) <= 8
+
+
+@piloted
 async def test_a_dialog_over_another_dialog_shows_the_desk_too(sit_down: Opener) -> None:
     async with sit_down(120, 40) as sitting:
         await sitting.press("f8")

@@ -40,14 +40,14 @@ class Desk(Themed[None]):
 
 
 @piloted
-async def test_only_lines_that_differ_are_drawn_again() -> None:
+async def test_only_cells_that_differ_are_drawn_again() -> None:
     desk = Desk()
     async with desk.run_test(size=(60, 12)) as pilot:
         desk.panel.show(samples.readings())
         await pilot.pause()
         desk.panel.asked.clear()
         desk.panel.show(samples.readings(registers=(0, 0, 7, 0, 0, 0), joints=(0, 0, 7, 0, 0, 0)))
-        assert desk.panel.asked == [(Region(0, 3, 40, 1),)]
+        assert desk.panel.asked == [(Region(20, 3, 8, 1),)]
         await pilot.pause()
         assert "J3 elbow            7      7" in screen_text(desk)
 
@@ -61,7 +61,7 @@ async def test_however_many_lines_differ_the_others_stand() -> None:
         desk.panel.asked.clear()
         moved = (7, 7, 7, 7, 7, 7)
         desk.panel.show(samples.readings(registers=moved, joints=moved))
-        assert desk.panel.asked == [tuple(Region(0, y, 40, 1) for y in range(1, 7))]
+        assert desk.panel.asked == [tuple(Region(20, y, 8, 1) for y in range(1, 7))]
 
 
 class Saying(Panel):

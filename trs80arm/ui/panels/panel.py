@@ -119,26 +119,26 @@ class Panel(LateComponents, can_focus=False):
         for y, row in enumerate(drawn):
             if row is not before[y] and (row := fitted(row, width)) != rows[y]:
                 changed[y], rows[y] = rows[y], row
-        if changed and not self._write(changed):
-            self.refresh(*(Region(0, y, width, 1) for y in changed))
+        if changed:
+            self._write(changed)
 
-    def _write(self, changed: Mapping[int, Row]) -> bool:
-        """Write what changed of some lines at once, if that can be.
+    def _write(self, changed: Mapping[int, Row]) -> None:
+        """Write what changed of some lines, at once if that can be, or else have it written.
 
         Args:
             changed: what the lines showed before.
         """
-        screen = self.screen
-        if not isinstance(screen, Layer) or self.get_line_filters():
-            return False
-        changes = []
+        changes, narrow = [], True
         for y, before in changed.items():
             column, spans = changed_part(before, self._rows[y])
             runs = [(printable(text), self._style(ink)) for text, ink in spans]
-            if not all(text.isascii() or cell_len(text) == len(text) for text, _ in runs):
-                return False
+            narrow &= all(text.isascii() or cell_len(text) == len(text) for text, _ in runs)
             changes.append(Change(column, y, runs))
-        return screen.change(self, changes)
+        screen, width = self.screen, self.size.width
+        direct = narrow and not self.get_line_filters()
+        if not (direct and isinstance(screen, Layer) and screen.change(self, changes)):
+            cells = (each.region if narrow else Region(0, each.y, width, 1) for each in changes)
+            self.refresh(*cells)
 
     def on_resize(self, event: Resize) -> None:
         """Draw anew for the new size."""

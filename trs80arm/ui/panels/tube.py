@@ -10,7 +10,7 @@ from typing import Protocol
 
 from rich.segment import Segment
 from textual.filter import LineFilter
-from textual.geometry import Region, Size
+from textual.geometry import Size
 from textual.strip import Strip
 from textual.widget import Widget
 
@@ -115,14 +115,12 @@ class Tube(Widget):
         ) and not _scrolled(before, self._rows)
         if moved:
             self.refresh()
-        elif changed and not self._write(before, changed):
-            self.refresh(*(Region(0, row - self.first_row, COLUMNS, 1) for row in changed))
+        elif changed:
+            self._write(before, changed)
 
-    def _write(self, before: list[bytes], changed: list[int]) -> bool:
-        """Write what differs in some rows from before at once, if that can be."""
-        screen, style = self.screen, self.rich_style
-        if not isinstance(screen, Layer) or self.get_line_filters():
-            return False
+    def _write(self, before: list[bytes], changed: list[int]) -> None:
+        """Write what differs in some rows from before, at once if can be, or have it written."""
+        style = self.rich_style
         width, height = self.size
         changes = []
         for row in changed:
@@ -133,7 +131,10 @@ class Tube(Widget):
                 text = self._text(row)[left : min(last, self.first_column + width)]
                 if text:
                     changes.append(Change(left - self.first_column, y, [(text, style)]))
-        return not changes or screen.change(self, changes)
+        screen = self.screen
+        direct = not self.get_line_filters()
+        if changes and not (direct and isinstance(screen, Layer) and screen.change(self, changes)):
+            self.refresh(*(each.region for each in changes))
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         """The program's filters, but for those that would change nothing on the tube."""

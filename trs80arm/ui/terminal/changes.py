@@ -16,6 +16,7 @@ from rich.color import ColorSystem
 from rich.console import Console
 from rich.style import Style
 from textual._compositor import CompositorUpdate
+from textual.geometry import Region
 
 Run: TypeAlias = tuple[str, Style]
 """Characters, each a cell wide, in one style."""
@@ -33,6 +34,11 @@ class Change(NamedTuple):
     x: int
     y: int
     runs: Sequence[Run]
+
+    @property
+    def region(self) -> Region:
+        """The cells."""
+        return Region(self.x, self.y, sum(len(text) for text, _ in self.runs), 1)
 
 
 class Codes(NamedTuple):
