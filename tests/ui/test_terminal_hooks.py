@@ -1,17 +1,27 @@
-"""Textual's private hooks are as our driver and parser need them, and do what they should."""
+"""Textual's private hooks are as our driver, parser and what writes cells need them."""
 
 from __future__ import annotations
 
 import inspect
 
 import pytest
+from rich.color import ColorSystem
+from rich.console import Console
+from rich.style import Style
 from textual import events
+from textual._compositor import Compositor, CompositorUpdate
+from textual._styles_cache import StylesCache
 from textual._xterm_parser import XTermParser
+from textual.app import App
 from textual.css.stylesheet import Stylesheet
 from textual.drivers.linux_driver import LinuxDriver
 from textual.drivers.web_driver import WebDriver
+from textual.geometry import Region
 from textual.message import Message
+from textual.widget import Widget
+from textual.widgets import Static
 
+from tests.ui.piloted import piloted
 from trs80arm.options import KeyMode
 from trs80arm.ui.terminal.driver import InsistingDriver, KeyReleaseDriver, choose_driver
 from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
@@ -182,3 +192,76 @@ def test_the_styles_of_components_still_come_from_the_hooks_that_ours_override()
     assert "virtual_node._attach(node)" in source
     assert "node._component_styles[component] = virtual_node.styles" in source
     assert "node.notify_style_update()" in inspect.getsource(Stylesheet.replace_rules)
+
+
+@pytest.mark.parametrize(
+    ("owner", "name", "parameters"),
+    [
+        (App, "_display", ["self", "screen", "renderable"]),
+        (CompositorUpdate, "render_segments", ["self", "console"]),
+        (Compositor, "_get_renders", ["self", "crop"]),
+        (Compositor, "render_partial_update", ["self"]),
+        (StylesCache, "set_dirty", ["self", "regions"]),
+        (Style, "_make_ansi_codes", ["self", "color_system"]),
+    ],
+)
+def test_what_cells_are_written_by_is_still_called_so(
+    owner: type, name: str, parameters: list[str]
+) -> None:
+    hook = getattr(owner, name, None)
+    where = "trs80arm/ui/terminal/layers.py and changes.py write cells by it"
+    assert hook is not None, f"{owner.__name__}.{name} is gone; {where}"
+    taken = list(inspect.signature(hook).parameters)
+    assert taken == parameters, f"{owner.__name__}.{name} takes {taken}; {where}"
+
+
+@piloted
+async def test_what_tells_where_a_widget_is_seen_still_does() -> None:
+    app: App[None] = App()
+    async with app.run_test(size=(20, 5)) as pilot:
+        await app.mount(panel := Static("seen"))
+        await pilot.pause()
+        screen, compositor = app.screen, app.screen._compositor
+        assert screen._layout_required is False, (
+            "Screen._layout_required: laid out, and not said so"
+        )
+        seen = compositor.visible_widgets
+        assert list(seen)[-1] is screen, "Compositor.visible_widgets: the foremost were the first"
+        region, clip = seen[panel]
+        assert clip.contains_region(region), "Compositor.visible_widgets: place and clip"
+        panel.refresh()
+        await pilot.pause()
+        same = compositor.visible_widgets is seen
+        assert same, "Compositor.visible_widgets: the same mapping until the layout changes"
+        panel.styles.height = 3
+        await pilot.pause()
+        assert compositor.visible_widgets is not seen, "... and another one from then on"
+
+
+@piloted
+async def test_lines_that_were_written_past_textual_are_rendered_again_by_it() -> None:
+    class Counted(Widget):
+        rendered = 0
+
+        def render(self) -> str:
+            self.rendered += 1
+            return "line"
+
+    app: App[None] = App()
+    async with app.run_test(size=(20, 5)) as pilot:
+        await app.mount(panel := Counted())
+        await pilot.pause()
+        crop = panel.size.region
+        panel.render_lines(crop)
+        cache = panel._styles_cache
+        assert not cache.is_dirty(0), "Widget._styles_cache: holds what was rendered"
+        cache.set_dirty(Region(0, 0, 1, 1))
+        assert cache.is_dirty(0), "StylesCache.set_dirty: forgets the lines of a region"
+        assert not cache.is_dirty(1), "StylesCache.set_dirty: and no others"
+
+
+def test_colours_of_the_console_are_told_as_before() -> None:
+    console = Console(color_system="truecolor", force_terminal=True)
+    assert console._color_system is ColorSystem.TRUECOLOR, "rich's Console._color_system"
+    codes = Style(bold=True, color="red").without_color._make_ansi_codes(ColorSystem.TRUECOLOR)
+    assert codes == "1", "rich's Style._make_ansi_codes: bold alone"
