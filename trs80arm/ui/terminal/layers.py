@@ -3,7 +3,7 @@
 Textual draws the whole window again whenever anything changes behind a dialog. Here the lower
 screen says which lines changed, and the dialog keeps the other lines as it dimmed them; and of each
 screen only the panels and lines that changed are asked for. The private hooks that it leans on are
-pinned by `tests/ui/test_layers.py`.
+pinned by `tests/ui/test_layers.py` and `tests/ui/test_terminal_hooks.py`.
 """
 
 from __future__ import annotations
