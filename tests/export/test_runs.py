@@ -166,6 +166,14 @@ def test_a_run_is_recorded_until_a_moment_after_its_end() -> None:
     assert rig.outcome is not None
 
 
+@pytest.mark.parametrize("seconds", [0.9 + k / 7_000_003 for k in range(20)])
+def test_a_recording_ends_wherever_its_last_t_state_falls(seconds: float) -> None:
+    rig = rig_of("minimover5", "")
+    rig.load_text("10 @SET 20\n")
+    looks = iter(record(rig, 30, seconds).looks)
+    assert [look.time for look in looks][-1] == pytest.approx(seconds, abs=0.02)
+
+
 def test_a_table_has_joints_motors_and_registers() -> None:
     rig, recording = recorded()
     rows = list(csv.reader(io.StringIO(csv_table(recording).decode("ascii"))))

@@ -17,6 +17,7 @@ LINGERS = 1.0
 STRIDE = 1 / 60
 """Virtual seconds that pass at most between two looks of the operator."""
 _SHORTEST = 1e-6
+"""Seconds that are no time: the clock's T-states are rounded to within."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,7 @@ def record(
     rig.type("RUN\r")
     start, last = rig.time, seconds
     taken, now = 0, 0.0
-    while now < last:
+    while now < last - _SHORTEST:
         taken += 1
         target = min(taken / rate, last)
         while (now := rig.time - start) < target - _SHORTEST:
