@@ -14,7 +14,7 @@ from trs80arm.arm.bench_forms import FAR, read_friction, read_size, refuse_overl
 from trs80arm.arm.bench_sensors import wired
 from trs80arm.arm.cell.commanded_feeder import CommandedFeeder
 from trs80arm.arm.cell.conveyor import Conveyor
-from trs80arm.arm.cell.device import Device, Lamp
+from trs80arm.arm.cell.device import AnsweringDevice, Lamp
 from trs80arm.arm.cell.machine import BUSY, DONE, ERROR, Machine
 from trs80arm.arm.cell.sensors import LightBeam
 from trs80arm.arm.cell.turntable import Turntable
@@ -198,7 +198,7 @@ def read_command(bench: Bench, item: Table, feeder: Feeder) -> str:
     return "give, there"
 
 
-def read_lamp(bench: Bench, item: Table, key: str, device: Device, at: Vector) -> None:
+def read_lamp(bench: Bench, item: Table, key: str, device: AnsweringDevice, at: Vector) -> None:
     """An answer of a device: `key = 2`, a bit of the input nibble, or `{ bit = 2, bank = 1 }`.
 
     Args:

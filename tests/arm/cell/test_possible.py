@@ -122,3 +122,18 @@ def test_a_forged_device_is_refused(key: str, value: object) -> None:
     with pytest.raises(SnapshotError):
         rig.restore(sealed(content))
     assert rig.snapshot() == snapshot
+
+
+def test_a_lamp_is_refused_whose_device_has_no_answers() -> None:
+    rig = Rig(bench=benchfile.parse(CELL))
+    rig.type("OUT 158,5\r")
+    rig.run_until_waiting()
+    content = json.loads(rig.snapshot().split(b"\n", 1)[1])
+    state = dict(content["state"])
+    _, _, lamp = state["arm.bench.sensors"][1]
+    conveyor = state["arm.bench.cell.devices"][1]
+    assert lamp["device"][1] == "Machine"
+    assert conveyor[1] == "Conveyor"
+    lamp["device"] = conveyor
+    with pytest.raises(SnapshotError, match="another kind of value"):
+        rig.restore(sealed(content))

@@ -11,14 +11,14 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from trs80arm.arm.bench import deep
-from trs80arm.arm.cell.device import Device, Site, rises
+from trs80arm.arm.cell.device import AnsweringDevice, Site, rises
 from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.fixtures import Feeder
 
 
 @dataclass
-class CommandedFeeder(Device):
+class CommandedFeeder(AnsweringDevice):
     """A feeder on the auxiliary latch.
 
     Attributes:

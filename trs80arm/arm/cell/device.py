@@ -7,6 +7,7 @@ it moves on the contact clock's ticks. The list of a bench's devices is its `Wor
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Protocol
@@ -42,7 +43,7 @@ class Site(Protocol):
         """Let a feeder give its next part."""
 
 
-class Device:
+class Device(ABC):
     """One device. What a kind of device does not do it leaves as it is here: nothing.
 
     Attributes:
@@ -59,14 +60,14 @@ class Device:
         return self.kind if self.name == self.kind else f"{self.kind} '{self.name}'"
 
     @property
+    @abstractmethod
     def wires(self) -> Mapping[str, int]:
         """The bits of the auxiliary latch that it listens to, by the keys that name them."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def state(self) -> str:
         """What it does now, in a word or two."""
-        raise NotImplementedError
 
     @property
     def possible(self) -> bool:
@@ -78,6 +79,7 @@ class Device:
     def connect(self, nibble: int) -> None:
         """Begin to listen to a latch that holds a nibble: a level is one, an edge is not."""
 
+    @abstractmethod
     def write(self, time: int, before: int, nibble: int, site: Site, log: EventLog) -> None:
         """The latch holds another nibble.
 
@@ -88,15 +90,6 @@ class Device:
             site: the bench.
             log: of the arm, for what there is to tell.
         """
-
-    def lit(self, key: str, seen: Seen) -> bool:
-        """Whether an answer is given that it has on an input bit.
-
-        Args:
-            key: that names the answer in the bench file.
-            seen: what there is to sense.
-        """
-        raise NotImplementedError
 
     # The bench
 
@@ -146,6 +139,19 @@ class Device:
         log.tell(time, Happening(EventKind.DEVICE, f"{self.name} {what}"))
 
 
+class AnsweringDevice(Device):
+    """A device that has answers on the input nibble, each shown by a `Lamp`."""
+
+    @abstractmethod
+    def lit(self, key: str, seen: Seen) -> bool:
+        """Whether an answer is given that it has on an input bit.
+
+        Args:
+            key: that names the answer in the bench file.
+            seen: what there is to sense.
+        """
+
+
 @dataclass(frozen=True)
 class Lamp:
     """An answer of a device on a bit of the input nibble.
@@ -159,7 +165,7 @@ class Lamp:
         box: where drawings have it.
     """
 
-    device: Device
+    device: AnsweringDevice
     key: str
     name: str
     bit: int

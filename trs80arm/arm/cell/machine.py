@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from trs80arm.arm.cell.device import NEVER, Device, Site, rises, stand
+from trs80arm.arm.cell.device import NEVER, AnsweringDevice, Site, rises, stand
 from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.contact.forms import flattened
@@ -31,7 +31,7 @@ NOTHING = "no part is at rest in its nest, or not one alone"
 
 
 @dataclass
-class Machine(Device):
+class Machine(AnsweringDevice):
     """A machine.
 
     Attributes:
