@@ -1,6 +1,6 @@
 """What the command line asks of the terminal program: plain values, no Textual.
 
-`cli.py` fills a `TerminalOptions` from flags, environment and the settings file and hands it to
+`cli/` fills a `TerminalOptions` from flags, environment and the settings file and hands it to
 `trs80arm.ui.start.run_terminal`, which alone imports Textual.
 """
 

@@ -1,0 +1,95 @@
+"""The commands that open the terminal, here or in a browser."""
+
+from __future__ import annotations
+
+import gc
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import click
+
+from trs80arm.cli.arguments import A_PATH, A_PROGRAM
+from trs80arm.cli.ending import fail
+from trs80arm.cli.options import SCREEN_FLAGS, machine_options, settings_options, take_settings
+
+if TYPE_CHECKING:
+    from trs80arm.options import TerminalOptions
+
+
+@click.command()
+@click.argument("program", type=A_PROGRAM, required=False)
+@click.option("--run", is_flag=True, help="Type RUN at once.")
+@click.option("--record", type=A_PATH, help="Write everything that the operator does to a file.")
+@click.option("--replay", type=A_PATH, help="Play a recorded session.")
+@click.option("--plain", is_flag=True, help="Line by line, for screen readers and pipes.")
+@click.option(
+    "--own-folder",
+    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    help="Open and save in this folder only; programs that come along can be opened.",
+)
+@settings_options(SCREEN_FLAGS)
+@machine_options
+def terminal(**given: Any) -> None:
+    """Open the terminal, with PROGRAM loaded if one is given."""
+    _open_terminal(given)
+
+
+@click.command()
+@click.option("--plain", is_flag=True, help="Line by line, for screen readers and pipes.")
+@settings_options(SCREEN_FLAGS)
+@machine_options
+def tour(**given: Any) -> None:
+    """The first five minutes, step by step: drive the arm, pick a part, teach, see a slip.
+
+    Each step waits until you have done it; the tour goes on where you left it.
+    """
+    _open_terminal(given, tour=True)
+
+
+@click.command()
+@settings_options(SCREEN_FLAGS)
+@machine_options
+def demo(**given: Any) -> None:
+    """Watch the article's pick-and-place task; any key ends the demonstration."""
+    _open_terminal(given, demo=True)
+
+
+def _open_terminal(given: dict[str, Any], **more: Any) -> NoReturn:
+    options = terminal_options(given, **more)
+    if options.plain:
+        from trs80arm.plain import run_plain
+
+        sys.exit(run_plain(options))
+    # What is imported from here on stays; `run_terminal` sets it aside.
+    gc.disable()
+    from trs80arm.ui.start import run_terminal
+
+    sys.exit(run_terminal(options))
+
+
+def terminal_options(given: dict[str, Any], **more: Any) -> TerminalOptions:
+    """What a start of the terminal asks for; takes the flags out of `given`."""
+    from trs80arm import settings as settings_module
+
+    config = given.get("config")
+    # A person who presses BREAK wants the arm to stop, unless the settings say otherwise.
+    settings = take_settings(given, "driver.break_now=true")
+    return settings.options(config or settings_module.default_path(), **given, **more)
+
+
+@click.command()
+@click.option("--host", default="127.0.0.1", show_default=True, help="The address to listen at.")
+@click.option("--port", default=8000, show_default=True, type=click.IntRange(1, 65535))
+@click.option(
+    "--allow-files", is_flag=True, help="Let visitors open and save files as you can yourself."
+)
+@click.argument("program", type=A_PROGRAM, required=False)
+def serve(host: str, port: int, program: Path | None, allow_files: bool) -> None:
+    """Serve the terminal to a browser (extra `web`)."""
+    from trs80arm.ui.serve import ServeError, serve_terminal
+
+    try:
+        serve_terminal(host, port, program, allow_files=allow_files)
+    except ServeError as error:
+        fail(error)
