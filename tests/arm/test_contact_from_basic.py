@@ -7,6 +7,7 @@ import math
 import pytest
 
 from tests import statements
+from tests.slices import elsewhere
 from trs80arm import Rig
 from trs80arm.arm import EventKind, benchfile
 from trs80arm.arm.bench import deep
@@ -308,8 +309,7 @@ def test_a_snapshot_in_the_middle_of_a_fall_and_of_a_push_goes_on_as_if_there_we
     middles = 0
     for _ in range(8):
         rig.run_for(12 / 60)
-        other = Rig()
-        other.restore(rig.snapshot())
+        other = elsewhere(rig)
         middles += any(not each.asleep for each in rig.arm.bench.parts.values())
         rig.run_for(3 / 60)
         for _ in range(3):

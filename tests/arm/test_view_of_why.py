@@ -6,6 +6,7 @@ from math import tau
 
 import pytest
 
+from tests.slices import elsewhere
 from trs80arm import Rig
 from trs80arm.arm import ArmModel, Bench, Motor, Pose
 from trs80arm.arm.events import EventKind
@@ -137,8 +138,7 @@ def test_a_peak_is_of_the_bench_at_which_the_arm_stands() -> None:
 def test_a_peak_is_part_of_a_snapshot() -> None:
     rig = stretched()
     typed(rig, "@STEP 60,0,-60")
-    other = Rig()
-    other.restore(rig.snapshot())
+    other = elsewhere(rig)
     assert other.loads == rig.loads
 
 

@@ -14,6 +14,7 @@ import pytest
 
 from tests.goldens import check_golden
 from tests.own_places import PROGRAMS
+from tests.slices import elsewhere
 from tests.statements import done
 from trs80arm import Rig
 from trs80arm.arm import EventKind, benchfile
@@ -120,8 +121,7 @@ def test_what_sensors_say_does_not_hang_on_how_time_is_sliced(name: str) -> None
     while rig.outcome is None:
         rig.run_for(chance.choice([0.0001, 0.01, 1.0, 3.0]))
         if chance.random() < 0.02:
-            before, rig = rig, Rig()
-            rig.restore(before.snapshot())
+            rig = elsewhere(rig)
     rig.run_until_waiting()
     check_golden(f"program-{name}", told(rig))
 

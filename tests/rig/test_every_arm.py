@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from tests.slices import elsewhere
 from tests.statements import done
 from trs80arm import Rig
 from trs80arm.arm import ArmSettings, benchfile
@@ -121,8 +122,7 @@ def test_its_home_switches_close_where_its_joints_are_at_their_marks(model: ArmM
 
 def test_it_goes_on_from_a_snapshot(model: ArmModel) -> None:
     rig = machine(model, BLOCK, "@CLOSE 100")
-    other = Rig()
-    other.restore(rig.snapshot())
+    other = elsewhere(rig)
     for each in (rig, other):
         done(each, lift(model))
     assert other.snapshot() == rig.snapshot()

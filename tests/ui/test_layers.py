@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import pytest
 from rich.style import Style
@@ -24,21 +24,31 @@ from trs80arm.ui.terminal.changes import CellsUpdate, Change
 from trs80arm.ui.terminal.layers import Layer
 
 
-def watch_lines(sitting: Sitting) -> list[set[int]]:
-    """The lines of each update that is written to the terminal from now on."""
-    written: list[set[int]] = []
+def watch(sitting: Sitting, see: Callable[[object], None]) -> None:
+    """Have each update seen that is written to the terminal from now on."""
     real = sitting.app._display
 
     def display(screen: Screen[object], update: object) -> None:
+        if update is not None:
+            see(update)
+        real(screen, update)  # type: ignore[arg-type]
+
+    sitting.app._display = display  # type: ignore[assignment, method-assign]
+
+
+def watch_lines(sitting: Sitting) -> list[set[int]]:
+    """The lines of each update that is written to the terminal from now on."""
+    written: list[set[int]] = []
+
+    def see(update: object) -> None:
         if isinstance(update, ChopsUpdate):
             written.append({y for y, _, _ in update.spans})
         elif isinstance(update, CellsUpdate):
             written.append({y for _, y, _ in update.changes})
-        elif update is not None:
+        else:
             written.append(set(range(sitting.app.size.height)))
-        real(screen, update)  # type: ignore[arg-type]
 
-    sitting.app._display = display  # type: ignore[assignment, method-assign]
+    watch(sitting, see)
     return written
 
 
@@ -107,14 +117,12 @@ async def test_only_the_cells_that_changed_are_written_behind_a_dialog(sit_down:
         await sitting.type_line("?1")
         await until_all_is_written(sitting, written)
         spans: list[tuple[int, int, int]] = []
-        real = sitting.app._display
 
-        def display(screen: Screen[object], update: object) -> None:
+        def see(update: object) -> None:
             if isinstance(update, ChopsUpdate):
                 spans.extend(update.spans)
-            real(screen, update)  # type: ignore[arg-type]
 
-        sitting.app._display = display  # type: ignore[assignment, method-assign]
+        watch(sitting, see)
         sitting.app.session.rig.type("?2")
         await sitting.pass_time(0.4)
         await until_all_is_written(sitting, written)
@@ -202,18 +210,16 @@ async def test_what_is_written_bit_by_bit_is_what_there_is(sit_down: Opener) -> 
     async with sit_down(120, 40) as sitting:
         sheet, whole = sheet_of(sitting), 0
         bits: list[object] = []
-        real = sitting.app._display
 
-        def display(screen: Screen[object], update: object) -> None:
+        def see(update: object) -> None:
             nonlocal sheet, whole
             if isinstance(update, ChopsUpdate | CellsUpdate):
                 written_on(sheet, update)
                 bits.append(update)
-            elif update is not None:
+            else:
                 sheet, whole = sheet_of(sitting), whole + 1
-            real(screen, update)  # type: ignore[arg-type]
 
-        sitting.app._display = display  # type: ignore[assignment, method-assign]
+        watch(sitting, see)
         await sitting.type_line(
             '10 PRINT "HERE": @STEP 200,300,-200,200,0,0,-200: @READ A: GOTO 10'
         )

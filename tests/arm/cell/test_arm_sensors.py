@@ -6,7 +6,9 @@ import math
 
 import pytest
 
-from trs80arm.arm import BenchError, MiniMover, Pose, benchfile
+from tests.arm.cell.cells import arm_at, stepping_at
+from tests.arm.refusals import refusal
+from trs80arm.arm import Pose, benchfile
 from trs80arm.arm.cell.mounted import ForceSensor, TactilePad
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 
@@ -79,12 +81,6 @@ weight = 4
 """
 
 
-def ready(text: str) -> PulseGenerator:
-    generator = PulseGenerator(MiniMover(bench=benchfile.parse(text)))
-    generator.align()
-    return generator
-
-
 def answering(generator: PulseGenerator) -> set[str]:
     return {answer.name for answer in generator.arm.answers(generator.time) if answer.given}
 
@@ -98,7 +94,7 @@ def force(generator: PulseGenerator, name: str) -> float:
 
 
 def test_a_fingertip_feels_the_table_by_the_second_half_step_that_presses() -> None:
-    generator = ready(TIPS)
+    generator = stepping_at(TIPS)
     touched, steps = 0, 0
     while generator.arm.inputs(generator.time) == 0b1111:
         generator.step((0, 1), SLOW)
@@ -112,7 +108,7 @@ def test_a_fingertip_feels_the_table_by_the_second_half_step_that_presses() -> N
 
 
 def test_what_the_tips_bear_is_what_the_shoulder_presses_with() -> None:
-    generator = ready(TIPS)
+    generator = stepping_at(TIPS)
     generator.step((0, 30), SLOW)
     generator.wait(0.5)
     arm = generator.arm
@@ -128,7 +124,7 @@ def test_what_the_tips_bear_is_what_the_shoulder_presses_with() -> None:
 
 
 def test_inner_pads_feel_what_is_squeezed_and_no_other_pad_does() -> None:
-    generator = ready(FACES)
+    generator = stepping_at(FACES)
     assert answering(generator) == set()
     generator.close(SLOW, 20)
     generator.wait(0.3)
@@ -143,13 +139,13 @@ def test_inner_pads_feel_what_is_squeezed_and_no_other_pad_does() -> None:
 
 
 def test_an_empty_hand_feels_itself() -> None:
-    generator = ready(FACES.replace("at = [8, 3, 0.5]", "at = [8, -3, 2]"))
+    generator = stepping_at(FACES.replace("at = [8, 3, 0.5]", "at = [8, -3, 2]"))
     generator.close(SLOW, 60)
     assert answering(generator) == {"inner left", "inner right", "grip"}
 
 
 def test_the_shoulders_cable_tells_of_a_load_and_not_of_the_arms_own_weight() -> None:
-    generator = ready(FACES)
+    generator = stepping_at(FACES)
     generator.close(SLOW, 40)
     assert "shoulder" not in answering(generator)
     generator.step((0, -60), SLOW)
@@ -161,7 +157,7 @@ def test_the_shoulders_cable_tells_of_a_load_and_not_of_the_arms_own_weight() ->
 
 
 def test_a_cable_tells_of_an_operators_pull() -> None:
-    generator = ready(FACES)
+    generator = stepping_at(FACES)
     arm = generator.arm
     arm.pull((0.0, 0.0, -10.0))
     assert "shoulder" in answering(generator)
@@ -170,7 +166,7 @@ def test_a_cable_tells_of_an_operators_pull() -> None:
 
 
 def test_an_outer_pad_feels_what_the_hand_pushes_aside() -> None:
-    generator = ready(FACES.replace("at = [8, 3, 0.5]", "at = [8, 1.5, 0.5]"))
+    generator = stepping_at(FACES.replace("at = [8, 3, 0.5]", "at = [8, 1.5, 0.5]"))
     seen = set()
     for _ in range(30):
         generator.step((3,), SLOW)
@@ -201,7 +197,7 @@ def test_a_links_pad_feels_whatever_presses_on_the_link() -> None:
     at = [9, 3]
     size = [3, 1, 12]
     """
-    generator = ready(text)
+    generator = stepping_at(text)
     assert generator.arm.inputs(generator.time) == 0b1111
     generator.step((200,), SLOW)
     assert answering(generator) == {"forearm"}
@@ -222,7 +218,7 @@ def test_the_palm_sees_a_part_or_the_table_straight_ahead_within_its_range(heigh
     at = [8, 0]
     size = [1, 1, {height}]
     """
-    arm = MiniMover(bench=benchfile.parse(text))
+    arm = arm_at(text)
     # The palm is 1.7 in behind the fingertips.
     for x, top in ((8, height), (11, 0.0)):
         arm.move_to(Pose(x, 0, top + 0.79, -90, 0, 2.0))
@@ -232,7 +228,7 @@ def test_the_palm_sees_a_part_or_the_table_straight_ahead_within_its_range(heigh
 
 
 def test_the_palm_sees_what_is_in_the_hand() -> None:
-    generator = ready(FACES + "[[proximity]]\non = 'palm'\nrange = 1.7\nbit = 3\nbank = 3\n")
+    generator = stepping_at(FACES + "[[proximity]]\non = 'palm'\nrange = 1.7\nbit = 3\nbank = 3\n")
     generator.close(SLOW, 40)
     generator.step((0, -100), SLOW)
     assert "palm" in answering(generator)
@@ -281,10 +277,7 @@ def test_the_palm_sees_what_is_in_the_hand() -> None:
     ],
 )
 def test_a_sensor_of_the_arm_that_cannot_be_gets_one_line(text: str, line: str) -> None:
-    with pytest.raises(BenchError) as caught:
-        benchfile.parse(text, "b.toml")
-    assert str(caught.value).startswith(f"b.toml: {line}")
-    assert "\n" not in str(caught.value)
+    assert refusal(text).startswith(f"b.toml: {line}")
 
 
 def test_a_sensor_without_a_name_is_called_by_where_it_is() -> None:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from tests.arm.cell.cells import at_the_cell, run
-from trs80arm import Rig
-from trs80arm.arm import BenchError, benchfile
+from tests.arm.cell.cells import arm_at, at_the_cell, run, started
+from tests.arm.refusals import refusal
+from tests.slices import sliced
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
-from trs80arm.arm.minimover import MiniMover, Pose
+from trs80arm.arm.minimover import Pose
 
 FEEDER = """
 [[feeder]]
@@ -51,7 +51,7 @@ def test_it_gives_on_a_rising_edge_and_answers_that_a_part_is_there() -> None:
 
 
 def test_it_ignores_the_command_while_the_hand_is_at_its_place() -> None:
-    arm = MiniMover(bench=benchfile.parse(FEEDER))
+    arm = arm_at(FEEDER)
     arm.move_to(Pose(8.0, -3.0, 0.5, -90.0, 0.0))
     arm.apply([0], [6], [2])
     assert not arm.bench.parts
@@ -81,18 +81,12 @@ def test_parts_given_onto_a_running_belt_go_along_until_it_is_empty() -> None:
 
 
 def test_feeding_is_the_same_whole_and_sliced_with_snapshots_between() -> None:
+    program = "10 OUT 158,1\n20 OUT 158,3:OUT 158,1:FOR I=1 TO 200:NEXT:GOTO 20\n"
     ends = []
-    for sliced in (False, True):
-        rig = at_the_cell(BELT + ON_THE_BELT)
-        rig.load_text("10 OUT 158,1\n20 OUT 158,3:OUT 158,1:FOR I=1 TO 200:NEXT:GOTO 20\n")
-        rig.type("RUN\r")
-        if sliced:
-            for k in range(12):
-                rig.run_for(0.1 + 0.017 * k)
-                if k % 4 == 3:
-                    snapshot = rig.snapshot()
-                    rig = Rig()
-                    rig.restore(snapshot)
+    for in_slices in (False, True):
+        rig = started(at_the_cell(BELT + ON_THE_BELT), program)
+        if in_slices:
+            rig = sliced(rig, (0.1 + 0.017 * k for k in range(12)), range(3, 12, 4))
         rig.run_to(5 * T_STATES_PER_SECOND)
         parts = [(part.name, part.place) for part in rig.arm.bench.parts.values()]
         ends.append((parts, rig.arm.events, rig.snapshot()))
@@ -101,7 +95,7 @@ def test_feeding_is_the_same_whole_and_sliced_with_snapshots_between() -> None:
 
 
 def test_parts_put_back_fill_it_again_and_it_waits_for_its_command() -> None:
-    arm = MiniMover(bench=benchfile.parse(FEEDER))
+    arm = arm_at(FEEDER)
     arm.apply([0, 5], [6, 6], [2, 0])
     arm.refill()
     assert not arm.bench.parts
@@ -121,6 +115,4 @@ def test_parts_put_back_fill_it_again_and_it_waits_for_its_command() -> None:
     ],
 )  # fmt: skip
 def test_a_wrong_command_is_one_line(old: str, new: str, line: str) -> None:
-    with pytest.raises(BenchError) as caught:
-        benchfile.parse(BELT + ON_THE_BELT.replace(old, new), "b.toml")
-    assert str(caught.value) == f"b.toml: feeder[1].{line}"
+    assert refusal(BELT + ON_THE_BELT.replace(old, new)) == f"b.toml: feeder[1].{line}"

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tests.arm.cell.cells import at_the_cell, run
-from trs80arm import Rig
+from tests.arm.cell.cells import arm_at, at_the_cell, run, started
+from tests.arm.refusals import refusal
+from tests.slices import sliced
 from trs80arm.arm import BenchError, benchfile
 from trs80arm.arm.cell.conveyor import Conveyor
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
@@ -53,10 +54,6 @@ def belt_of(arm: MiniMover) -> Conveyor:
     (belt,) = arm.bench.cell.devices
     assert isinstance(belt, Conveyor)
     return belt
-
-
-def arm_at(text: str) -> MiniMover:
-    return MiniMover(bench=benchfile.parse(text, "cell.toml"))
 
 
 def run_belt(arm: MiniMover, nibble: int, start: float, seconds: float) -> None:
@@ -167,18 +164,12 @@ def test_the_photocell_is_seen_by_inp_and_stops_the_belt_from_basic() -> None:
 
 
 def test_a_belt_is_the_same_whole_and_sliced_with_snapshots_between() -> None:
+    program = "10 OUT 158,1:FOR I=1 TO 700:NEXT:OUT 158,3:FOR I=1 TO 300:NEXT:OUT 158,0\n"
     ends = []
-    for sliced in (False, True):
-        rig = at_the_cell(BELT + BLOCK + RIDER + STOP)
-        rig.load_text("10 OUT 158,1:FOR I=1 TO 700:NEXT:OUT 158,3:FOR I=1 TO 300:NEXT:OUT 158,0\n")
-        rig.type("RUN\r")
-        if sliced:
-            for k in range(25):
-                rig.run_for(0.05 + 0.011 * k)
-                if k % 6 == 0:
-                    snapshot = rig.snapshot()
-                    rig = Rig()
-                    rig.restore(snapshot)
+    for in_slices in (False, True):
+        rig = started(at_the_cell(BELT + BLOCK + RIDER + STOP), program)
+        if in_slices:
+            rig = sliced(rig, (0.05 + 0.011 * k for k in range(25)), range(0, 25, 6))
         rig.run_to(9 * T_STATES_PER_SECOND)
         parts = [(part.place, part.turn, part.velocity) for part in rig.arm.bench.parts.values()]
         ends.append((parts, rig.arm.events, rig.snapshot()))
@@ -217,9 +208,7 @@ def test_parts_put_back_stand_on_the_belt_that_runs_on() -> None:
     ],
 )  # fmt: skip
 def test_a_wrong_belt_is_one_line(old: str, new: str, line: str) -> None:
-    with pytest.raises(BenchError) as caught:
-        benchfile.parse(BELT.replace(old, new), "b.toml")
-    assert str(caught.value) == f"b.toml: conveyor[1].{line}"
+    assert refusal(BELT.replace(old, new)) == f"b.toml: conveyor[1].{line}"
 
 
 def test_parts_stand_on_the_belt_and_not_in_it() -> None:

@@ -6,9 +6,11 @@ import math
 
 import pytest
 
-from trs80arm.arm import BenchError, MiniMover, Pose, benchfile
+from tests.arm.cell.cells import arm_at, stepping_at
+from tests.arm.refusals import refusal
+from trs80arm.arm import MiniMover, Pose
 from trs80arm.arm.motors import PHASES
-from trs80arm.arm.stepping import PulseGenerator, delay_period
+from trs80arm.arm.stepping import delay_period
 
 BRISK, SLOW = delay_period(50), delay_period(100)
 
@@ -45,18 +47,12 @@ bank = 1
 """
 
 
-def ready(text: str = ALL) -> PulseGenerator:
-    generator = PulseGenerator(MiniMover(bench=benchfile.parse(text)))
-    generator.align()
-    return generator
-
-
 def closed(arm: MiniMover) -> list[bool]:
     return [switch.closed for switch in arm.bench.homes]
 
 
 def test_a_switch_without_play_is_closed_at_its_mark_and_beyond() -> None:
-    generator = ready()
+    generator = stepping_at(ALL)
     arm = generator.arm
     for way in (1, -1, 1):
         for _ in range(100):
@@ -77,7 +73,7 @@ def test_a_switch_opens_only_where_its_joint_has_gone_back_by_its_play(
     joint: str, mark: float, play: float
 ) -> None:
     head = "[arm]\nat = [8, 0, 3]\n[[home]]\n"
-    generator = ready(f"{head}joint = '{joint}'\nat = {mark}\nplay = {play}\nbit = 1")
+    generator = stepping_at(f"{head}joint = '{joint}'\nat = {mark}\nplay = {play}\nbit = 1")
     arm, (switch,) = generator.arm, generator.arm.bench.homes
     drive = arm.model.drives[switch.motor]
     step = math.degrees(1 / drive.steps)
@@ -100,7 +96,7 @@ def test_a_switch_opens_only_where_its_joint_has_gone_back_by_its_play(
 
 
 def test_turning_back_within_the_play_changes_nothing() -> None:
-    generator = ready()
+    generator = stepping_at(ALL)
     arm = generator.arm
     switch = arm.bench.homes[1]
     while switch.closed:
@@ -115,7 +111,7 @@ def test_turning_back_within_the_play_changes_nothing() -> None:
 
 
 def test_a_joint_that_has_slipped_closes_its_switch_where_it_truly_is() -> None:
-    generator = ready()
+    generator = stepping_at(ALL)
     arm = generator.arm
     # Much too fast: the base drops out of step.
     generator.step((400,), delay_period(0))
@@ -128,7 +124,7 @@ def test_a_joint_that_has_slipped_closes_its_switch_where_it_truly_is() -> None:
 
 
 def test_moving_the_arm_by_hand_moves_the_cams() -> None:
-    arm = MiniMover(bench=benchfile.parse(ALL))
+    arm = arm_at(ALL)
     arm.move_to(Pose(8, 1, 3, -90, 0))
     assert closed(arm)[0]
     arm.move_to(Pose(8, -1, 3, -90, 0))
@@ -158,7 +154,7 @@ def test_a_burst_that_turns_back_does_to_a_switch_what_its_writes_do_one_by_one(
     times, latches, nibbles = times * (1 + more), latches + [2] * more * len(latches), nibbles * 2
     order = sorted(range(len(times)), key=lambda k: times[k])
     times, latches, nibbles = ([which[k] for k in order] for which in (times, latches, nibbles))
-    whole, sliced = (MiniMover(bench=benchfile.parse(text)) for _ in range(2))
+    whole, sliced = (arm_at(text) for _ in range(2))
     whole.apply(times, latches, nibbles)
     for each in zip(times, latches, nibbles, strict=True):
         sliced.apply(*([value] for value in each))
@@ -196,13 +192,11 @@ def test_a_burst_that_turns_back_does_to_a_switch_what_its_writes_do_one_by_one(
     ],
 )
 def test_a_home_switch_that_cannot_be_gets_one_line(text: str, line: str) -> None:
-    with pytest.raises(BenchError) as caught:
-        benchfile.parse(text, "b.toml")
-    assert str(caught.value).startswith(f"b.toml: {line}")
+    assert refusal(text).startswith(f"b.toml: {line}")
 
 
 def test_a_switch_is_closed_from_the_t_state_of_the_write_that_turns_its_joint_there() -> None:
-    arm = MiniMover(bench=benchfile.parse("[[home]]\njoint = 'base'\nat = 0.03\nbit = 3"))
+    arm = arm_at("[[home]]\njoint = 'base'\nat = 0.03\nbit = 3")
     arm.apply([1000], [0], [PHASES[0]])
     assert arm.inputs(99_999) == 0b1111
     arm.apply([100_000], [0], [PHASES[1]])

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from tests.arm.cell.cells import at_the_cell, run
+from tests.arm.cell.cells import arm_at, at_the_cell, run, started
+from tests.arm.refusals import refusal
 from tests.arm.writes import Recorder
-from trs80arm import Rig
-from trs80arm.arm import BenchError, benchfile
+from tests.slices import elsewhere
 from trs80arm.arm.cell.machine import Machine
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.minimover import MiniMover, Pose
@@ -41,10 +41,6 @@ HANDSHAKE = """10 LPRINT INP(152)AND14
 50 OUT 158,0:LPRINT INP(152)AND14
 """
 IDLE, BUSY, DONE, ERROR = 14, 12, 10, 6
-
-
-def arm_at(text: str) -> MiniMover:
-    return MiniMover(bench=benchfile.parse(text, "cell.toml"))
 
 
 def press_of(arm: MiniMover) -> Machine:
@@ -87,18 +83,14 @@ def test_it_is_busy_and_done_at_the_very_t_state() -> None:
 def test_the_handshake_is_the_same_whole_and_sliced_with_snapshots_between() -> None:
     ends = []
     for step in (None, 977, 40_001):
-        rig = at_the_cell(PRESS + BLOCK)
-        rig.load_text(HANDSHAKE)
-        rig.type("RUN\r")
+        rig = started(at_the_cell(PRESS + BLOCK), HANDSHAKE)
         end = 3 * T_STATES_PER_SECOND
         if step is not None:
             rig.run_to(round(1.4 * T_STATES_PER_SECOND))
             for k in range(40):
                 rig.run_to(rig.clock.now + step)
                 if k % 13 == 0:
-                    snapshot = rig.snapshot()
-                    rig = Rig()
-                    rig.restore(snapshot)
+                    rig = elsewhere(rig)
         rig.run_to(end)
         part = rig.arm.bench.parts["block"]
         ends.append((rig.printer.text, rig.arm.events, part.place, part.top, rig.snapshot()))
@@ -221,6 +213,4 @@ def test_parts_put_back_while_it_works_end_its_work() -> None:
     ],
 )  # fmt: skip
 def test_a_wrong_machine_is_one_line(old: str, new: str, line: str) -> None:
-    with pytest.raises(BenchError) as caught:
-        benchfile.parse(PRESS.replace(old, new), "b.toml")
-    assert str(caught.value) == f"b.toml: machine[1].{line}"
+    assert refusal(PRESS.replace(old, new)) == f"b.toml: machine[1].{line}"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import random
 
-from tests.arm.cell.cells import at_the_cell, run
-from trs80arm import Rig
+from tests.arm.cell.cells import at_the_cell, run, started
+from tests.slices import elsewhere
 
 CELL = """
 [arm]
@@ -114,14 +114,11 @@ def test_a_program_sees_each_sensor_in_its_bank() -> None:
 def test_it_sees_the_same_however_time_is_sliced() -> None:
     whole = run(at_the_cell(CELL), LOOK)
     chance = random.Random(4)
-    rig = at_the_cell(CELL)
-    rig.load_text(LOOK)
-    rig.type("RUN\r")
+    rig = started(at_the_cell(CELL), LOOK)
     for k in range(400):
         if rig.outcome is not None and k > 50:
             break
         rig.run_for(chance.choice([0.001, 0.01, 0.2]))
         if k % 40 == 20:
-            before, rig = rig, Rig()
-            rig.restore(before.snapshot())
+            rig = elsewhere(rig)
     assert rig.printer.text == whole

@@ -6,7 +6,8 @@ import math
 
 import pytest
 
-from tests.arm.cell.cells import at_the_cell, run
+from tests.arm.cell.cells import at_the_cell, run, started
+from tests.slices import sliced
 from trs80arm import Rig
 from trs80arm.arm.cell.turntable import Turntable
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
@@ -82,17 +83,10 @@ def test_pulses_that_come_too_fast_lose_rings_as_those_of_any_motor() -> None:
 
 def test_a_plate_turns_the_same_sliced_with_a_snapshot_between() -> None:
     ends = []
-    for sliced in (False, True):
-        rig = at_the_cell(TWO)
-        rig.load_text(TURNS)
-        rig.type("RUN\r")
-        if sliced:
-            for k in range(20):
-                rig.run_for(0.1 + 0.013 * k)
-                if k % 7 == 0:
-                    snapshot = rig.snapshot()
-                    rig = Rig()
-                    rig.restore(snapshot)
+    for in_slices in (False, True):
+        rig = started(at_the_cell(TWO), TURNS)
+        if in_slices:
+            rig = sliced(rig, (0.1 + 0.013 * k for k in range(20)), range(0, 20, 7))
         rig.run_until_waiting(12)
         rig.run_to(12 * T_STATES_PER_SECOND)
         parts = [(part.name, part.place, part.turn) for part in rig.arm.bench.parts.values()]

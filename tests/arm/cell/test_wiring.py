@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from trs80arm.arm import BenchError, benchfile
+from tests.arm.refusals import refusal
+from trs80arm.arm import benchfile
 
 COILS = "[[turntable]]\nat = [6, 4]\nradius = 1\n"
 PULSED = COILS + 'drive = "pulse"\n'
@@ -63,9 +64,7 @@ PULSED = COILS + 'drive = "pulse"\n'
     ],
 )
 def test_a_wrong_wiring_is_one_line_that_names_table_and_key(text: str, line: str) -> None:
-    with pytest.raises(BenchError) as caught:
-        benchfile.parse(text, "b.toml")
-    assert str(caught.value) == line
+    assert refusal(text) == line
 
 
 def test_one_turntable_may_be_written_as_a_table_and_several_as_tables() -> None:
