@@ -69,3 +69,18 @@ def test_what_cannot_be_written_is_told_in_one_line(
     words: list[str], said: str, tmp_path: Path
 ) -> None:
     assert said in refusal(words, tmp_path)
+
+
+@pytest.mark.parametrize("suffix", [".xml", ".mjcf", ".urdf", ".URDF"])
+@pytest.mark.parametrize(
+    "option", [("--seconds", "60"), ("--fps", "30"), ("--input", "1"), ("--set", "6:1.0 0")]
+)
+def test_an_arm_as_it_stands_takes_no_option_of_a_run(
+    suffix: str, option: tuple[str, str], tmp_path: Path
+) -> None:
+    target = tmp_path / f"arm{suffix}"
+    told = (
+        f"trs80arm: {target}: {option[0]} is for a run; a {suffix} file has the arm as it stands\n"
+    )
+    assert run("table4", "-o", target, *option) == (2, told)
+    assert not target.exists()

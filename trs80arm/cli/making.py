@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+from click.core import ParameterSource
 
 from trs80arm.cli.arguments import A_PATH, A_PROGRAM, Finite
 from trs80arm.cli.ending import fail
@@ -23,6 +24,8 @@ from trs80arm.cli.options import (
 from trs80arm.cli.terminal import terminal_options
 
 _FILM_FLAGS = ("glyphs", "theme", "arm-style", "cursor")
+_OF_RUNS = ("seconds", "looks", "inputs", "sets")
+"""What `export` takes of which a file of the arm as it stands has nothing."""
 LONGEST_FILM = 600.0
 """Virtual seconds of a film or an export at most."""
 
@@ -117,8 +120,10 @@ def export_(**given: Any) -> None:
     on, with the bench of --bench or of PROGRAM. Of a run there are animated glTF (.gltf, .glb),
     joints over time (.csv, .npz) and an asciinema cast of the terminal (.cast).
     """
-    from trs80arm.export.exporting import FILM, Export, ExportError, export
+    from trs80arm.export.exporting import FILM, STANDING, Export, ExportError, export
 
+    if given["output"].suffix.lower() in STANDING:
+        _refuse_what_is_of_runs(click.get_current_context(), given["output"])
     output, looks = given.pop("output"), given.pop("looks")
     answers = {name: given.pop(name) for name in ("seconds", "inputs", "sets")}
     if output.suffix.lower() == FILM:
@@ -132,6 +137,15 @@ def export_(**given: Any) -> None:
         export(Export(output, program, bench, fps=looks or 30.0, rig=settings.rig(), **answers))
     except ExportError as error:
         fail(error)
+
+
+def _refuse_what_is_of_runs(context: click.Context, output: Path) -> None:
+    """A file of the arm as it stands has no use for what says how long and how a run is."""
+    what_it_has = f"a {output.suffix} file has the arm as it stands"
+    for option in context.command.params:
+        source = context.get_parameter_source(option.name or "")
+        if option.name in _OF_RUNS and source is ParameterSource.COMMANDLINE:
+            fail(f"{output}: {option.opts[0]} is for a run; {what_it_has}")
 
 
 @click.command()

@@ -56,8 +56,8 @@ def export(asked: Export) -> None:
     """
     suffix = asked.path.suffix.lower()
     try:
-        if suffix in _STANDING:
-            _STANDING[suffix](asked)
+        if suffix in STANDING:
+            STANDING[suffix](asked)
         elif suffix in _RUNS:
             rig, run = _run(asked)
             write_whole(asked.path, _RUNS[suffix](rig, run))
@@ -101,7 +101,7 @@ def _rig(asked: Export) -> Rig:
     return rig
 
 
-_STANDING: dict[str, Callable[[Export], None]] = {
+STANDING: dict[str, Callable[[Export], None]] = {
     ".xml": _write_mjcf,
     ".mjcf": _write_mjcf,
     ".urdf": _write_urdf,
@@ -116,4 +116,4 @@ _RUNS: dict[str, Callable[[Rig, Recording], bytes]] = {
 """Of a program's run, by suffix."""
 FILM = ".cast"
 """What is filmed in the terminal, which `trs80arm.ui.filming` does."""
-SUFFIXES = (*_STANDING, *_RUNS, FILM)
+SUFFIXES = (*STANDING, *_RUNS, FILM)
