@@ -9,8 +9,9 @@ from textual.command import CommandPalette
 
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
+from trs80arm.ui.commands.command import key_names
 from trs80arm.ui.commands.palette import Palette
-from trs80arm.ui.commands.table import COMMANDS, key_names
+from trs80arm.ui.commands.table import COMMANDS
 
 
 @piloted

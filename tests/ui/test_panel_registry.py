@@ -14,7 +14,7 @@ from tests.ui.screen_text import screen_text
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row
 from trs80arm.ui import layout
-from trs80arm.ui.commands.table import panel_commands
+from trs80arm.ui.commands.rows.view import panel_commands
 from trs80arm.ui.panels.panel import Panel
 from trs80arm.ui.panels.registry import PANELS, Cadence, PanelRow, groups
 

@@ -51,12 +51,13 @@ from trs80arm.ui.asking import Dialogs
 from trs80arm.ui.commands.arm import ArmCommands
 from trs80arm.ui.commands.bar import CommandBar
 from trs80arm.ui.commands.comfort import ComfortCommands
+from trs80arm.ui.commands.command import Commands
 from trs80arm.ui.commands.debug import DebugCommands
 from trs80arm.ui.commands.keys import KeyCommands
 from trs80arm.ui.commands.machine import MachineCommands
 from trs80arm.ui.commands.palette import Palette
 from trs80arm.ui.commands.program import ProgramCommands
-from trs80arm.ui.commands.table import COMMANDS, Commands, bindings, command, listed
+from trs80arm.ui.commands.table import COMMANDS, bindings, command, listed
 from trs80arm.ui.commands.tube import TubeCommands
 from trs80arm.ui.commands.view import ViewCommands
 from trs80arm.ui.heartbeat import STEADY, Heartbeat

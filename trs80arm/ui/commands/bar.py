@@ -10,7 +10,7 @@ from textual import events
 from textual.strip import Strip
 from textual.widget import Widget
 
-from trs80arm.ui.commands.table import Command
+from trs80arm.ui.commands.command import Command
 
 LESS_IMPORTANT = ("speed", "save", "panel", "pause", "step_statement", "zoom", "teach")
 """What goes, the last one first, where the line is short: it is in palette and help as well."""

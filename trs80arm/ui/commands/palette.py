@@ -8,7 +8,8 @@ from functools import partial
 
 from textual.command import DiscoveryHit, Hit, Hits, Provider
 
-from trs80arm.ui.commands.table import COMMANDS, key_names
+from trs80arm.ui.commands.command import key_names
+from trs80arm.ui.commands.table import COMMANDS
 
 _BY_WORD = 0.5
 """The score of a command that is found by another word for it; a title's is up to 1 and more."""
