@@ -24,6 +24,7 @@ from trs80arm.arm.bench_forms import (
 )
 from trs80arm.arm.bench_goals import read_goal
 from trs80arm.arm.bench_sensors import SENSORS, read_selector, read_sensors
+from trs80arm.arm.by_hand import occupied
 from trs80arm.arm.fixtures import Feeder, Tray
 from trs80arm.arm.geometry import CableDrive, OutOfReach
 from trs80arm.arm.limits import beyond_any_stop
@@ -116,7 +117,7 @@ def _bench(top: Table, name: str) -> Bench:
     read_sensors(bench, top)
     bench.goals += [read_goal(bench, item) for item in top.tables("goal")]
     top.done(f"name, arm, part, feeder, tray, obstacle, {DEVICES}, selector, {SENSORS}, goal")
-    there = World(bench, bench.settings, drive).occupied()
+    there = occupied(World(bench, bench.settings, drive))
     if there is not None:
         raise top.fail("arm.at", f"a free place for the hand; {there} is in the way")
     return bench

@@ -13,7 +13,7 @@ from typing import Any
 from trs80arm.arm.bearing import borne, loads, pushing, resistance, weighing
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.body import Body
-from trs80arm.arm.by_hand import STRONGEST, InTheWay, cable_for, placed, turned
+from trs80arm.arm.by_hand import STRONGEST, cable_for, placed, refill, turned
 from trs80arm.arm.cell.inputs import Answer
 from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.events import ArmEvent, EventKind, Happening, Reason
@@ -120,9 +120,7 @@ class MiniMover:
         Raises:
             InTheWay: the arm stands where one of them was; all are left as they are.
         """
-        name = self._world.refill()
-        if name is not None:
-            raise InTheWay(f"the arm is in the way: it stands where {name} was")
+        refill(self._world)
 
     # The cable
 

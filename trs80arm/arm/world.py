@@ -16,44 +16,28 @@ import numpy as np
 import numpy.typing as npt
 
 from trs80arm.arm.ahead import Ahead
-from trs80arm.arm.bench import Bench, deep
+from trs80arm.arm.bench import Bench
 from trs80arm.arm.body import Body
 from trs80arm.arm.cell.home import HomeSwitch
 from trs80arm.arm.cell.inputs import IDLE, nibble
 from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.contact.sixes import Six
-from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.feeding import Feeding
 from trs80arm.arm.forces import Burden
 from trs80arm.arm.geometry import CableDrive, JointAngles
 from trs80arm.arm.grasp import Grasp
 from trs80arm.arm.grip import Grip
-from trs80arm.arm.linkage import ArmLinkage, said
-from trs80arm.arm.model import Motor
+from trs80arm.arm.linkage import ArmLinkage
+from trs80arm.arm.outlook import Outlook, Standing
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Vector
-from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings
-from trs80arm.arm.sweep import Ranges
+from trs80arm.arm.surroundings import Surroundings
 from trs80arm.arm.telling import Telling
 
-ABOUT = 0.05
-"""Radians, and inches of the opening, about a place in which room is looked for at once."""
-SWEPT = 4
-"""Motions whose room is remembered while nothing else moves."""
-CLOSELY = 8
-"""Ticks for which it does not pay to look at what is swept over by half of them."""
-HALVED = 2
-"""How often a motion is halved before it is looked at place by place."""
 GIVEN = 30
 """Ticks after which an arm that presses and stands has given all that it gives."""
-BY_HAND = 12
-"""Half-steps by which an operator turns the hand's motor in a tick."""
-LET_GO = 400
-"""Ticks in which all comes to rest after the operator's hands, at most."""
-SUNK = 0.03
-"""Inches to which an arm can be put by hand into what gives."""
 
 
 class World:
@@ -61,6 +45,7 @@ class World:
 
     Attributes:
         grip: the hand's hold.
+        linkage: links and fingers as solids.
         around: how far everything is.
     """
 
@@ -72,40 +57,33 @@ class World:
         self.grip = Grip(self.model, drive.home_cable)
         self._rotors = [0] * 6
         self._ticked = [0] * 6
-        self._looked: tuple[list[float], Room] | None = None
-        self._swept: list[Ranges] = []
-        self._easing: list[list[float]] = []
         self._jumped = False
         self._busy = True
         self._loaded = False
-        self._linkage = ArmLinkage(self.model, settings)
+        self.linkage = ArmLinkage(self.model, settings)
         self._telling = Telling(bench)
-        self._grasp = Grasp(bench, self._linkage, self.grip, self._telling)
-        self.around = Surroundings(bench, self._linkage)
-        self._feeding = Feeding(bench, self._linkage, self.around)
+        self._grasp = Grasp(bench, self.linkage, self.grip, self._telling)
+        self.around = Surroundings(bench, self.linkage)
+        self._feeding = Feeding(bench, self.linkage, self.around)
+        self._outlook = Outlook(bench, drive, self.grip, self.around, self._feeding)
         bench.cell.suit(settings)
         bench.lay()
-        bench.scene.arm = self._linkage
-        bench.scene.put_arm(self._commands(self._rotors))
+        bench.scene.arm = self.linkage
+        bench.scene.put_arm(self.wanted)
         self._homes: list[HomeSwitch] | None = None
         driven = drive.driven(self._rotors)
         for switch in bench.homes:
             switch.begin(driven[switch.motor])
 
     def __getstate__(self) -> dict[str, Any]:
-        # How far things are is found anew; when it was looked at hangs on how a run is cut.
+        # What is carried is seen where it is.
         self.show()
-        return {
-            **self.__dict__,
-            "_looked": None,
-            "_swept": [],
-            "_easing": [],
-        }
+        return dict(self.__dict__)
 
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
         bench = self.bench
-        commands = self._commands(self._rotors)
+        commands = self.wanted
         # What falls on the arm comes to lie on it, or slides off.
         bench.scene.put_arm(commands)
         bench.settle()
@@ -121,23 +99,8 @@ class World:
         self._telling.clear()
         self._ticked[:] = self._rotors
         self._jumped, self._busy = False, True
-        self._forget()
+        self._outlook.forget()
         bench.cell.begin()
-
-    def refill(self) -> str | None:
-        """Begin again with the parts; the hand is left empty.
-
-        Returns:
-            Name of a part in whose place the arm stands, and nothing is done; or None.
-        """
-        solids = [solid for _, solid in self._linkage.standing(self._commands(self._rotors))]
-        for part in self.bench.beginning:
-            if any(deep(mine, other, SUNK) for mine in solids for other in part.placed):
-                return part.name
-        self.grip.forget()
-        self.bench.refill()
-        self.start()
-        return None
 
     # Time
 
@@ -180,7 +143,7 @@ class World:
             self._ticked[:] = self._rotors
             self._let_alone()
             self._busy = self._strained and not self.gripped
-            if self._feeding.vacant and not self._feeding.room(self._commands(self._rotors)):
+            if self._feeding.vacant and not self._feeding.room(self.wanted):
                 self.show()
                 self._feed()
             return
@@ -191,7 +154,7 @@ class World:
         """Squeeze what rests in the grip, if nothing else is to be done."""
         if not (self.gripped and self.bench.scene.quiet):
             return False
-        commands = self._commands(self._rotors)
+        commands = self.wanted
         carrying, picks_up = self.bench.scene.carrying, self._grasp.picks_up
         if not carrying.goes_on(commands) or (picks_up and not carrying.flat):
             return False
@@ -211,16 +174,11 @@ class World:
         strained = self._strained
         if self._rotors == self._ticked and not strained:
             return True
-        commands = self._commands(self._rotors)
+        commands = self.wanted
         if not self._holds_on(commands):
             return False
         joints = self._led_to(commands)
-        if not (
-            self._surely_clear(joints)
-            or self._known_clear(Ranges.about(joints, 0.0))
-            or self._sweep_clear(Ranges.about(joints, ABOUT))
-            or self._look(joints).enough
-        ):
+        if not self._outlook.clear_at(joints):
             return False
         if strained:
             self.bench.scene.ease(joints, commands)
@@ -235,48 +193,6 @@ class World:
             return driven.eased(driven.joints, driven.reached, commands, loaded=self._loaded)
         return [*commands[:5], driven.joints[5] if self._loaded else commands[5]]
 
-    def _surely_clear(self, joints: Sequence[float]) -> bool:
-        """Whether there must be room about somewhere, by the room there was where it was measured.
-
-        How far the arm goes is a bound on how much nearer anything can be; the base takes nothing
-        nearer to the table.
-
-        Args:
-            joints: where.
-        """
-        if self._looked is None or not self._looked[1].enough:
-            return False
-        there, room = self._looked
-        way, down = self.around.travel(there, joints)
-        return way <= room.beside - SPARE and (
-            down <= room.low - SPARE or (down == 0.0 and room.low >= -HAIR / 2)
-        )
-
-    def _look(self, joints: list[float]) -> Room:
-        """What room there is somewhere; remembered for bounds."""
-        room = self.around.measured(joints)
-        self._looked = joints, room
-        return room
-
-    def _sweep_clear(self, ranges: Ranges) -> bool:
-        """Whether it is certain that there is room about while the joints are in some ranges."""
-        if self._known_clear(ranges):
-            return True
-        if not self.around.sweep_clear(ranges):
-            return False
-        self._swept.append(ranges)
-        del self._swept[:-SWEPT]
-        return True
-
-    def _known_clear(self, ranges: Ranges) -> bool:
-        """Whether that was found before, and nothing else has moved since."""
-        return any(ranges.within(each) for each in self._swept)
-
-    def _forget(self) -> None:
-        """Something may have moved: what was known of the room about is so no longer."""
-        self._looked = None
-        self._swept.clear()
-
     def _holds_on(self, commands: list[float]) -> bool:
         """Whether the hand still holds its load as it took it up."""
         carrying = self.bench.scene.carrying
@@ -284,7 +200,7 @@ class World:
             return True
         return carrying.openings[0] <= commands[-1] <= carrying.openings[1] and (
             self._rotors[3:5] == self._ticked[3:5]
-            or carrying.upright_in(self._linkage.links(commands)[self._linkage.hand])
+            or carrying.upright_in(self.linkage.links(commands)[self.linkage.hand])
         )
 
     def tilt(self) -> float:
@@ -292,8 +208,8 @@ class World:
         scene = self.bench.scene
         if not scene.carried:
             return math.inf
-        links = self._linkage.links(self._commands(self._rotors))
-        return scene.carrying.tilt_left(links[self._linkage.hand])
+        links = self.linkage.links(self.wanted)
+        return scene.carrying.tilt_left(links[self.linkage.hand])
 
     def held_cables(self) -> tuple[float, float]:
         """Least and most cable of the hand's, half-steps, at which a load stays as it is."""
@@ -305,11 +221,11 @@ class World:
         scene = self.bench.scene
         asleep = {name for name, part in self.bench.parts.items() if part.asleep}
         self.bench.cell.drive(scene)
-        scene.command(self._commands(self._rotors))
+        scene.command(self.wanted)
         scene.tick()
         self._loaded = bool(scene.carried)
         self._ticked[:] = self._rotors
-        self._forget()
+        self._outlook.forget()
         if not scene.went_on:
             self._grasp.look(loaded=self._loaded)
         self._telling.look(asleep)
@@ -370,9 +286,9 @@ class World:
             self._ticked[:] = ticked
             self._let_alone()
             if self.gripped:
-                self.bench.scene.squeeze(self._commands(ticked))
-            elif self._strained and ticks < len(self._easing):
-                self.bench.scene.ease(self._easing[ticks], self._commands(ticked))
+                self.bench.scene.squeeze(self.commands(ticked))
+            elif self._strained and (eased := self._outlook.eased(ticks)) is not None:
+                self.bench.scene.ease(eased, self.commands(ticked))
             else:
                 self._jumped = True
                 if self._strained:
@@ -389,10 +305,15 @@ class World:
         """Have links and load be where they were on the last tick, for whoever looks."""
         if self._jumped:
             self._jumped = False
-            self.bench.scene.jump(self._commands(self._ticked))
+            self.bench.scene.jump(self.commands(self._ticked))
 
-    def _commands(self, rotors: Sequence[int]) -> list[float]:
-        """Where motors want the joints: radians, and inches of opening."""
+    @property
+    def wanted(self) -> list[float]:
+        """Where motors want the arm's six coordinates: radians, and inches of opening."""
+        return self.commands(self._rotors)
+
+    def commands(self, rotors: Sequence[int]) -> list[float]:
+        """Where they would want them with the rotors there."""
         base, shoulder, elbow, left, right = self.drive.driven(rotors)
         cable = self.drive.cable(rotors)
         # Its cable goes on past nothing only against what is between the fingers.
@@ -448,7 +369,7 @@ class World:
         """Ounces of all on which both fingers press, and the coefficient of its friction."""
         return self._grasp.hold
 
-    # How far from everything
+    # What lies ahead
 
     def first_look(self, ahead: Ahead) -> int | None:
         """T-state of the first tick of a burst on which something has to be looked at, or None.
@@ -456,90 +377,7 @@ class World:
         Args:
             ahead: the burst, the arm being free, or gripping.
         """
-        ticks = range(self.due, ahead.ends + 1, TICK_STATES)
-        if not ticks:
-            return None
-        if self.gripped or self._strained:
-            clear = self.ticks_clear(self._on_ticks(ahead, ticks))
-        else:
-            clear = len(ticks)
-            if self._feeding.vacant:
-                joints = self._unstrained(self._on_ticks(ahead, ticks))
-                clear = self._feeding.places_unfed(joints)
-            # Where the burst ends the arm will be on the next tick.
-            ends = [*ticks[:clear], ahead.ends + 1]
-            if not self._sweep_clear(self._ranges(ahead, ends)) and clear:
-                clear = self._sweeps_clear(ahead, ends[:-1])
-        return ticks[clear] if clear < len(ticks) else None
-
-    def _sweeps_clear(self, ahead: Ahead, ticks: Sequence[int]) -> int:
-        """How many T-states in a row the arm has room at, by what it sweeps over between them.
-
-        Args:
-            ahead: the burst, the arm being free.
-            ticks: the T-states; what is written before is done.
-        """
-        pieces = [(0, len(ticks))]
-        while pieces:
-            begin, end = pieces.pop()
-            if self._sweep_clear(self._ranges(ahead, ticks[begin:end])):
-                continue
-            if end - begin > max(CLOSELY, len(ticks) >> HALVED):
-                middle = (begin + end) // 2
-                pieces += [(middle, end), (begin, middle)]
-                continue
-            joints = self._unstrained(self._on_ticks(ahead, ticks[begin:end]))
-            clear = self.around.places_clear(joints)
-            if clear < end - begin:
-                return begin + clear
-        return len(ticks)
-
-    def _on_ticks(self, ahead: Ahead, ticks: Sequence[int]) -> npt.NDArray[np.int64]:
-        """Positions of all rotors on some ticks, 6 x ticks."""
-        rotors = np.empty((6, len(ticks)), dtype=np.int64)
-        rotors[:] = np.array(self._rotors)[:, None]
-        turned = ahead.turned(np.array(ticks))
-        for turning, by in zip(ahead.turnings, turned, strict=True):
-            rotors[turning.latch] += by
-        return rotors
-
-    def _wanted(self, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
-        """Where motors want the arm's six coordinates, 6 x places, for positions of the rotors."""
-        drive, model = self.drive, self.model
-        opening = np.clip(drive.cable(rotors) / model.hand_steps, 0.0, model.hand.range)
-        return np.array((*drive.driven(rotors), opening))
-
-    def _unstrained(self, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
-        """The same with nothing in the arm's way but what rests in its hand."""
-        joints = self._wanted(rotors)
-        if self._loaded:
-            joints[5] = self.bench.scene.joints[5]
-        return joints
-
-    def _ranges(self, ahead: Ahead, ticks: Sequence[int]) -> Ranges:
-        """Between what the joints are on some ticks, nothing in their way."""
-        model, drive, here = self.model, self.drive, self._rotors
-        since, until = ticks[0], ticks[-1]
-        low, high = list(here), list(here)
-        for turning, (least, most) in zip(ahead.turnings, ahead.between(since, until), strict=True):
-            low[turning.latch] += least
-            high[turning.latch] += most
-        ends = zip(drive.driven(low), drive.driven(high), strict=True)
-        base, shoulder, elbow, _, _ = [(a, b) if a < b else (b, a) for a, b in ends]
-        *_, left, right = drive.driven(here)
-        both = 2 * model.drives[model.latch(Motor.LEFT_WRIST)].steps
-        least, most = ahead.together_between(model.gears(1), since, until)
-        pitch = (left + right) / 2 + least / both, (left + right) / 2 + most / both
-        least, most = ahead.together_between(model.gears(-1), since, until)
-        roll = (left - right) / 2 + least / both, (left - right) / 2 + most / both
-        if self._loaded:
-            opening = self.bench.scene.joints[5]
-            return Ranges(base, shoulder, elbow, pitch, roll, (opening, opening))
-        least, most = ahead.together_between(model.pays_out, since, until)
-        cable, per_inch, widest = drive.cable(here), model.hand_steps, model.hand.range
-        shut = min(widest, max(0, cable + least) / per_inch)
-        wide = min(widest, max(0, cable + most) / per_inch)
-        return Ranges(base, shoulder, elbow, pitch, roll, (shut, wide))
+        return self._outlook.first_look(self._standing, ahead)
 
     def ticks_clear(self, rotors: npt.NDArray[np.int64]) -> int:
         """How many ticks in a row need not be looked at, the arm being free, or gripping.
@@ -547,161 +385,61 @@ class World:
         Args:
             rotors: positions on the ticks from the next on, 6 x ticks.
         """
-        if self.gripped:
-            return self._ticks_gripping(self._wanted(rotors).T.tolist())
-        if self._strained:
-            joints = self._wanted(rotors)
-            self._ease(joints)
-        else:
-            joints = self._unstrained(rotors)
-        count = len(joints[0])
-        if self._feeding.vacant:
-            count = self._feeding.places_unfed(joints)
-        if count and self._sweep_clear(Ranges.of(joints[:, :count])):
-            return count
-        return self.around.places_clear(joints[:, :count]) if count else 0
+        return self._outlook.ticks_clear(self._standing, rotors)
 
-    def _ticks_gripping(self, commands: Sequence[list[float]]) -> int:
-        """How many ticks in a row what rests in the grip goes on resting there.
-
-        Args:
-            commands: on the ticks.
-        """
-        goes_on = self.bench.scene.carrying.goes_on
-        if not self.grip.part:
-            return 0
-        for count, each in enumerate(commands):
-            if not goes_on(each):
-                return count
-        return len(commands)
-
-    def _ease(self, joints: npt.NDArray[np.float64]) -> None:
-        """Have the arm lag behind where it is wanted while its cables ease off.
-
-        Args:
-            joints: where the motors want it on some ticks, 6 x ticks; made where it is.
-        """
-        driven, loaded = self.bench.scene.driven, self._loaded
-        now, before = driven.joints, driven.reached
-        self._easing = []
-        for tick, commands in enumerate(joints.T.tolist()):
-            now = driven.eased(now, before, commands, loaded=loaded)
-            joints[:, tick] = now
-            self._easing.append(now)
-            before = commands
-            if now[:5] == commands[:5] and (loaded or now[5] == commands[5]):
-                # All that was to ease off has.
-                if loaded:
-                    joints[5, tick:] = now[5]
-                break
+    @property
+    def _standing(self) -> Standing:
+        return Standing(self._rotors, self._loaded, self.gripped, self._strained)
 
     # The operator's hands
 
-    def place(self, before: Sequence[int], rotors: list[int]) -> str | None:
-        """Put the arm somewhere else by hand.
+    def settle(self, ticks: int) -> None:
+        """Look at contact for some ticks, or until all is at rest, while no time passes.
 
         Args:
-            before: positions as they are.
-            rotors: positions to take up; the hand's is changed to where it could get.
-
-        Returns:
-            Name of what is there already, or None if the arm now is.
+            ticks: at most.
         """
         scene = self.bench.scene
-        self.show()
-        self._come_to_rest()
-        wanted = self.drive.cable(rotors)
-        if wanted > self.grip.cable:
-            self._turn_hand(list(before), wanted)
-        rotors[Motor.HAND] += self.grip.cable - self.drive.cable(rotors)
-        self._lift()
-        there = self._commands(rotors)
-        name = self._found_at([*there[:5], scene.joints[5]])
-        if name is not None:
-            for load in scene.carried:
-                scene.wake(load.name)
-            self._busy = True
-            return said(name)
-        self._rotors[:] = self._ticked[:] = rotors
-        self._turn_homes()
-        self.grip.cable = self.drive.cable(rotors)
-        scene.jump(there)
-        self._jumped = False
-        self._forget()
-        self._turn_hand(rotors, wanted)
-        self._busy = True
-        self._changed()
-        self._feed()
-        return None
-
-    def _lift(self) -> None:
-        """Take along what the hand has in its grip, and what rests on that alone."""
-        scene, parts = self.bench.scene, self.bench.parts
-        if scene.carried:
-            return
-        taken = {name for name, part in parts.items() if part.held}
-        while taken:
-            with_them = taken | set(self._linkage.names)
-            riders = {
-                name
-                for name, part in parts.items()
-                if name not in taken and part.touching and set(part.touching) <= with_them
-            }
-            if not riders:
-                break
-            taken |= riders
-        if taken:
-            scene.take([name for name in parts if name in taken])
-            self._loaded = True
-            self._grasp.weigh(loaded=True)
-
-    def _turn_hand(self, rotors: list[int], wanted: int) -> None:
-        """Pay out or pull in hand cable by hand, and let everything come to rest at once."""
-        scene, hand = self.bench.scene, self.model.latch(Motor.HAND)
-        while True:
-            by = max(-BY_HAND, min(BY_HAND, wanted - self.grip.cable))
-            if by < 0:
-                by = max(by, min(0, int(self.grip.squeeze) - self.model.hand.most_squeeze))
-            if by == 0:
-                break
-            rotors[hand] += self.model.drives[hand].sign * by
-            self.moved(rotors, hand)
-            time = scene.time
-            self._contact()
-            scene.time = time
-        self._come_to_rest()
-
-    def _come_to_rest(self) -> None:
-        """Let everything come to rest; nobody but the operator's hands is in a hurry."""
-        scene = self.bench.scene
         time = scene.time
-        for _ in range(LET_GO):
+        for _ in range(ticks):
             if not self._busy:
                 break
             self._contact()
         scene.time = time
 
-    def _found_at(self, joints: Sequence[float]) -> str | None:
-        """Name of what the arm and its load would be in with its joints there."""
-        scene = self.bench.scene
-        for name, solid in self._linkage.standing(joints, scene.carried):
-            if solid.low[2] < -SUNK:
-                return TABLE
-            for thing in scene.fixed.values():
-                if name not in thing.passes and any(
-                    deep(solid, other, SUNK) for other in thing.placed
-                ):
-                    return thing.name
-            for body in scene.bodies.values():
-                if body.carried is None and any(deep(solid, other, SUNK) for other in body.placed):
-                    return body.name
-        return None
+    def carry(self, names: Sequence[str]) -> None:
+        """Have some parts go along with the hand."""
+        self.bench.scene.take(names)
+        self._loaded = True
+        self._grasp.weigh(loaded=True)
 
-    def occupied(self) -> str | None:
-        """Name of what is where the arm stands."""
-        self.bench.lay()
-        name = self._found_at(self._commands(self._rotors))
-        return None if name is None else said(name)
+    def let_loose(self) -> None:
+        """Have what goes along with the hand be looked at again."""
+        scene = self.bench.scene
+        for load in scene.carried:
+            scene.wake(load.name)
+        self._busy = True
+
+    def stand(self, rotors: Sequence[int]) -> None:
+        """Be somewhere else at once, with what goes along with the hand.
+
+        Args:
+            rotors: positions to take up.
+        """
+        there = self.commands(rotors)
+        self._rotors[:] = self._ticked[:] = rotors
+        self._turn_homes()
+        self.grip.cable = self.drive.cable(rotors)
+        self.bench.scene.jump(there)
+        self._jumped = False
+        self._outlook.forget()
+
+    def look_anew(self) -> None:
+        """The arm has been put somewhere: have all be looked at, feeders too."""
+        self._stirred()
+        self._feed()
+
+    # Devices
 
     def write_auxiliary(self, time: int, nibble: int, log: EventLog) -> None:
         """A write to the auxiliary latch: devices do what it says.
@@ -729,7 +467,7 @@ class World:
 
     def _stirred(self) -> None:
         """A device has done something: have all be looked at."""
-        self._forget()
+        self._outlook.forget()
         self._busy = True
         self._changed()
 
@@ -762,6 +500,6 @@ class World:
         """Feeders whose place is free, and clear of the hand, give their next part."""
         if not self._feeding.vacant:
             return
-        if self._feeding.give(self._commands(self._rotors)):
-            self._forget()
+        if self._feeding.give(self.wanted):
+            self._outlook.forget()
         self._changed()

@@ -1,0 +1,294 @@
+"""What lies ahead of an arm: room somewhere, and ticks on which nothing has to be looked at.
+
+`World` asks here before it looks at contact, for the next tick or for a whole burst. What room
+there was is remembered until something may have moved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from trs80arm.arm.ahead import Ahead
+from trs80arm.arm.bench import Bench
+from trs80arm.arm.contact.clock import TICK_STATES
+from trs80arm.arm.feeding import Feeding
+from trs80arm.arm.geometry import CableDrive
+from trs80arm.arm.grip import Grip
+from trs80arm.arm.model import Motor
+from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings
+from trs80arm.arm.sweep import Ranges
+
+ABOUT = 0.05
+"""Radians, and inches of the opening, about a place in which room is looked for at once."""
+SWEPT = 4
+"""Motions whose room is remembered while nothing else moves."""
+CLOSELY = 8
+"""Ticks for which it does not pay to look at what is swept over by half of them."""
+HALVED = 2
+"""How often a motion is halved before it is looked at place by place."""
+
+
+class Standing(NamedTuple):
+    """How the arm stands before what lies ahead; it is free, or gripping.
+
+    Attributes:
+        rotors: positions of all.
+        loaded: whether anything rests in the hand.
+        gripped: whether a part rests between the fingers, and on something else too.
+        strained: whether what touches the arm, but for its load, stretches its cables.
+    """
+
+    rotors: Sequence[int]
+    loaded: bool
+    gripped: bool
+    strained: bool
+
+
+class Outlook:
+    """What an arm has before it on its bench."""
+
+    def __init__(
+        self,
+        bench: Bench,
+        drive: CableDrive,
+        grip: Grip,
+        around: Surroundings,
+        feeding: Feeding,
+    ) -> None:
+        self._bench = bench
+        self._drive = drive
+        self._model = drive.model
+        self._grip = grip
+        self._around = around
+        self._feeding = feeding
+        self._looked: tuple[list[float], Room] | None = None
+        self._swept: list[Ranges] = []
+        self._easing: list[list[float]] = []
+
+    def __getstate__(self) -> dict[str, Any]:
+        # How far things are is found anew; when it was looked at hangs on how a run is cut.
+        return {**self.__dict__, "_looked": None, "_swept": [], "_easing": []}
+
+    # Room somewhere
+
+    def clear_at(self, joints: list[float]) -> bool:
+        """Whether there is room about somewhere.
+
+        Args:
+            joints: the arm's six coordinates there.
+        """
+        return (
+            self._surely_clear(joints)
+            or self._known_clear(Ranges.about(joints, 0.0))
+            or self._sweep_clear(Ranges.about(joints, ABOUT))
+            or self._look(joints).enough
+        )
+
+    def _surely_clear(self, joints: Sequence[float]) -> bool:
+        """Whether there must be room about somewhere, by the room there was where it was measured.
+
+        How far the arm goes is a bound on how much nearer anything can be; the base takes nothing
+        nearer to the table.
+
+        Args:
+            joints: where.
+        """
+        if self._looked is None or not self._looked[1].enough:
+            return False
+        there, room = self._looked
+        way, down = self._around.travel(there, joints)
+        return way <= room.beside - SPARE and (
+            down <= room.low - SPARE or (down == 0.0 and room.low >= -HAIR / 2)
+        )
+
+    def _look(self, joints: list[float]) -> Room:
+        """What room there is somewhere; remembered for bounds."""
+        room = self._around.measured(joints)
+        self._looked = joints, room
+        return room
+
+    def _sweep_clear(self, ranges: Ranges) -> bool:
+        """Whether it is certain that there is room about while the joints are in some ranges."""
+        if self._known_clear(ranges):
+            return True
+        if not self._around.sweep_clear(ranges):
+            return False
+        self._swept.append(ranges)
+        del self._swept[:-SWEPT]
+        return True
+
+    def _known_clear(self, ranges: Ranges) -> bool:
+        """Whether that was found before, and nothing else has moved since."""
+        return any(ranges.within(each) for each in self._swept)
+
+    def forget(self) -> None:
+        """Something may have moved: what was known of the room about is so no longer."""
+        self._looked = None
+        self._swept.clear()
+
+    # Whole bursts
+
+    def first_look(self, here: Standing, ahead: Ahead) -> int | None:
+        """T-state of the first tick of a burst on which something has to be looked at, or None.
+
+        Args:
+            here: where the arm is.
+            ahead: the burst.
+        """
+        ticks = range(self._bench.scene.due, ahead.ends + 1, TICK_STATES)
+        if not ticks:
+            return None
+        if here.gripped or here.strained:
+            clear = self.ticks_clear(here, _on_ticks(here, ahead, ticks))
+        else:
+            clear = len(ticks)
+            if self._feeding.vacant:
+                joints = self._unstrained(here, _on_ticks(here, ahead, ticks))
+                clear = self._feeding.places_unfed(joints)
+            # Where the burst ends the arm will be on the next tick.
+            ends = [*ticks[:clear], ahead.ends + 1]
+            if not self._sweep_clear(self._ranges(here, ahead, ends)) and clear:
+                clear = self._sweeps_clear(here, ahead, ends[:-1])
+        return ticks[clear] if clear < len(ticks) else None
+
+    def _sweeps_clear(self, here: Standing, ahead: Ahead, ticks: Sequence[int]) -> int:
+        """How many T-states in a row the arm has room at, by what it sweeps over between them.
+
+        Args:
+            here: where the arm is, free.
+            ahead: the burst.
+            ticks: the T-states; what is written before is done.
+        """
+        pieces = [(0, len(ticks))]
+        while pieces:
+            begin, end = pieces.pop()
+            if self._sweep_clear(self._ranges(here, ahead, ticks[begin:end])):
+                continue
+            if end - begin > max(CLOSELY, len(ticks) >> HALVED):
+                middle = (begin + end) // 2
+                pieces += [(middle, end), (begin, middle)]
+                continue
+            joints = self._unstrained(here, _on_ticks(here, ahead, ticks[begin:end]))
+            clear = self._around.places_clear(joints)
+            if clear < end - begin:
+                return begin + clear
+        return len(ticks)
+
+    def _wanted(self, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
+        """Where motors want the arm's six coordinates, 6 x places, for positions of the rotors."""
+        drive, model = self._drive, self._model
+        opening = np.clip(drive.cable(rotors) / model.hand_steps, 0.0, model.hand.range)
+        return np.array((*drive.driven(rotors), opening))
+
+    def _unstrained(self, here: Standing, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
+        """The same with nothing in the arm's way but what rests in its hand."""
+        joints = self._wanted(rotors)
+        if here.loaded:
+            joints[5] = self._bench.scene.joints[5]
+        return joints
+
+    def _ranges(self, here: Standing, ahead: Ahead, ticks: Sequence[int]) -> Ranges:
+        """Between what the joints are on some ticks, nothing in their way."""
+        model, drive, rotors = self._model, self._drive, here.rotors
+        since, until = ticks[0], ticks[-1]
+        low, high = list(rotors), list(rotors)
+        for turning, (least, most) in zip(ahead.turnings, ahead.between(since, until), strict=True):
+            low[turning.latch] += least
+            high[turning.latch] += most
+        ends = zip(drive.driven(low), drive.driven(high), strict=True)
+        base, shoulder, elbow, _, _ = [(a, b) if a < b else (b, a) for a, b in ends]
+        *_, left, right = drive.driven(rotors)
+        both = 2 * model.drives[model.latch(Motor.LEFT_WRIST)].steps
+        least, most = ahead.together_between(model.gears(1), since, until)
+        pitch = (left + right) / 2 + least / both, (left + right) / 2 + most / both
+        least, most = ahead.together_between(model.gears(-1), since, until)
+        roll = (left - right) / 2 + least / both, (left - right) / 2 + most / both
+        if here.loaded:
+            opening = self._bench.scene.joints[5]
+            return Ranges(base, shoulder, elbow, pitch, roll, (opening, opening))
+        least, most = ahead.together_between(model.pays_out, since, until)
+        cable, per_inch, widest = drive.cable(rotors), model.hand_steps, model.hand.range
+        shut = min(widest, max(0, cable + least) / per_inch)
+        wide = min(widest, max(0, cable + most) / per_inch)
+        return Ranges(base, shoulder, elbow, pitch, roll, (shut, wide))
+
+    def ticks_clear(self, here: Standing, rotors: npt.NDArray[np.int64]) -> int:
+        """How many ticks in a row need not be looked at.
+
+        Args:
+            here: where the arm is.
+            rotors: positions on the ticks from the next on, 6 x ticks.
+        """
+        if here.gripped:
+            return self._ticks_gripping(self._wanted(rotors).T.tolist())
+        if here.strained:
+            joints = self._wanted(rotors)
+            self._ease(joints, loaded=here.loaded)
+        else:
+            joints = self._unstrained(here, rotors)
+        count = len(joints[0])
+        if self._feeding.vacant:
+            count = self._feeding.places_unfed(joints)
+        if count and self._sweep_clear(Ranges.of(joints[:, :count])):
+            return count
+        return self._around.places_clear(joints[:, :count]) if count else 0
+
+    def _ticks_gripping(self, commands: Sequence[list[float]]) -> int:
+        """How many ticks in a row what rests in the grip goes on resting there.
+
+        Args:
+            commands: on the ticks.
+        """
+        goes_on = self._bench.scene.carrying.goes_on
+        if not self._grip.part:
+            return 0
+        for count, each in enumerate(commands):
+            if not goes_on(each):
+                return count
+        return len(commands)
+
+    def _ease(self, joints: npt.NDArray[np.float64], *, loaded: bool) -> None:
+        """Have the arm lag behind where it is wanted while its cables ease off.
+
+        Args:
+            joints: where the motors want it on some ticks, 6 x ticks; made where it is.
+            loaded: whether anything rests in the hand.
+        """
+        driven = self._bench.scene.driven
+        now, before = driven.joints, driven.reached
+        self._easing = []
+        for tick, commands in enumerate(joints.T.tolist()):
+            now = driven.eased(now, before, commands, loaded=loaded)
+            joints[:, tick] = now
+            self._easing.append(now)
+            before = commands
+            if now[:5] == commands[:5] and (loaded or now[5] == commands[5]):
+                # All that was to ease off has.
+                if loaded:
+                    joints[5, tick:] = now[5]
+                break
+
+    def eased(self, ticks: int) -> list[float] | None:
+        """Where the arm, its cables easing off, is after some ticks that were found clear last.
+
+        Args:
+            ticks: after the first of them.
+
+        Returns:
+            Its six coordinates; None where what was to ease off has.
+        """
+        return self._easing[ticks] if ticks < len(self._easing) else None
+
+
+def _on_ticks(here: Standing, ahead: Ahead, ticks: Sequence[int]) -> npt.NDArray[np.int64]:
+    """Positions of all rotors on some ticks, 6 x ticks."""
+    rotors = np.empty((6, len(ticks)), dtype=np.int64)
+    rotors[:] = np.array(here.rotors)[:, None]
+    turned = ahead.turned(np.array(ticks))
+    for turning, by in zip(ahead.turnings, turned, strict=True):
+        rotors[turning.latch] += by
+    return rotors
