@@ -8,8 +8,6 @@ from trs80arm.arm.figures.sheet import Fill, Pen, Sheet
 from trs80arm.arm.model import ArmModel
 from trs80arm.machine.card import CardSettings, Jumper, Latch
 
-_PHASES = 4
-
 
 def drive_circuit(card: CardSettings) -> Diagram:
     """Figure 7: four coils, a power transistor each, from a latch of the card."""

@@ -7,21 +7,17 @@ from trs80arm.arm.figures.drives import does, name
 from trs80arm.arm.figures.sheet import Fill, Pen, Sheet
 from trs80arm.arm.model import ArmModel
 from trs80arm.machine.jog_keys import JogKeys
-from trs80arm.machine.keys import INDENTS, ROWS_OF_KEYS, Key
+from trs80arm.machine.keys import ARROWS, INDENTS, PLAIN_ARROWS, ROWS_OF_KEYS, Key
 
 _WIDE = {Key.SPACE: 8.0, Key.SHIFT: 1.6, Key.ENTER: 1.6, Key.CLEAR: 1.5, Key.BREAK: 1.5}
 """Widths of keys that are wider than one."""
 _CAPS = {
-    Key.UP: "^",
-    Key.DOWN: "v",
-    Key.LEFT: "<-",
-    Key.RIGHT: "->",
+    **PLAIN_ARROWS,
     Key.BREAK: "BRK",
     Key.CLEAR: "CLR",
     Key.ENTER: "ENT",
     Key.SHIFT: "SHFT",
 }
-_ARROWS = {Key.UP: "\u2191", Key.DOWN: "\u2193", Key.LEFT: "\u2190", Key.RIGHT: "\u2192"}
 _SIZE = 54.0
 _CELLS = 4
 """Columns of a key in text."""
@@ -92,7 +88,7 @@ def _sheet(keys: JogKeys, roles: dict[Key, str], model: ArmModel) -> Sheet:
                 fill=Fill.SHADE if role else Fill.PAPER,
                 width=2.0 if role else 1.0,
             )
-            cap = _ARROWS.get(key, key.value if key is not Key.SPACE else "")
+            cap = ARROWS.get(key, key.value if key is not Key.SPACE else "")
             cap = cap if len(cap) == 1 else cap.lower()
             if role:
                 sheet.words((x + wide / 2, y - 17), cap, at="middle", bold=True, size=15.0)

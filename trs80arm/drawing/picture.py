@@ -183,7 +183,7 @@ class Picture:
         """
         drawn, asked = self._drawn, self._asked
         if readings.posture == asked.posture and readings.things == asked.things:
-            return _seen(readings) != _seen(drawn)
+            return seen(readings) != seen(drawn)
         return _lying(readings) != _lying(drawn) or _moved(readings, drawn) > UNSEEN * self._grain
 
     def caption(self, readings: Readings, width: int, height: int) -> str:
@@ -244,8 +244,8 @@ class Picture:
                 cells.mark(_labels(tuple(shot.labels), shot.camera, window, shape))
 
 
-def _seen(readings: Readings) -> tuple[object, ...]:
-    """All that a picture shows."""
+def seen(readings: Readings) -> tuple[object, ...]:
+    """All that a picture shows of the machine."""
     return readings.posture, readings.believed, readings.things, readings.fittings
 
 

@@ -1,7 +1,7 @@
 """Rows of drawn text: what every panel and view beside the tube is made of.
 
 A row is a few spans, each a run of characters in one ink. Panels and canvases make rows without
-knowing the screen; `ui/panel.py` turns an ink into a colour of the theme.
+knowing the screen; `ui/panels/panel.py` turns an ink into a colour of the theme.
 """
 
 from __future__ import annotations

@@ -48,11 +48,6 @@ class Shape:
     edge_faces: Ints
 
     @cached_property
-    def corner_counts(self) -> Ints:
-        """How many corners each solid has."""
-        return np.diff(self.first_corner, append=self.corners)
-
-    @cached_property
     def face_counts(self) -> Ints:
         """How many faces each solid has."""
         return np.diff(self.first_face, append=self.faces)

@@ -131,5 +131,9 @@ ROWS_OF_KEYS: tuple[tuple[Key, ...], ...] = (
 )
 """The keys as they lie on a Model I, row by row."""
 # fmt: on
+ARROWS = {Key.UP: "↑", Key.DOWN: "↓", Key.LEFT: "←", Key.RIGHT: "→"}
+"""What stands on the keys with arrows."""
+PLAIN_ARROWS = {Key.UP: "^", Key.DOWN: "v", Key.LEFT: "<-", Key.RIGHT: "->"}
+"""The same in plain characters."""
 INDENTS = (2, 0, 1, 0, 12)
 """By how much each row begins to the right of the leftmost, quarters of a key."""

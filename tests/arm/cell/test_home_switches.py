@@ -12,7 +12,7 @@ from trs80arm.arm import MiniMover, Pose
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import delay_period
 
-BRISK, SLOW = delay_period(50), delay_period(100)
+SLOW = delay_period(100)
 
 ALL = """
 [arm]

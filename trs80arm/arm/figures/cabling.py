@@ -9,8 +9,6 @@ from trs80arm.arm.figures.drives import PARTS, does, name
 from trs80arm.arm.figures.sheet import Fill, Pen, Sheet
 from trs80arm.arm.model import ArmModel, Drive, Motor
 
-_STATIONS = ("body", "shoulder", "elbow", "wrist")
-"""The axes over which cables go, from the drum on."""
 _ENDS = {
     Motor.BASE: 0,
     Motor.SHOULDER: 1,

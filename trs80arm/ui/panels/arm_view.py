@@ -7,7 +7,7 @@ from typing import ClassVar
 from textual.app import ComposeResult
 from textual.geometry import Size
 
-from trs80arm.drawing.picture import Picture, Subject
+from trs80arm.drawing.picture import Picture, Subject, seen
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row
 from trs80arm.options import ArmStyle
@@ -32,7 +32,6 @@ class ArmView(Panel):
         self.picture = Picture(self.SUBJECT)
         self.pixels: PixelScreen | None = None
         self._sheet = PixelSheet()
-        self._drawn: object = None
         self._moves = False
 
     def compose(self) -> ComposeResult:
@@ -42,12 +41,11 @@ class ArmView(Panel):
     def show(self, readings: Readings) -> None:
         """Show these readings, and lengthen the trail; a picture in which nothing moved stands."""
         self.picture.follow(readings)
-        seen = (readings.posture, readings.believed, readings.things, readings.fittings)
-        moves = seen != self._drawn
+        moves = self._readings is None or seen(readings) != seen(self._readings)
         if moves or self._in_pixels != self._sheet.display or self._moves:
             self._moves = moves and self._sheet.display
             super().show(readings)
-        self._drawn, self._readings = seen, readings
+        self._readings = readings
 
     def redraw(self) -> None:
         """Draw the last readings again, in pixels where they can be seen."""
@@ -69,5 +67,5 @@ class ArmView(Panel):
         """Whether it is to be in pixels: nothing may lie over them."""
         if self.pixels is None or self.picture.style is not ArmStyle.PIXELS:
             return False
-        seen = self.is_attached and self.screen.is_active and not self.screen.query("Toast")
-        return seen and self.colours is not None
+        bare = self.is_attached and self.screen.is_active and not self.screen.query("Toast")
+        return bare and self.colours is not None

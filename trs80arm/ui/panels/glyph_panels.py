@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from textual.reactive import var
+
 from trs80arm.drawing.rows import Ink, Span
 from trs80arm.ui.panels.panel import Panel
 
@@ -12,18 +14,11 @@ _ASCII_LAMPS = ("*", ".")
 class GlyphPanel(Panel):
     """A panel whose glyphs have plain characters to stand for them."""
 
-    def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
-        super().__init__(id=id, classes=classes)
-        self._ascii = False
+    ascii = var(False, init=False)
+    """Whether all is drawn with plain characters."""
 
-    @property
-    def ascii(self) -> bool:
-        """Whether all is drawn with plain characters."""
-        return self._ascii
-
-    @ascii.setter
-    def ascii(self, value: bool) -> None:
-        self._ascii = value
+    def watch_ascii(self) -> None:
+        """Draw anew."""
         self.redraw()
 
 

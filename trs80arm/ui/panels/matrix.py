@@ -10,23 +10,17 @@ from dataclasses import dataclass
 
 from rich.segment import Segment
 from rich.style import Style
+from textual.reactive import reactive
 from textual.strip import Strip
 
 from trs80arm.drawing.readings import Readings
 from trs80arm.machine.jog_keys import JogKeys
-from trs80arm.machine.keys import INDENTS, ROWS_OF_KEYS
+from trs80arm.machine.keys import ARROWS, INDENTS, PLAIN_ARROWS, ROWS_OF_KEYS
 from trs80arm.rig import Key
 from trs80arm.ui.panels.keys_by_mouse import KeysByMouse
 
-_CAPS = {
-    Key.UP: "↑",
-    Key.DOWN: "↓",
-    Key.LEFT: "←",
-    Key.RIGHT: "→",
-    Key.SPACE: "          SPACE          ",
-}
-_ASCII_CAPS = {Key.UP: "^", Key.DOWN: "v", Key.LEFT: "<-", Key.RIGHT: "->"}
-_SHORT_KEY = 3
+_SPACE = {Key.SPACE: "          SPACE          "}
+_CAPS, _ASCII_CAPS = ARROWS | _SPACE, PLAIN_ARROWS | _SPACE
 JOINTS = "Base shoulder elbow wrist wrist hand"
 """J1 to J6 in a line of 80 columns."""
 TALL = 9
@@ -68,21 +62,13 @@ class MatrixView(KeysByMouse):
     MatrixView .matrix--label { color: $text-muted; }
     """
 
+    ascii = reactive(False, init=False)
+    """Whether arrows are drawn with plain characters."""
+
     def __init__(self, *, id: str | None = None) -> None:
         super().__init__(id=id)
         self._jog = JogKeys()
-        self._ascii = False
         self._down: frozenset[Key] = frozenset()
-
-    @property
-    def ascii(self) -> bool:
-        """Whether arrows are drawn with plain characters."""
-        return self._ascii
-
-    @ascii.setter
-    def ascii(self, value: bool) -> None:
-        self._ascii = value
-        self.refresh()
 
     def show(self, readings: Readings) -> None:
         """Show which keys are down, and what they do in manual mode."""
@@ -109,7 +95,7 @@ class MatrixView(KeysByMouse):
         caps: list[_Cap] = []
         at = INDENTS[row]
         for key in ROWS_OF_KEYS[row]:
-            text = (_ASCII_CAPS if self._ascii else _CAPS).get(key) or _CAPS.get(key, key.value)
+            text = (_ASCII_CAPS if self.ascii else _CAPS).get(key, key.value)
             stop = at + max(width - gap, len(text) + (2 if len(text) > 1 else 0))
             caps.append(_Cap(key, at, stop, text, self._label(key)))
             at = stop + gap

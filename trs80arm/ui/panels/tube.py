@@ -101,9 +101,8 @@ class Tube(Widget):
             cursor_hidden: whether a blinking cursor is in its dark half.
         """
         dirty = set(picture.take_dirty())
-        if picture.wide is not self._wide:
-            self._wide = picture.wide
-            dirty = set(range(ROWS))
+        switched = picture.wide is not self._wide
+        self._wide = picture.wide
         if (cursor, cursor_hidden) != (self._cursor, self._cursor_hidden):
             dirty |= {at // COLUMNS for at in (cursor, self._cursor) if at is not None}
             self._cursor, self._cursor_hidden = cursor, cursor_hidden
@@ -111,9 +110,10 @@ class Tube(Widget):
         changed = [row for row in sorted(dirty) if self._take(row, picture.row(row))]
         moved = self._look_at(cursor)
         self.wrote_elsewhere = any(
-            row < self.first_row and self._rows[row].strip() for row in changed
+            row < self.first_row and self._rows[row].strip()
+            for row in (range(ROWS) if switched else changed)
         ) and not _scrolled(before, self._rows)
-        if moved:
+        if moved or switched:
             self.refresh()
         elif changed:
             self._write(before, changed)
@@ -163,14 +163,13 @@ class Tube(Widget):
         return before != (row, column)
 
     def _take(self, row: int, codes: bytes) -> bool:
+        """Have a row show these codes, but for a cursor in its dark half; whether it differs."""
         cursor = self._cursor
         if self._cursor_hidden and cursor is not None and cursor // COLUMNS == row:
             column = cursor % COLUMNS
             codes = codes[:column] + b" " + codes[column + 1 :]
-        if codes == self._rows[row] and (codes, self._wide) in self._strips:
-            return False
-        self._rows[row] = codes
-        return True
+        before, self._rows[row] = self._rows[row], codes
+        return codes != before
 
     def _text(self, row: int) -> str:
         return GLYPHS[self._glyphs].row(self._rows[row], wide=self._wide)
@@ -205,13 +204,8 @@ class Tube(Widget):
 
 
 def _differing(before: bytes, now: bytes, *, wide: bool) -> tuple[int, int]:
-    """The columns from the first code in which two rows differ to the last, by way of the cells.
-
-    In rows that are the same, all of them: they are shown in another mode.
-    """
+    """The columns from the first code in which two rows differ to the last, by way of the cells."""
     places = [place for place in range(COLUMNS) if before[place] != now[place]]
-    if not places:
-        return 0, COLUMNS
     # A wide character takes the place of the next one too.
     return (places[0] & ~1, (places[-1] | 1) + 1) if wide else (places[0], places[-1] + 1)
 
