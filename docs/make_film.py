@@ -11,22 +11,24 @@ import os
 import tempfile
 from pathlib import Path
 
+from make_screenshots import PROGRAMS, in_any_terminal
+
 from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.ui.filming import Shooting, make_film
 
 HERE = Path(__file__).parent
-PROGRAM = HERE.parent / "programs" / "table4.bas"
 
 
 def main() -> None:
     """Make it."""
-    os.environ["LANG"] = "C.UTF-8"
-    os.environ.pop("NO_COLOR", None)
+    in_any_terminal()
     with tempfile.TemporaryDirectory() as folder:
         os.environ["TRS80ARM_STATE"] = folder
         shooting = Shooting(100, 30, fps=6, speed=4, seconds=34, sets=("6:1.0 0",))
         make_film(
-            TerminalOptions(program=PROGRAM, arm=ArmStyle.SEXTANT), shooting, HERE / "film.svg"
+            TerminalOptions(program=PROGRAMS / "table4.bas", arm=ArmStyle.SEXTANT),
+            shooting,
+            HERE / "film.svg",
         )
     print(HERE / "film.svg")
 

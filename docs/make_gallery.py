@@ -10,13 +10,12 @@ are the same every time.
 from __future__ import annotations
 
 import asyncio
-import os
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from make_screenshots import PROGRAMS, Scene, Sitting, drawn, filling, shoot
+from make_screenshots import PROGRAMS, Scene, Sitting, drawn, filling, in_any_terminal, shoot
 
 from trs80arm.bundled import described
 from trs80arm.options import ArmStyle
@@ -116,6 +115,5 @@ async def main(names: Sequence[str]) -> None:
 
 
 if __name__ == "__main__":
-    os.environ["LANG"] = "C.UTF-8"
-    os.environ.pop("NO_COLOR", None)
+    in_any_terminal()
     asyncio.run(main(sys.argv[1:]))

@@ -17,11 +17,24 @@ from typing import Any
 from PIL.Image import Image
 
 from trs80arm.arm.geometry import Pose
+from trs80arm.desk.opening import open_session
+from trs80arm.drawing.readings import Readings
+from trs80arm.film.frames import Film
+from trs80arm.film.svg import svg
+from trs80arm.options import ArmStyle, TerminalOptions
+from trs80arm.ui.app import Trs80Arm
 from trs80arm.ui.filming import Wall, picture
+from trs80arm.ui.terminal.pixels import image_of
 
 FOLDER = Path(__file__).parent / "screenshots"
 PROGRAMS = Path(__file__).parents[1] / "programs"
 TICK = 1 / 60
+
+
+def in_any_terminal() -> None:
+    """Have the pictures be the same whatever terminal they are made in."""
+    os.environ["LANG"] = "C.UTF-8"
+    os.environ.pop("NO_COLOR", None)
 
 
 class Sitting:
@@ -199,9 +212,6 @@ def framed(app: Any) -> str:
 
 def drawn(app: Any) -> str:
     """The window with blocks drawn as shapes, which few fonts have without gaps."""
-    from trs80arm.film.frames import Film
-    from trs80arm.film.svg import svg
-
     still = Film(app.size.width, app.size.height, "trs80arm")
     still.add(0.0, picture(app))
     return svg(still).decode("utf-8")
@@ -209,9 +219,6 @@ def drawn(app: Any) -> str:
 
 def in_pixels(app: Any) -> Image:
     """What a terminal with pixels is sent of the arm in space."""
-    from trs80arm.drawing.readings import Readings
-    from trs80arm.ui.terminal.pixels import image_of
-
     view = app.desk.panels["space"]
     width, height = view.size
     cell = (10, 20)
@@ -228,10 +235,6 @@ async def shoot(
     **options: Any,
 ) -> None:
     """Make one picture, in a folder."""
-    from trs80arm.desk.opening import open_session
-    from trs80arm.options import TerminalOptions
-    from trs80arm.ui.app import Trs80Arm
-
     wall = Wall()
     chosen = TerminalOptions(**options)
     with tempfile.TemporaryDirectory() as state:
@@ -250,8 +253,6 @@ async def shoot(
 
 async def main() -> None:
     """Make all of them."""
-    from trs80arm.options import ArmStyle
-
     FOLDER.mkdir(exist_ok=True)
     program = PROGRAMS / "table4.bas"
     await shoot("start", (120, 40), start)
@@ -281,6 +282,5 @@ async def main() -> None:
 
 
 if __name__ == "__main__":
-    os.environ["LANG"] = "C.UTF-8"
-    os.environ.pop("NO_COLOR", None)
+    in_any_terminal()
     asyncio.run(main())

@@ -236,17 +236,7 @@ def splices(rng: Random, data: bytes) -> list[list[Any]]:
             case 3:
                 found.append([place, 0, rng.randbytes(count).hex()])
             case _:
-                odd = [
-                    b"\0",
-                    b"\xff",
-                    b'"',
-                    b"[" * 50,
-                    b"9" * 400,
-                    b"\x1b]0;X\x07",
-                    b"1e400",
-                    b"nan",
-                ]
-                found.append([place, 0, rng.choice(odd).hex()])
+                found.append([place, 0, rng.choice(ODD_BYTES).hex()])
     return found
 
 
