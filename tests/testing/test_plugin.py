@@ -122,6 +122,27 @@ def test_a_portrait_shows_screen_registers_joints_pose_parts_slips_and_the_side(
     assert ArmText().serialize(rig_with("")) == text
 
 
+def test_a_diff_has_each_side_view_in_one_piece_and_both_of_one_scale() -> None:
+    far, near = rig_with("10 @STEP 50,0,200\n"), rig_with("10 @STEP 50,0,-200\n")
+    far.finish()
+    near.finish()
+    lines = ArmText().diff_snapshots(portrait(near), portrait(far)).splitlines()
+    assert any(line.startswith("-   J2 shoulder") for line in lines)
+    view = lines[lines.index("  side view") + 1 :]
+    signs = [line[0] for line in view]
+    assert signs == sorted(signs, key="-+".index)
+    stored, now = view[: signs.index("+")], view[signs.index("+") :]
+    # The base, which did not move, is drawn alike.
+    assert [row[1:33] for row in stored[-3:]] == [row[1:33] for row in now[-3:]]
+
+
+def test_a_diff_of_equal_side_views_has_none() -> None:
+    rig = rig_with("")
+    before = portrait(rig)
+    rig.run_for(1)
+    assert "side view" not in ArmText().diff_snapshots(portrait(rig), before)
+
+
 def test_the_drawing_shows_register_and_joint_and_is_the_same_each_time() -> None:
     rig = rig_with("10 @STEP 5,0,0,0,0,0,400\n")
     rig.finish()

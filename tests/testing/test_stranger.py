@@ -1,8 +1,8 @@
 """The plugin in a stranger's repository: a wheel in a fresh venv, one program, one bench, tests.
 
-Kept quick: the wheel is built by setuptools in this process without a build environment, the fresh
-venv has no pip of its own, and what trs80arm stands on is taken from the environment of this run by
-a `.pth` file, so no registry is asked.
+Kept quick, and no registry is asked: pip builds the wheel with the setuptools that is there and
+puts it into a venv that has no pip of its own; what trs80arm stands on is taken from this run's
+environment by a `.pth` file.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ import subprocess
 import sys
 import sysconfig
 import venv
-import zipfile
 from pathlib import Path
 
 import pytest
@@ -22,7 +21,8 @@ from tests.testing.stranger import files, hurry, settle
 
 pytest_plugins = ["pytester"]
 TREE = Path(__file__).parents[2]
-BUILD = "import sys; from setuptools import build_meta; print(build_meta.build_wheel(sys.argv[1]))"
+OFFLINE = ("--no-deps", "--no-index")
+PYTHON = Path("python").with_suffix(".exe" if os.name == "nt" else "")
 
 
 def apart(lines: list[str]) -> None:
@@ -33,6 +33,14 @@ def apart(lines: list[str]) -> None:
     assert "-   J2 shoulder             -80       -80         0" in text
 
 
+def pip(*arguments: str | Path) -> None:
+    """Have the pip of this run do something, without a registry."""
+    quiet = ("--disable-pip-version-check", "--quiet")
+    subprocess.run(
+        [sys.executable, "-m", "pip", *quiet, *arguments], check=True, capture_output=True
+    )
+
+
 def wheel(folder: Path) -> Path:
     """A wheel of the tree."""
     source = folder / "source"
@@ -41,37 +49,33 @@ def wheel(folder: Path) -> Path:
         shutil.copytree(TREE / name, source / name, ignore=unwanted)
     for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(TREE / name, source / name)
-    subprocess.run(
-        [sys.executable, "-c", BUILD, str(folder)], cwd=source, check=True, capture_output=True
-    )
+    pip("wheel", *OFFLINE, "--no-build-isolation", "--wheel-dir", folder, source)
     (made,) = folder.glob("*.whl")
     return made
 
 
 def fresh_environment(folder: Path, made: Path) -> Path:
-    """The Python of a new venv with the wheel in it, and this run's packages behind it."""
+    """The folder of commands of a new venv with the wheel, and this run's packages behind it."""
     venv.create(folder, with_pip=False, symlinks=os.name != "nt")
     places = {"base": str(folder), "platbase": str(folder)}
-    site = Path(sysconfig.get_path("purelib", "venv", places))
-    with zipfile.ZipFile(made) as archive:
-        archive.extractall(site)
+    commands = Path(sysconfig.get_path("scripts", "venv", places))
+    pip("--python", commands / PYTHON, "install", *OFFLINE, "--no-compile", made)
     behind = [place for place in sys.path if place.endswith("-packages")]
+    site = Path(sysconfig.get_path("purelib", "venv", places))
     (site / "behind.pth").write_text("\n".join(behind))
-    return Path(sysconfig.get_path("scripts", "venv", places)) / Path("python").with_suffix(
-        ".exe" if os.name == "nt" else ""
-    )
+    return commands
 
 
 def test_a_strangers_tests_pass_and_a_hurried_arm_fails_them(pytester: pytest.Pytester) -> None:
     aside = pytester.mkdir("aside")
-    python = fresh_environment(aside / "venv", wheel(aside))
+    commands = fresh_environment(aside / "venv", wheel(aside))
     repository = pytester.mkdir("repository")
     settle(repository)
     clean = {name: value for name, value in os.environ.items() if not name.startswith("PYT")}
 
     def said(*arguments: str) -> tuple[int, list[str]]:
         done = subprocess.run(
-            [str(python), *arguments],
+            [commands / PYTHON, *arguments],
             cwd=repository,
             env=clean,
             capture_output=True,
@@ -96,6 +100,7 @@ def test_a_strangers_tests_pass_and_a_hurried_arm_fails_them(pytester: pytest.Py
     assert "motors have slipped" in text
     assert "shoulder slipped 88 steps: too fast" in text
     assert "What the arm did" in text
+    assert text.count("shoulder: register -80, joint -168") == 2, "once for each failure"
     assert "1 passed" in text
     assert "2 failed" in text
 

@@ -80,13 +80,18 @@ class Window:
 class Viewport:
     """The window of one view.
 
+    Args:
+        least: what is seen in any case, wherever the arm is; None for what belongs into the picture
+            and no more.
+
     Attributes:
         zoom: index into `ZOOMS`.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, least: Bounds | None = None) -> None:
         self.zoom = FIT
-        self._bounds: Bounds | None = None
+        self._least = least
+        self._bounds = least
         self._window: tuple[int, int, int, Bounds, Window] | None = None
 
     def fit(self) -> None:
@@ -96,7 +101,7 @@ class Viewport:
 
     def forget(self) -> None:
         """Forget how far the arm has been; the zoom stays."""
-        self._bounds = None
+        self._bounds = self._least
         self._window = None
 
     def window(self, scene: Framed, width: int, height: int) -> Window:

@@ -114,5 +114,5 @@ def pytest_runtest_makereport(
     if report.failed and report.when == "call" and made is not None:
         from trs80arm.testing.story import failure_report
 
-        report.sections.append(("What the arm did", failure_report(made)))
+        report.sections.append(("What the arm did", failure_report(made, report.longreprtext)))
     return report

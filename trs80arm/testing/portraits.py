@@ -18,8 +18,13 @@ from trs80arm.drawing.viewport import Viewport, draw
 from trs80arm.report import report
 from trs80arm.rig import Rig
 
-WIDTH, HEIGHT = 72, 20
+SIDE_VIEW = "side view"
+"""The title of the last section."""
+_WIDTH, _HEIGHT = 72, 24
 """Cells of the side view."""
+_ROOM = (0.0, 0.0, 15.0, 15.0)
+"""Inches forward and up that the side view has in any case, so that two of them are of one scale
+and a diff shows what moved."""
 
 
 def portrait(rig: Rig) -> str:
@@ -37,7 +42,7 @@ def portrait(rig: Rig) -> str:
         ("devices", [f"{each['name']}: {each['does']}" for each in told["devices"]]),
         ("slips", [_slip(slip) for slip in told["slips"]] or ["none"]),
         ("score", rig.score().text().splitlines() if told["score"] is not None else []),
-        ("side view", side_view(rig)),
+        (SIDE_VIEW, side_view(rig)),
     ]
     lines = [f"{told['arm']}, bench {told['bench'] or '(none)'}"]
     for title, rows in sections:
@@ -46,10 +51,10 @@ def portrait(rig: Rig) -> str:
     return "\n".join(lines) + "\n"
 
 
-def side_view(rig: Rig, width: int = WIDTH, height: int = HEIGHT) -> list[str]:
-    """The arm from the side in bare lines, `height` rows of at most `width` characters."""
-    scene, canvas = side_scene(Readings.of(rig)), AsciiCanvas(width, height)
-    draw(scene, Viewport().window(scene, width, height), canvas)
+def side_view(rig: Rig) -> list[str]:
+    """The arm from the side in bare lines."""
+    scene, canvas = side_scene(Readings.of(rig)), AsciiCanvas(_WIDTH, _HEIGHT)
+    draw(scene, Viewport(_ROOM).window(scene, _WIDTH, _HEIGHT), canvas)
     return [text_of(row).rstrip() for row in canvas.rows()]
 
 

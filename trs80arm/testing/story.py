@@ -48,12 +48,17 @@ def standing(rig: Rig) -> str:
     return f"the program ended ({outcome.ending.value}){error}{where}"
 
 
-def failure_report(rig: Rig) -> str:
-    """What stands in pytest's report beside a failure: account, motors, tube and side view."""
+def failure_report(rig: Rig, told: str) -> str:
+    """What stands in pytest's report beside a failure: account, motors, tube and side view.
+
+    Args:
+        rig: of the test.
+        told: what the report says already; an account that is in it is not given again.
+    """
+    told_of = account(rig)
     return "\n".join(
         [
-            *account(rig),
-            "",
+            *([] if all(line in told for line in told_of) else [*told_of, ""]),
             "motors                register     joint     apart",
             *motor_lines(rig),
             "",
