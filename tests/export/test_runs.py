@@ -8,6 +8,7 @@ import io
 import json
 import struct
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +56,16 @@ class Reader:
         ).reshape(-1, size)
         assert values.nbytes == view["byteLength"]
         return values
+
+    def node(self, name: str) -> dict[str, Any]:
+        (found,) = (node for node in self.whole["nodes"] if node["name"] == name)
+        return dict(found)
+
+    def room(self, name: str) -> tuple[np.ndarray, np.ndarray]:
+        """The lowest and the highest corner of what a node shows, in its own frame."""
+        pieces = self.whole["meshes"][self.node(name)["mesh"]]["primitives"]
+        corners = np.vstack([self.array(piece["attributes"]["POSITION"]) for piece in pieces])
+        return corners.min(axis=0), corners.max(axis=0)
 
     def keys(self, name: str, path: str) -> tuple[np.ndarray, np.ndarray]:
         (animation,) = self.whole["animations"]
@@ -115,12 +126,28 @@ def test_times_grow_and_accessors_tell_their_bounds() -> None:
 
 def test_faces_look_outwards() -> None:
     reader = Reader.of_text(gltf(*recorded()))
-    for mesh in reader.whole["meshes"]:
-        attributes = mesh["primitives"][0]["attributes"]
+    for piece in (piece for mesh in reader.whole["meshes"] for piece in mesh["primitives"]):
+        attributes = piece["attributes"]
         corners = reader.array(attributes["POSITION"]).reshape(-1, 3, 3)
         ways = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 1])
         normals = reader.array(attributes["NORMAL"])[::3]
         assert (np.einsum("ij,ij->i", ways, normals) > 0).all()
+
+
+@pytest.mark.parametrize("arm", ["minimover5", "teachmover"])
+def test_no_link_is_seen_to_float(arm: str) -> None:
+    rig, recording = recorded(arm)
+    reader = Reader.of_text(gltf(rig, recording))
+    links = ["turret", "upper_arm", "forearm", "wrist", "hand"]
+    for before, link in pairwise(links):
+        # The axis of the joint between them goes through both.
+        place = np.array(reader.node(link).get("translation", (0, 0, 0)))
+        for low, high, at in ((*reader.room(before), place), (*reader.room(link), np.zeros(3))):
+            assert (low <= at + 1e-6).all(), (before, link)
+            assert (high >= at - 1e-6).all(), (before, link)
+    palm = reader.room("hand")[1][0] - rig.arm.model.hand_length * METRES
+    for finger in ("left_finger", "right_finger"):
+        assert reader.room(finger)[0][0] <= palm + 1e-6
 
 
 def test_a_binary_file_is_the_same_in_chunks() -> None:

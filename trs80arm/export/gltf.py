@@ -21,6 +21,7 @@ from trs80arm.arm.contact.rotations import Quaternion
 from trs80arm.arm.contact.solids import Solid, box
 from trs80arm.arm.shapes import Vector
 from trs80arm.export import chain, stage
+from trs80arm.export.look import between_links
 from trs80arm.export.recording import Recording
 from trs80arm.export.units import METRES
 from trs80arm.rig import Rig
@@ -32,6 +33,7 @@ _COLOURS = {
     "table": (0.30, 0.36, 0.30),
     "fixed": (0.42, 0.44, 0.48),
     "arm": (0.75, 0.70, 0.58),
+    "joint": (0.30, 0.31, 0.34),
     "finger": (0.25, 0.25, 0.28),
 }
 _PARTS = ((0.80, 0.42, 0.16), (0.20, 0.50, 0.72), (0.72, 0.62, 0.16), (0.50, 0.30, 0.60))
@@ -108,18 +110,21 @@ class _Scene:
 
     def _fixed(self, rig: Rig) -> None:
         table = box(_TABLE).moved((0.0, 0.0, -_TABLE[2] / 2))
-        self._node(0, "table", self._mesh("table", [table], _COLOURS["table"]))
+        self._node(0, "table", self._mesh("table", ([table], _COLOURS["table"])))
         for things in stage.fixed(rig.arm.bench, set()):
             for thing in things:
-                self._node(0, thing.name, self._mesh(thing.name, thing.solids, _COLOURS["fixed"]))
+                mesh = self._mesh(thing.name, (thing.solids, _COLOURS["fixed"]))
+                self._node(0, thing.name, mesh)
 
     def _arm(self, rig: Rig) -> None:
         looks = self._recording.looks
         nodes: list[int] = []
+        joints = between_links(rig.arm.model, rig.settings.arm)
         for index, link in enumerate(chain.chain(rig.arm.model, rig.settings.arm)):
             colour = _COLOURS["finger" if link.joint.slides else "arm"]
             solids = [solid for _, solid in link.solids]
-            mesh = self._mesh(link.name, solids, colour) if solids else None
+            seen = joints.get(link.name, ())
+            mesh = self._mesh(link.name, (solids, colour), (seen, _COLOURS["joint"]))
             parent = 0 if link.parent is None else nodes[link.parent]
             node = self._node(parent, link.name, mesh)
             nodes.append(node)
@@ -137,7 +142,7 @@ class _Scene:
         for number, (name, shape) in enumerate(self._recording.parts):
             called = stage.plain(name, taken)
             colour = _PARTS[number % len(_PARTS)]
-            node = self._node(0, called, self._mesh(called, shape.solids, colour))
+            node = self._node(0, called, self._mesh(called, (shape.solids, colour)))
             seen = [(look.time, look.parts[number]) for look in looks if number in look.parts]
             places = [(time, tuple(_metres(place))) for time, (place, _) in seen]
             turns = [(time, _xyzw(turn)) for time, (_, turn) in seen]
@@ -148,15 +153,18 @@ class _Scene:
 
     # How it is written
 
-    def _node(self, parent: int, name: str, mesh: int | None) -> int:
-        node: dict[str, Any] = {"name": name}
-        if mesh is not None:
-            node["mesh"] = mesh
-        self._nodes.append(node)
+    def _node(self, parent: int, name: str, mesh: int) -> int:
+        self._nodes.append({"name": name, "mesh": mesh})
         self._nodes[parent].setdefault("children", []).append(len(self._nodes) - 1)
         return len(self._nodes) - 1
 
-    def _mesh(self, name: str, solids: Iterable[Solid], colour: tuple[float, ...]) -> int:
+    def _mesh(self, name: str, *pieces: tuple[Sequence[Solid], tuple[float, ...]]) -> int:
+        """A mesh of some solids, each set of them in a colour."""
+        primitives = [self._primitive(solids, colour) for solids, colour in pieces if solids]
+        self._meshes.append({"name": name, "primitives": primitives})
+        return len(self._meshes) - 1
+
+    def _primitive(self, solids: Iterable[Solid], colour: tuple[float, ...]) -> dict[str, Any]:
         corners: list[Vector] = []
         normals: list[Vector] = []
         for solid in solids:
@@ -167,9 +175,7 @@ class _Scene:
             "POSITION": self._array(np.array(corners) * METRES, _ARRAY, bounds=True),
             "NORMAL": self._array(np.array(normals), _ARRAY),
         }
-        primitive = {"attributes": attributes, "material": self._material(colour)}
-        self._meshes.append({"name": name, "primitives": [primitive]})
-        return len(self._meshes) - 1
+        return {"attributes": attributes, "material": self._material(colour)}
 
     def _material(self, colour: tuple[float, ...]) -> int:
         if colour not in self._colours:
