@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from trs80arm.arm.forces import Burden, cosine, torques
 from trs80arm.arm.geometry import forward
 from trs80arm.arm.loads import GripLoad, Loads, motor_load
-from trs80arm.arm.model import Link, Motor
+from trs80arm.arm.model import BASE, ELBOW, HAND, SHOULDER, Link, Motor
 
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
@@ -24,14 +24,14 @@ def period_at(arm: MiniMover, latch: int, turn: int, rotors: Sequence[int]) -> i
         rotors: where all stand.
     """
     turns, burdens = arm.motor_kinds[latch], arm.world.burdens()
-    if turns is Motor.HAND:
+    if turns is HAND:
         squeeze = max(0, arm.grip.contact - arm.drive.cable(rotors))
         against = 16 * (squeeze / arm.model.hand.pound_steps) if turn < 0 else 0.0
-    elif turns is Motor.BASE and not burdens:
+    elif turns is BASE and not burdens:
         against = 0.0
     else:
         weight = weighing(arm, turns, burdens, rotors)
-        lifts = turns is Motor.BASE or turn * arm.model.drives[latch].sign > 0
+        lifts = turns is BASE or turn * arm.model.drives[latch].sign > 0
         against = max(0.0, weight if lifts else -weight)
     return arm.strength.curves[turns].period(against, arm.settings.speed_margin)
 
@@ -41,13 +41,16 @@ def resistance(arm: MiniMover, latch: int, turn: int, rotors: Sequence[int]) -> 
     if turn == 0:
         return 0.0, 0.0
     turns, world = arm.motor_kinds[latch], arm.world
-    burdens, pushed = world.burdens(), pushing(arm, turns)
     own = weighing(arm, turns, (), rotors)
+    up = turn * arm.model.drives[latch].sign > 0
+    if world.untouched and arm.pulled is None:
+        against = own if up else -own
+        return against if against > 0.0 else 0.0, 0.0
+    burdens, pushed = world.burdens(), pushing(arm, turns)
     weight = weighing(arm, turns, burdens, rotors) if burdens else own
-    if turns is Motor.BASE:
+    if turns is BASE:
         against = weight - pushed if turn > 0 else weight + pushed
         return max(0.0, against), against
-    up = turn * arm.model.drives[latch].sign > 0
     against, alone = (weight - pushed, own) if up else (pushed - weight, -own)
     return max(0.0, against), against - alone
 
@@ -56,20 +59,30 @@ def weighing(
     arm: MiniMover, turns: Motor, burdens: Sequence[Burden], rotors: Sequence[int]
 ) -> float:
     """Torque with which weight pulls a motor's angle down (the base: drags it)."""
-    if turns is Motor.HAND or (turns is Motor.BASE and not burdens):
+    if turns is HAND or (turns is BASE and not burdens):
         return 0.0
+    if turns is SHOULDER or turns is ELBOW:
+        return arm.strength.level(turns, burdens) * cosine(arm.drive.lifted(turns, rotors))
     driven = arm.drive.driven(rotors)
     return float(arm.strength.weight(turns, driven, burdens, cosine))
 
 
 def pushing(arm: MiniMover, turns: Motor) -> float:
     """Torque of contacts and of the operator's hand; positive pushes the angle up."""
-    pushed = arm.world.torques[turns]
-    if arm.pulled is not None:
-        angles = arm.world.angles
-        tip = forward(arm.model, angles).fingertip
-        pushed += torques(arm.model, angles, Link.HAND, tip, arm.pulled)[turns]
-    return pushed
+    if arm.pulled is None:
+        return arm.world.torque(turns)
+    return pushes(arm)[turns]
+
+
+def pushes(arm: MiniMover) -> tuple[float, ...]:
+    """The same for all six motors, by `Motor`."""
+    pushed = arm.world.torques
+    if arm.pulled is None:
+        return pushed
+    angles = arm.world.angles
+    tip = forward(arm.model, angles).fingertip
+    pulled = torques(arm.model, angles, Link.HAND, tip, arm.pulled)
+    return tuple([one + other for one, other in zip(pushed, pulled, strict=True)])
 
 
 def borne(arm: MiniMover) -> tuple[float, ...]:
@@ -83,7 +96,7 @@ def borne(arm: MiniMover) -> tuple[float, ...]:
 
 def _borne(arm: MiniMover, turns: Motor) -> float:
     """What one motor bears."""
-    if turns is Motor.HAND:
+    if turns is HAND:
         return -16 * arm.world.grip.force
     burdens = arm.world.burdens()
     return weighing(arm, turns, burdens, arm.rotors) - pushing(arm, turns)
@@ -99,7 +112,7 @@ def loads(arm: MiniMover, time: int) -> Loads:
             against = resistance(arm, latch, motor.way, arm.rotors)[0]
         else:
             # What is carried drags on a base that turns, and does nothing to one that stands.
-            torque = -pushing(arm, turns) if turns is Motor.BASE else torque
+            torque = -pushing(arm, turns) if turns is BASE else torque
             against = abs(torque)
         motors.append(
             motor_load(

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from trs80arm.arm.burst import LONGEST, run_free
 from trs80arm.arm.cell.device import NEVER
-from trs80arm.arm.model import Motor
+from trs80arm.arm.model import HAND
 from trs80arm.arm.stride import stride
 from trs80arm.pulses import Burst
 
@@ -17,8 +17,6 @@ SHORT = 24
 """Writes in a burst below which they are done one by one."""
 FEW = 4
 """Writes done one by one where something may happen, before it is looked at again."""
-
-HAND = int(Motor.HAND)
 
 
 def follow_burst(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> int:

@@ -21,7 +21,7 @@ import numpy.typing as npt
 
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.geometry import JointAngles, forward
-from trs80arm.arm.model import ArmModel, Link, Motor
+from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER, ArmModel, Link, Motor
 from trs80arm.arm.trigonometry import sin_cos
 
 NEVER = 1 << 40
@@ -87,7 +87,8 @@ class Curve:
             torque: that it turns against; 0 where the torque helps it.
             rate: half-steps per second, as a motor of no other than the listed speed would make.
         """
-        return max((self.fall * torque + rate * rate) / self.idle, torque / self.stall)
+        share, of_stall = (self.fall * torque + rate * rate) / self.idle, torque / self.stall
+        return share if share > of_stall else of_stall
 
     def uses(
         self, torques: npt.NDArray[np.float64], rates: npt.NDArray[np.float64]
@@ -140,24 +141,24 @@ class Strength:
         )
         levers = (0.0, link, link, model.hand_length / 2, model.hand_length / 2, 0.0)
         curves: dict[Motor, Curve] = {}
-        for motor in (Motor.SHOULDER, Motor.BASE, *list(Motor)[2:]):
+        for motor in (SHOULDER, BASE, *list(Motor)[2:]):
             drive = model.drives[model.latch(motor)]
             free, full = drive.no_load_rate**2, drive.full_load_rate**2
-            if motor is Motor.BASE:
-                shoulder = curves[Motor.SHOULDER]
+            if motor is BASE:
+                shoulder = curves[SHOULDER]
                 load = shoulder.stall * (free - full) / free
                 holds, friction = shoulder.holds, shoulder.friction
                 fall = (free - full) / load
                 curves[motor] = Curve(free, fall, free / fall, holds, friction)
                 continue
             load = model.full_load * levers[motor]
-            if motor is Motor.HAND:
+            if motor is HAND:
                 load = 16 * model.hand.full_grip
             fall = (free - full) / load
             idle = free + fall * own[motor]
             stall = idle / fall
             holds = own[motor] + model.static_force * levers[motor]
-            if motor is Motor.HAND:
+            if motor is HAND:
                 holds = stall = 16 * model.hand.full_grip
                 curves[motor] = Curve(idle, fall, stall, holds, holds)
                 continue
@@ -167,8 +168,8 @@ class Strength:
     @property
     def base_drag(self) -> float:
         """Torque on the base for each ounce-inch of load and distance from its axis."""
-        base = self.curves[Motor.BASE]
-        drive = self.model.drives[self.model.latch(Motor.BASE)]
+        base = self.curves[BASE]
+        drive = self.model.drives[self.model.latch(BASE)]
         full = (drive.no_load_rate**2 - drive.full_load_rate**2) / base.fall
         return full / (self.model.full_load * self.model.reach)
 
@@ -190,21 +191,21 @@ class Strength:
             burdens: what is in the hand.
             cosine: `cosine`, or `cosines` for arrays.
         """
-        if motor is Motor.HAND or (motor is Motor.BASE and not burdens):
+        if motor is HAND or (motor is BASE and not burdens):
             return 0.0 * driven[0]
         loads = sum(burden.weight for burden in burdens)
         link = self.model.link
-        if motor in (Motor.SHOULDER, Motor.ELBOW):
-            return (self.own[motor] + loads * link) * cosine(driven[motor])
+        if motor in (SHOULDER, ELBOW):
+            return self.level(motor, burdens) * cosine(driven[motor])
         pitch = (driven[3] + driven[4]) / 2
-        if motor is Motor.BASE:
+        if motor is BASE:
             reach = link * cosine(driven[1]) + link * cosine(driven[2])
             return self.base_drag * loads * abs(reach + self.model.hand_length * cosine(pitch))
         torque = self.own[motor] * cosine(pitch)
         if not burdens:
             return torque
         roll = (driven[3] - driven[4]) / 2
-        side = 0.5 if motor is Motor.LEFT_WRIST else -0.5
+        side = 0.5 if motor is LEFT_WRIST else -0.5
         sp, cp = cosine(pitch - _QUARTER), cosine(pitch)
         sr, cr = cosine(roll - _QUARTER), cosine(roll)
         for burden in burdens:
@@ -213,6 +214,12 @@ class Strength:
             rolling = (across * cr - up * sr) * cp
             torque = torque + burden.weight * (0.5 * pitching + side * rolling)
         return torque
+
+    def level(self, motor: Motor, burdens: Sequence[Burden]) -> float:
+        """Torque of own weight and load on shoulder or elbow with the link level."""
+        if not burdens:
+            return self.own[motor]
+        return self.own[motor] + sum([burden.weight for burden in burdens]) * self.model.link
 
     def most(
         self, motor: Motor, burdens: Sequence[Burden], level: Vector = (1.0, 1.0, 1.0)
@@ -228,15 +235,13 @@ class Strength:
         upper, fore, hand = level
         loads = sum(burden.weight for burden in burdens)
         model = self.model
-        if motor is Motor.BASE:
+        if motor is BASE:
             reach = model.link * (upper + fore) + model.hand_length * hand
             return self.base_drag * loads * reach
-        if motor is Motor.HAND:
+        if motor is HAND:
             return 0.0
-        if motor in (Motor.SHOULDER, Motor.ELBOW):
-            return (self.own[motor] + loads * model.link) * (
-                upper if motor is Motor.SHOULDER else fore
-            )
+        if motor in (SHOULDER, ELBOW):
+            return self.level(motor, burdens) * (upper if motor is SHOULDER else fore)
         torque = self.own[motor] * hand
         for burden in burdens:
             ahead, across, up = (abs(value) for value in burden.place)

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from trs80arm.arm.model import ArmModel, Pose, Rotors
+from trs80arm.arm.model import SHOULDER, ArmModel, Motor, Pose, Rotors
 from trs80arm.arm.trigonometry import arc_tangent, sin_cos
 
 Point = tuple[float, float, float]
@@ -216,8 +216,20 @@ class CableDrive:
     def driven(self, rotors: Rotors) -> tuple[Any, Any, Any, Any, Any]:
         """Radians of base, upper arm, forearm, left and right gear; arrays for arrays."""
         a, b, c, d, e = self.model.turned(rotors)
-        base, shoulder, elbow, left, right = self.home.driven
-        return base + a, shoulder + b, elbow + c, left + d, right + e
+        home = self.home
+        pitch, roll = home.pitch, home.roll
+        return (
+            home.base + a,
+            home.shoulder + b,
+            home.elbow + c,
+            pitch + roll + d,
+            pitch - roll + e,
+        )
+
+    def lifted(self, motor: Motor, rotors: Sequence[int]) -> float:
+        """Radians of upper arm or forearm alone, as `driven` has them."""
+        home = self.home.shoulder if motor is SHOULDER else self.home.elbow
+        return home + self.model.turned_alone(motor, rotors)
 
     def angles(self, rotors: Sequence[int]) -> JointAngles:
         """Joint angles (radians) for rotor positions (half-steps)."""

@@ -36,7 +36,8 @@ class Grip:
     @property
     def squeeze(self) -> float:
         """Half-steps of cable taken up since the fingers met."""
-        return max(0, self.contact - self.cable) + self.strain
+        taken_up = self.contact - self.cable
+        return self.strain + taken_up if taken_up > 0 else self.strain
 
     @property
     def force(self) -> float:

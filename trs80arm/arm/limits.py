@@ -9,7 +9,7 @@ import math
 from collections.abc import Sequence
 
 from trs80arm.arm.geometry import CableDrive
-from trs80arm.arm.model import Motor
+from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER
 
 _HAIR = 1e-9
 
@@ -35,34 +35,34 @@ def beyond_stop(
     model = drive.model
     limits, turned = model.limits, model.drives[motor]
     turns, up = turned.turns, step * turned.sign
-    if turns is Motor.HAND:
+    if turns is HAND:
         over = drive.cable(rotors) > model.hand.range * model.hand_steps + slack
         return f"hand 0 to {model.hand.range:g} in" if up > 0 and over else None
     a = drive.angles(rotors)
     hair = _HAIR + slack / 200.0
-    if turns is Motor.BASE:
+    if turns is BASE:
         return f"base +-{_degrees(limits.base)}" if a.base * up > limits.base + hair else None
-    if turns is Motor.SHOULDER:
+    if turns is SHOULDER:
         low, high = limits.shoulder
         if up > 0 and a.shoulder > high + hair:
             return f"shoulder {_degrees(high):+}"
         if up < 0 and a.shoulder < low - hair:
             return f"shoulder {_degrees(low):+}"
-    if turns in (Motor.SHOULDER, Motor.ELBOW):
+    if turns in (SHOULDER, ELBOW):
         low, high = limits.elbow
         bend = a.elbow - a.shoulder
         # Raising the upper arm bends the elbow as lowering the forearm does.
-        opening = up if turns is Motor.ELBOW else -up
+        opening = up if turns is ELBOW else -up
         if opening > 0 and bend > high + hair:
             return f"elbow {_degrees(high)}"
         if opening < 0 and bend < low - hair:
             return f"elbow {_degrees(low)}"
-        if turns is Motor.SHOULDER:
+        if turns is SHOULDER:
             return None
         if (a.pitch - a.elbow) * up < -limits.pitch - hair:
             return f"pitch +-{_degrees(limits.pitch)}"
         return None
-    gear = a.left_gear if turns is Motor.LEFT_WRIST else a.right_gear
+    gear = a.left_gear if turns is LEFT_WRIST else a.right_gear
     if gear * up > limits.gear + hair:
         return f"wrist gear +-{_degrees(limits.gear)}"
     if (a.pitch - a.elbow) * up > limits.pitch + hair:

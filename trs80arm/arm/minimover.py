@@ -7,10 +7,10 @@ what the arm was told and where it is are two things.
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 from typing import Any
 
-from trs80arm.arm.bearing import borne, loads, pushing, resistance, weighing
+from trs80arm.arm.bearing import borne, loads, pushes, pushing, resistance, weighing
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.body import Body
 from trs80arm.arm.by_hand import STRONGEST, cable_for, placed, refill, turned
@@ -23,7 +23,7 @@ from trs80arm.arm.geometry import CableDrive, JointAngles, OutOfReach, inverse, 
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.limits import beyond_stop, steps_to_stops
 from trs80arm.arm.loads import Loads, per_cent
-from trs80arm.arm.model import Motor, Pose
+from trs80arm.arm.model import BASE, HAND, Motor, Pose
 from trs80arm.arm.motors import RING, ROWS, StepperMotor
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.state import ArmState, six
@@ -35,7 +35,7 @@ __all__ = ["MiniMover", "OutOfReach", "Pose"]
 GIVEN_WAY = 4
 """Half-steps by which a motor without current is turned in a tick, at most."""
 
-ELBOW, HAND, AUXILIARY = int(Motor.ELBOW), int(Motor.HAND), 6
+AUXILIARY = 6
 
 
 class MiniMover:
@@ -221,9 +221,11 @@ class MiniMover:
         if not 0 <= latch <= AUXILIARY:
             return
         nibble &= 15
-        if self._world.due <= time or self._world.alarm <= time:
+        world = self._world
+        if world.due <= time or world.alarm <= time:
             self.let_pass(time)
-        self._time = max(self._time, time)
+        if time > self._time:
+            self._time = time
         if latch == AUXILIARY:
             self._write_auxiliary(time, nibble)
             return
@@ -239,10 +241,12 @@ class MiniMover:
                 self._give_way()
             return
         # The first field after none finds a rotor that may be anywhere: no more than a half-step.
-        most = 1 if motor.row < 0 else RING
+        first = motor.row < 0
         turn = motor.turn_field(row)
-        if turn:
-            motor.asked((time,) * min(abs(turn), most), 1 if turn > 0 else -1)
+        if turn == 1 or turn == -1 or (first and turn):
+            motor.asked_once(time, 1 if turn > 0 else -1)
+        elif turn:
+            motor.asked((time,) * abs(turn), 1 if turn > 0 else -1)
         against, outside = resistance(self, latch, turn, self._rotors)
         curve = self.strength.curves[self.motor_kinds[latch]]
         period = curve.period(against, self.settings.speed_margin)
@@ -290,13 +294,11 @@ class MiniMover:
         heavy in it, or its cable is too tight. Full load is nothing to a motor that stands.
         """
         world = self._world
-        if self._pull is not None or world.strained:
-            return True
-        if world.grip.squeeze > self._most_squeeze:
+        if world.untouched:
+            return self._pull is not None
+        if self._pull is not None or world.strained or world.grip.squeeze > self._most_squeeze:
             return True
         burdens = world.burdens()
-        if not burdens:
-            return False
         return sum([burden.weight for burden in burdens]) > self.model.full_load
 
     def _give_way(self) -> None:
@@ -305,14 +307,15 @@ class MiniMover:
         With its current on a rotor falls by a ring at a time, without it by a few half-steps;
         what is met on the way is known on the next tick.
         """
+        heaviest, pushed = self._most_weight(), pushes(self)
         for latch, drive in enumerate(self.model.drives):
             motor, curve = self.motors[latch], self.strength.curves[drive.turns]
-            most = self._most(drive.turns) + abs(pushing(self, drive.turns))
+            most = heaviest[drive.turns] + abs(pushed[drive.turns])
             if most <= (curve.holds if motor.row >= 0 else curve.friction):
                 continue
             for _ in range(1 if motor.row >= 0 else GIVEN_WAY):
                 pull = pushing(self, drive.turns)
-                if drive.turns is not Motor.BASE:
+                if drive.turns is not BASE:
                     pull -= weighing(self, drive.turns, self._world.burdens(), self._rotors)
                 if abs(pull) <= (curve.holds if motor.row >= 0 else curve.friction):
                     break
@@ -320,15 +323,16 @@ class MiniMover:
                     break
                 if self._world.strained:
                     break
+            pushed = pushes(self)
 
-    def _most(self, turns: Motor) -> float:
-        """The most torque that weight can be on a motor."""
+    def _most_weight(self) -> Sequence[float]:
+        """The most torque that weight can be on each motor, by `Motor`."""
         burdens = self._world.burdens()
         if self._heaviest is None or self._heaviest[0] is not burdens:
             most = [self.strength.most(motor, burdens) for motor in Motor]
-            most[Motor.BASE] = 0.0
+            most[BASE] = 0.0
             self._heaviest = burdens, most
-        return self._heaviest[1][turns]
+        return self._heaviest[1]
 
     def _turned(self, latch: int, step: int) -> bool:
         """Let a rotor be turned to its next place of rest by what pulls; whether it could."""
@@ -369,7 +373,8 @@ class MiniMover:
             motor.followed = 0
         else:
             motor.follow(1)
-        self._count_rings(latch, target)
+        if motor.field - target != RING * motor.ring:
+            self._count_rings(latch, target)
         if self.bench.news:
             self._tell_news()
 
@@ -405,7 +410,7 @@ class MiniMover:
 
     def _in_the_way(self, latch: int) -> bool:
         """Whether something is in a motor's way: never the hand's, which only squeezes."""
-        return self._world.blocked and self.motor_kinds[latch] is not Motor.HAND
+        return self._world.blocked and self.motor_kinds[latch] is not HAND
 
     def _held_up(self, latch: int, reason: Reason) -> None:
         """Something holds a rotor back; what it is is news the first time."""

@@ -33,6 +33,10 @@ class Motor(IntEnum):
     HAND = 5
 
 
+BASE, SHOULDER, ELBOW, LEFT_WRIST, RIGHT_WRIST, HAND = Motor
+"""The same for what asks at every write: a class of enumeration takes long to say who is who."""
+
+
 @dataclass(frozen=True, slots=True)
 class Pose:
     """Where the fingertip is and how the hand is turned.
@@ -269,7 +273,7 @@ class ArmModel:
     @property
     def hand_steps(self) -> float:
         """Half-steps of cable per inch of opening."""
-        return self.drives[Motor.HAND].steps
+        return self.drives[HAND].steps
 
     @property
     def pays_out(self) -> Signs:
@@ -305,6 +309,11 @@ class ArmModel:
             n * rotors[e] / w,
         )
 
+    def turned_alone(self, motor: Motor, rotors: Sequence[int]) -> float:
+        """What `turned` has for one motor of the arm, for one position."""
+        latch, sign, steps = self._scales[motor]
+        return sign * rotors[latch] / steps
+
     def counts(self, turns: Sequence[float]) -> tuple[int, int, int, int, int]:
         """The inverse of `turned`: counts of the five arm motors nearest to some radians."""
         counts = [0] * 5
@@ -315,4 +324,4 @@ class ArmModel:
 
     def paid_out(self, rotors: Rotors) -> Any:
         """Half-steps of hand cable that counts of the motors pay out; arrays for arrays."""
-        return rotors[Motor.HAND] + self.elbow_pays_out * rotors[Motor.ELBOW]
+        return rotors[HAND] + self.elbow_pays_out * rotors[ELBOW]

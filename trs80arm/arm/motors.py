@@ -118,9 +118,9 @@ class StepperMotor:
 
     def follow(self, writes: int) -> None:
         """The rotor has followed some writes; after a ring of them its trouble is over."""
-        self.followed = min(RING, self.followed + writes)
-        if self.followed == RING:
-            self.losing = None
+        self.followed += writes
+        if self.followed >= RING:
+            self.followed, self.losing = RING, None
 
     def turn_field(self, row: int) -> int:
         """Let the field point to a row of Figure 8.
@@ -150,6 +150,16 @@ class StepperMotor:
             way: the direction of the last.
         """
         self.pulses = (*self.pulses, *times)[-RING - 1 :]
+        self.way = way
+
+    def asked_once(self, time: int, way: int) -> None:
+        """One more half-step was asked of it.
+
+        Args:
+            time: of it, T-states.
+            way: its direction.
+        """
+        self.pulses = (*self.pulses[-RING:], time)
         self.way = way
 
     @property

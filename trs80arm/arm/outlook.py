@@ -18,7 +18,7 @@ from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.feeding import Feeding
 from trs80arm.arm.geometry import CableDrive
 from trs80arm.arm.grip import Grip
-from trs80arm.arm.model import Motor
+from trs80arm.arm.model import LEFT_WRIST
 from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings
 from trs80arm.arm.sweep import Ranges
 
@@ -82,8 +82,8 @@ class Outlook:
             joints: the arm's six coordinates there.
         """
         return (
-            self._surely_clear(joints)
-            or self._known_clear(Ranges.about(joints, 0.0))
+            any(each.hold(joints) for each in self._swept)
+            or self._surely_clear(joints)
             or self._sweep_clear(Ranges.about(joints, ABOUT))
             or self._look(joints).enough
         )
@@ -202,7 +202,7 @@ class Outlook:
         ends = zip(drive.driven(low), drive.driven(high), strict=True)
         base, shoulder, elbow, _, _ = [(a, b) if a < b else (b, a) for a, b in ends]
         *_, left, right = drive.driven(rotors)
-        both = 2 * model.drives[model.latch(Motor.LEFT_WRIST)].steps
+        both = 2 * model.drives[model.latch(LEFT_WRIST)].steps
         least, most = ahead.together_between(model.gears(1), since, until)
         pitch = (left + right) / 2 + least / both, (left + right) / 2 + most / both
         least, most = ahead.together_between(model.gears(-1), since, until)

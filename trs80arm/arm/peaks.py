@@ -18,7 +18,7 @@ from trs80arm.arm.ahead import Ahead
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.forces import Vector, cosines, nearest_and_farthest
 from trs80arm.arm.loads import per_cent
-from trs80arm.arm.model import Motor
+from trs80arm.arm.model import BASE, HAND
 from trs80arm.arm.motors import RING
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def note_stride(
             continue
         first = zip(ahead.moments(order, 0, RING), pulses[1:], strict=False)
         span = max(1, min(ahead.closest(order), *(now - before for now, before in first)))
-        if kind is Motor.HAND:
+        if kind is HAND:
             torque = 0.0 if turning.way > 0 else torque
         else:
             if level is None:
@@ -117,13 +117,13 @@ def against(
         before: positions of all rotors before each of them, 6 x half-steps.
     """
     drive = arm.model.drives[latch]
-    if drive.turns is Motor.HAND:
+    if drive.turns is HAND:
         squeeze = np.maximum(0, arm.grip.contact - arm.drive.cable(before))
         pressed: npt.NDArray[np.float64] = 16 * (squeeze / arm.model.hand.pound_steps)
         return np.where(turns < 0, pressed, 0.0)
     driven = arm.drive.driven(before)
     torque = arm.strength.weight(drive.turns, driven, arm.world.burdens(), cosines)
-    if drive.turns is not Motor.BASE:
+    if drive.turns is not BASE:
         torque = np.where(turns * drive.sign > 0, torque, -torque)
     return np.where(turns == 0, 0.0, np.maximum(0.0, torque))
 

@@ -16,7 +16,7 @@ from trs80arm.arm.ahead import Ahead, look_ahead
 from trs80arm.arm.bearing import period_at
 from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.forces import nearest_and_farthest
-from trs80arm.arm.model import Motor
+from trs80arm.arm.model import ELBOW, HAND, LEFT_WRIST, SHOULDER
 from trs80arm.arm.motors import RING, ROWS
 from trs80arm.arm.peaks import note_stride
 from trs80arm.pulses import NOTHING, Burst
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 Span = tuple[float, float]
 
-_BY_THEMSELVES = (Motor.SHOULDER, Motor.ELBOW)
+_BY_THEMSELVES = (SHOULDER, ELBOW)
 """What bears its load at its own angle, wherever the others are."""
 
 
@@ -45,9 +45,7 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
         at; None where the bounds on everything else are not enough.
     """
     ahead = look_ahead(arm.motors, burst)
-    if arm.world.gripped and (
-        ahead is None or any(each.latch != Motor.HAND for each in ahead.turnings)
-    ):
+    if arm.world.gripped and (ahead is None or any(each.latch != HAND for each in ahead.turnings)):
         return burst
     if ahead is None or (arm.world.homes and not all(each.way for each in ahead.turnings)):
         # A home switch has to see where its joint turns back.
@@ -107,7 +105,7 @@ def _load_stays(arm: MiniMover, ahead: Ahead, pitched: tuple[int, int]) -> bool:
     if not (world.burdens() and low <= now + least and now + most <= high):
         return False
     rolled = ahead.together(arm.model.gears(-1))
-    per_radian = 2 * arm.model.drives[arm.model.latch(Motor.LEFT_WRIST)].steps
+    per_radian = 2 * arm.model.drives[arm.model.latch(LEFT_WRIST)].steps
     *_, left, right = arm.drive.driven(arm.rotors)
     level = abs(math.cos((left + right) / 2))
     turned = max(-pitched[0], pitched[1]) + level * max(-rolled[0], rolled[1])
@@ -124,7 +122,7 @@ def _pitches(arm: MiniMover, pitched: tuple[int, int]) -> Span:
     """The least and the greatest pitch, radians."""
     *_, left, right = arm.drive.driven(arm.rotors)
     here = (left + right) / 2
-    per_radian = 2 * arm.model.drives[arm.model.latch(Motor.LEFT_WRIST)].steps
+    per_radian = 2 * arm.model.drives[arm.model.latch(LEFT_WRIST)].steps
     return here + pitched[0] / per_radian, here + pitched[1] / per_radian
 
 
@@ -159,10 +157,10 @@ def _in_time(
         turns = drive.turns
         if turning.first < arm.motors[turning.latch].done:
             return None
-        if turns is Motor.HAND:
+        if turns is HAND:
             squeeze = max(0, arm.grip.contact - arm.drive.cable(arm.rotors) - least)
             against = 16 * (squeeze / arm.model.hand.pound_steps)
-        elif turns is Motor.SHOULDER or turns is Motor.ELBOW:
+        elif turns is SHOULDER or turns is ELBOW:
             against = strength.most(turns, burdens)
             if turning.way:
                 level, steep = nearest_and_farthest(*spans[turns])

@@ -54,6 +54,22 @@ class Ranges:
             and self.opening[1] <= other.opening[1]
         )
 
+    def hold(self, joints: Sequence[float]) -> bool:
+        """Whether a place is within them.
+
+        Args:
+            joints: the arm's six coordinates.
+        """
+        base, shoulder, elbow, left, right, opening = joints
+        return (
+            self.base[0] <= base <= self.base[1]
+            and self.shoulder[0] <= shoulder <= self.shoulder[1]
+            and self.elbow[0] <= elbow <= self.elbow[1]
+            and self.pitch[0] <= (left + right) / 2 <= self.pitch[1]
+            and self.roll[0] <= (left - right) / 2 <= self.roll[1]
+            and self.opening[0] <= opening <= self.opening[1]
+        )
+
     @classmethod
     def about(cls, joints: Sequence[float], by: float) -> Ranges:
         """One place, and what is about it.

@@ -30,6 +30,7 @@ from trs80arm.arm.geometry import CableDrive, JointAngles
 from trs80arm.arm.grasp import Grasp
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.linkage import ArmLinkage
+from trs80arm.arm.model import HAND, Motor
 from trs80arm.arm.outlook import Outlook, Standing
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Vector
@@ -267,7 +268,8 @@ class World:
         self._rotors[latch] = rotors[latch]
         self.grip.cable = self.drive.cable(self._rotors)
         self._busy = True
-        self._turn_homes()
+        if self.homes:
+            self._turn_homes()
 
     def arrive(self, rotors: Sequence[int], ticked: Sequence[int], time: int) -> None:
         """Be somewhere that free motion has led to.
@@ -345,10 +347,20 @@ class World:
         a, b, c, d, e = self._grasp.pushed
         return a, b, c, d, e, 16 * self.grip.force
 
+    def torque(self, motor: Motor) -> float:
+        """One of the same."""
+        return 16 * self.grip.force if motor is HAND else self._grasp.pushed[motor]
+
     @property
     def strained(self) -> bool:
         """Whether anything presses on the arm or is pushed by it."""
         return any(self._grasp.pushed)
+
+    @property
+    def untouched(self) -> bool:
+        """Whether nothing bears on the motors but the arm's own weight."""
+        grasp = self._grasp
+        return not (self.grip.squeeze or grasp.burdens or any(grasp.pushed))
 
     @property
     def blocked(self) -> bool:
