@@ -23,11 +23,12 @@ from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.meeting import TOUCH, Meeting, islands, presses
 from trs80arm.arm.contact.memory import Memory
 from trs80arm.arm.contact.prospect import Prospect
+from trs80arm.arm.contact.recurrence import Recurrence
 from trs80arm.arm.contact.rest import CALM_TICKS, Group, calm, groups, leaning
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.rotations import matrix, spun, times, transposed, turned
 from trs80arm.arm.contact.sixes import Six
-from trs80arm.arm.contact.solver import Problem
+from trs80arm.arm.contact.solver import Problem, Solution
 from trs80arm.arm.contact.table import TABLE, Plate
 from trs80arm.arm.shapes import Vector, plus
 
@@ -82,17 +83,19 @@ class Scene:
         self._coast: Coast | None = None
         self._roster = Roster()
         self._memory = Memory()
+        self._solutions: Recurrence[Solution] = Recurrence()
 
     def __getstate__(self) -> dict[str, Any]:
         # What was measured is no part of what is.
         gone: dict[str, Any] = {"contacts": [], "met_at": [0.0] * 6, "went_on": False}
         state = {**self.__dict__, **gone, "steps": 0, "solved": 0}
-        # Who does what is asked of the bodies again.
-        del state["_roster"]
+        # Who does what is asked of the bodies again, and what was solved is solved again.
+        del state["_roster"], state["_solutions"]
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
+        self._solutions = Recurrence()
         self._roster = Roster()
         for body in self.bodies.values():
             self._roster.enter(body)
@@ -362,7 +365,7 @@ class Scene:
         problems = [Problem(group, h) for group in islands(contacts) if presses(group, h)]
         for problem in problems:
             self.solved += 1
-            self.steps += problem.solve()
+            self.steps += problem.solve(self._solutions)
         if may_halve and any(_turns_far(mobile, h) for mobile in beside):
             return False
         self.contacts, self.met_at = contacts, list(arm.joints)
