@@ -10,11 +10,12 @@ from tests.arm.contact.hand import PER_INCH, SlidingHand
 from trs80arm.arm.contact import prospect
 from trs80arm.arm.contact.bodies import Body, Shape
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK_STATES
+from trs80arm.arm.contact.recurrence import Recurrence
 from trs80arm.arm.contact.rotations import oriented
 from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.sixes import plus, six
 from trs80arm.arm.contact.solids import box
-from trs80arm.arm.contact.solver import Problem
+from trs80arm.arm.contact.solver import Problem, Solution
 from trs80arm.arm.contact.table import Plate
 
 WEIGHT = 4.0
@@ -104,9 +105,9 @@ def test_a_step_of_newtons_method_follows_how_the_momentum_that_is_missing_grows
     problems: list[Problem] = []
 
     class Noted(Problem):
-        def solve(self) -> int:
+        def solve(self, known: Recurrence[Solution]) -> int:
             problems.append(self)
-            return super().solve()
+            return super().solve(known)
 
     monkeypatch.setattr("trs80arm.arm.contact.scene.Problem", Noted)
     hand = Hand(8.0, 0.0, 0.3, 0.2, 0.1, 1.3)
@@ -141,9 +142,9 @@ def test_what_has_turned_with_the_hand_is_found_pressed_where_it_was(
     begun: list[dict[str, list[float]]] = []
 
     class Noted(Problem):
-        def solve(self) -> int:
+        def solve(self, known: Recurrence[Solution]) -> int:
             begun.append({each.key[0]: list(each.pressures) for each in self.contacts})
-            return super().solve()
+            return super().solve(known)
 
     monkeypatch.setattr("trs80arm.arm.contact.scene.Problem", Noted)
     hand = Hand(8.0, 0.0, 0.3, 0.0, 0.0, 1.1)

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
 from trs80arm.arm.contact.clock import TICK
 from trs80arm.arm.contact.contacts import Contact, Mobile
 from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.recurrence import Recurrence, question
 from trs80arm.arm.contact.sixes import Six
 
 GRAVITY = 386.09
@@ -22,8 +25,51 @@ EASE = 0.02
 """Seconds in which the friction of the cables lets a strain ease off: nothing is shot away."""
 EASED = 5e-5
 """Radians, and inches of the opening, by which a coordinate may lag that nothing holds back."""
+STANDINGS = 256
+"""Places of the arm whose links are known at once."""
 HELD_FAST = 1e3
 """How many times as inert the fingers are while something rests between them."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """An arm that stands somewhere; what follows from that is worked out when asked for.
+
+    Attributes:
+        linkage: its links, or None.
+        joints: its six coordinates.
+    """
+
+    linkage: Linkage | None
+    joints: tuple[float, ...]
+
+    @cached_property
+    def links(self) -> Sequence[Link]:
+        """Where the links stand."""
+        return () if self.linkage is None else self.linkage.links(self.joints)
+
+    @cached_property
+    def solids(self) -> Sequence[Placed]:
+        """The links as solids, where they stand."""
+        if self.linkage is None:
+            return ()
+        return [
+            Placed(solid, link.place, link.turn)
+            for solid, link in zip(self.linkage.solids, self.links, strict=True)
+        ]
+
+    @cached_property
+    def reaches(self) -> Sequence[Sequence[float]]:
+        """How far any point of each link moves at most for a unit of each coordinate, inches."""
+        return [_reach(link, solid) for link, solid in zip(self.links, self.solids, strict=True)]
+
+    @cached_property
+    def fingers(self) -> tuple[str, ...]:
+        """Names of the links that the last coordinate moves."""
+        names = () if self.linkage is None else self.linkage.names
+        return tuple(
+            name for name, link in zip(names, self.links, strict=True) if any(link.screws[5][1])
+        )
 
 
 class DrivenArm:
@@ -43,7 +89,9 @@ class DrivenArm:
     """
 
     def __init__(self, linkage: Linkage | None) -> None:
-        self.linkage = linkage
+        self._standing: Standing | None = None
+        self._stood: Recurrence[Standing] = Recurrence(STANDINGS)
+        self._linkage = linkage
         self.joints: list[float] = [0.0] * 6
         self.torques: list[float] = [0.0] * 6
         self.commands: list[float] = [0.0] * 6
@@ -53,32 +101,42 @@ class DrivenArm:
         self.moved = False
         self.still = 0
         self.standing = 0
-        self._links: list[Link] = []
-        self._solids: list[Placed] = []
-        self._reaches: list[list[float]] = []
 
     def __getstate__(self) -> dict[str, Any]:
         # Links are where the joints have them. Where a step began is said anew at each, and depends
         # on how many were asked for at once.
-        nowhere: dict[str, Any] = {"_links": [], "_solids": [], "_reaches": []}
+        nowhere: dict[str, Any] = {"_standing": None, "_stood": Recurrence(STANDINGS)}
         return {**self.__dict__, "began": [0.0] * 6, **nowhere}
 
     @property
-    def links(self) -> list[Link]:
-        """Where the links stand."""
-        if not self._links and self.linkage is not None:
-            self._links = self.linkage.links(self.joints)
-        return self._links
+    def linkage(self) -> Linkage | None:
+        """Its links, or None."""
+        return self._linkage
+
+    @linkage.setter
+    def linkage(self, linkage: Linkage | None) -> None:
+        self._linkage = linkage
+        self._standing, self._stood = None, Recurrence(STANDINGS)
 
     @property
-    def solids(self) -> list[Placed]:
+    def _there(self) -> Standing:
+        """What follows from where the joints are."""
+        if self._standing is None:
+            asked = question(self.joints)
+            self._standing = self._stood.get(asked) or self._stood.keep(
+                asked, Standing(self.linkage, tuple(self.joints))
+            )
+        return self._standing
+
+    @property
+    def links(self) -> Sequence[Link]:
+        """Where the links stand."""
+        return self._there.links
+
+    @property
+    def solids(self) -> Sequence[Placed]:
         """The links as solids, where they stand."""
-        if not self._solids and self.linkage is not None:
-            self._solids = [
-                Placed(solid, link.place, link.turn)
-                for solid, link in zip(self.linkage.solids, self.links, strict=True)
-            ]
-        return self._solids
+        return self._there.solids
 
     @property
     def names(self) -> Sequence[str]:
@@ -88,8 +146,7 @@ class DrivenArm:
     @property
     def fingers(self) -> tuple[str, ...]:
         """Names of the links that the last coordinate moves."""
-        links = zip(self.names, self.links, strict=True)
-        return tuple(name for name, link in links if any(link.screws[5][1]))
+        return self._there.fingers
 
     @property
     def hand(self) -> Link:
@@ -140,7 +197,7 @@ class DrivenArm:
 
     def place(self) -> None:
         """Have the links be where the joints have them from now on."""
-        self._links, self._solids, self._reaches = [], [], []
+        self._standing = None
 
     # Moving
 
@@ -218,13 +275,9 @@ class DrivenArm:
         return Mobile(list(rates), NOWHERE, inertias=inertias, before=tuple(self.way))
 
     @property
-    def reaches(self) -> list[list[float]]:
+    def reaches(self) -> Sequence[Sequence[float]]:
         """How far any point of each link moves at most for a unit of each coordinate, inches."""
-        if not self._reaches:
-            self._reaches = [
-                _reach(link, solid) for link, solid in zip(self.links, self.solids, strict=True)
-            ]
-        return self._reaches
+        return self._there.reaches
 
     def speeds(self, rates: Six) -> list[float]:
         """Bounds on the speed of any point of each link, inches a second."""

@@ -12,9 +12,6 @@ from __future__ import annotations
 import marshal
 from typing import Any, Generic, TypeVar
 
-MOST = 1024
-"""Answers known at once."""
-
 _PLAIN = 2
 """Version of `marshal` in which equal values are equal bytes, whoever else refers to them."""
 
@@ -27,9 +24,14 @@ def question(*numbers: Any) -> bytes:
 
 
 class Recurrence(Generic[Answer]):
-    """Answers by question. Whoever is given one leaves it as it is."""
+    """Answers by question. Whoever is given one leaves it as it is.
 
-    def __init__(self) -> None:
+    Args:
+        most: answers known at once.
+    """
+
+    def __init__(self, most: int) -> None:
+        self._most = most
         self._answers: dict[bytes, Answer] = {}
 
     def get(self, question: bytes) -> Answer | None:
@@ -43,7 +45,7 @@ class Recurrence(Generic[Answer]):
             The answer.
         """
         answers = self._answers
-        if len(answers) >= MOST:
+        if len(answers) >= self._most:
             del answers[next(iter(answers))]
         answers[question] = answer
         return answer

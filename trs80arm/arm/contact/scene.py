@@ -19,7 +19,7 @@ from trs80arm.arm.contact.clock import TICK, TICK_STATES
 from trs80arm.arm.contact.coasting import Coast
 from trs80arm.arm.contact.contacts import Contact, Key, Mobile
 from trs80arm.arm.contact.driven import GRAVITY, DrivenArm
-from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.manifold import Manifolds, Placed
 from trs80arm.arm.contact.meeting import TOUCH, Meeting, islands, presses
 from trs80arm.arm.contact.memory import Memory
 from trs80arm.arm.contact.prospect import Prospect
@@ -41,6 +41,8 @@ STRIDES = ((4, 3.0), (2, 6.0))
 inches a second in its outermost point."""
 STEADY, UNEVEN = 0.25, 0.5
 """Inches a second by which a velocity may change in a step, or part of it: motors go in steps."""
+SOLUTIONS = 512
+"""Problems of contact of which the solution is known."""
 FINEST = 8
 """Steps of a tick at most."""
 
@@ -83,19 +85,20 @@ class Scene:
         self._coast: Coast | None = None
         self._roster = Roster()
         self._memory = Memory()
-        self._solutions: Recurrence[Solution] = Recurrence()
+        self._manifolds = Manifolds()
+        self._solutions: Recurrence[Solution] = Recurrence(SOLUTIONS)
 
     def __getstate__(self) -> dict[str, Any]:
         # What was measured is no part of what is.
         gone: dict[str, Any] = {"contacts": [], "met_at": [0.0] * 6, "went_on": False}
         state = {**self.__dict__, **gone, "steps": 0, "solved": 0}
-        # Who does what is asked of the bodies again, and what was solved is solved again.
-        del state["_roster"], state["_solutions"]
+        # Who does what is asked of the bodies again; what was found before is found again.
+        del state["_roster"], state["_manifolds"], state["_solutions"]
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
-        self._solutions = Recurrence()
+        self._manifolds, self._solutions = Manifolds(), Recurrence(SOLUTIONS)
         self._roster = Roster()
         for body in self.bodies.values():
             self._roster.enter(body)
@@ -411,6 +414,7 @@ class Scene:
             arm,
             reach,
             self._memory,
+            self._manifolds,
             mobiles,
             self.wake,
             self._mobile,
@@ -552,7 +556,7 @@ class Scene:
 
     # Rest
 
-    def _rest(self, awake: list[Body], contacts: list[Contact], before: list[Link]) -> None:
+    def _rest(self, awake: list[Body], contacts: list[Contact], before: Sequence[Link]) -> None:
         """Let what hardly moves fall asleep, with all that it leans on.
 
         Args:

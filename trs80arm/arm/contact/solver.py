@@ -121,11 +121,8 @@ class Problem:
         return question(
             self._seconds,
             self._pairs,
-            [
-                (c.points, c.normal, c.friction, c.surface, c.pressures, c.first.screws)
-                + ((c.second.screws,))
-                for c in self.contacts
-            ],
+            [(c.points, c.normal, c.friction, c.surface, c.pressures) for c in self.contacts],
+            [(c.first.screws, c.second.screws) for c in self.contacts],
             [(m.speed, m.before, m.place, m.mass, m.inertia, m.inertias) for m in self.mobiles],
         )
 

@@ -1,0 +1,98 @@
+"""What recurs is not computed again, and it makes no difference what is still known of it."""
+
+from __future__ import annotations
+
+import pickle
+
+from tests.arm.writes import CELL
+from trs80arm.arm import MiniMover, benchfile
+from trs80arm.arm.contact.clock import TICK_STATES
+from trs80arm.arm.contact.recurrence import Recurrence, question
+from trs80arm.arm.contact.scene import Scene
+from trs80arm.arm.stepping import PulseGenerator, delay_period
+
+USUAL, SLOW = delay_period(50), delay_period(100)
+ROUND = (
+    ((0, 132, -36), USUAL),
+    ((0, 0, 0, 0, 0, -270), USUAL),
+    ((0, 0, 0, 0, 0, -30), SLOW),
+    ((0, -132, 36), SLOW),
+    ((651, -8, -13, -461, -462), USUAL),
+    ((0, 135, -37), USUAL),
+    ((0, 0, 0, 0, 0, 300), USUAL),
+    ((0, -135, 37), USUAL),
+    ((-651, 8, 13, 461, 462), USUAL),
+)
+"""Approach, grip, lift, swing, press down, let go, back; the hand as it was in the end."""
+TAKES = 1600 * TICK_STATES
+"""T-states from the beginning of a round to that of the next: a little more than it takes."""
+
+
+class Work:
+    """An arm that picks and places in a cell, round by round."""
+
+    def __init__(self) -> None:
+        self.generator = PulseGenerator(MiniMover(bench=benchfile.parse(CELL)))
+        self.generator.step((0, 0, 0, 0, 0, 578), USUAL)
+        self.generator.step((0, -207, 290), USUAL)
+        self.begun = self.generator.time
+
+    @property
+    def scene(self) -> Scene:
+        """What is in contact there, seen."""
+        self.generator.arm.world.show()
+        return self.generator.arm.bench.scene
+
+    def round(self, *, forgetful: bool = False) -> None:
+        """Go round once, and begin the next as many whole ticks later.
+
+        Args:
+            forgetful: whether all is written down and read again before each motion.
+        """
+        for counts, period in ROUND:
+            if forgetful:
+                self.generator.arm = pickle.loads(pickle.dumps(self.generator.arm))
+            self.generator.step(counts, period)
+        self.begun += TAKES
+        assert self.generator.time < self.begun
+        self.generator.time = self.begun
+
+
+def test_a_program_that_goes_round_is_solved_once() -> None:
+    work = Work()
+    work.round()
+    work.round()
+    steps, solved = work.scene.steps, work.scene.solved
+    work.round()
+    assert work.scene.solved > solved
+    assert work.scene.steps == steps
+    assert work.generator.arm.bench.trays[0].taken == 3
+
+
+def test_it_makes_no_difference_what_is_still_known() -> None:
+    knows, forgets = Work(), Work()
+    for _ in range(3):
+        knows.round()
+        forgets.round(forgetful=True)
+        assert knows.scene.driven.joints == forgets.scene.driven.joints
+        assert knows.scene.torques == forgets.scene.torques
+        assert knows.scene.bodies == forgets.scene.bodies
+    assert knows.generator.arm.events == forgets.generator.arm.events
+
+
+def test_a_question_is_the_same_to_the_last_bit_only() -> None:
+    place = (0.1 + 0.2, [1.0, None])
+    assert question(place, 2) == question((0.1 + 0.2, [1.0, None]), 2)
+    assert question(0.0) != question(-0.0)
+    assert question(0.1 + 0.2) != question(0.3)
+    assert question(1) != question(1.0)
+    assert question((1.0, 2.0), 3.0) != question(1.0, (2.0, 3.0))
+
+
+def test_what_has_been_known_longest_is_forgotten() -> None:
+    known: Recurrence[str] = Recurrence(2)
+    for name in ("one", "two", "three"):
+        known.keep(question(name), name)
+    assert known.get(question("one")) is None
+    assert known.get(question("two")) == "two"
+    assert known.get(question("three")) == "three"
