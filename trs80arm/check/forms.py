@@ -4,31 +4,51 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 from urllib.parse import quote
 
 from trs80arm import __version__
 from trs80arm.check.findings import Finding, Level, Rule
 from trs80arm.shown import shown
 
-SARIF_SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
+SARIF_SCHEMA: Final = "https://json.schemastore.org/sarif-2.1.0.json"
+_ROOT: Final = "%SRCROOT%"
+"""What relative files are relative to, as code hosts call it: the checkout's folder."""
 
 
-def as_text(_files: Sequence[Path], findings: Iterable[Finding]) -> str:
-    """`file:line: error: text`, a line for each; nothing where there are none."""
+@dataclass
+class Report:
+    """What one call of the command has found.
+
+    Attributes:
+        files: that were read.
+        findings: in them.
+        unusable: of each file that was not, why; one line that begins with its name.
+    """
+
+    files: list[Path] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    unusable: list[str] = field(default_factory=list)
+
+
+def as_text(report: Report) -> str:
+    """`file:line: error: text [rule]`, a line for each; nothing where there are none."""
     return "".join(
-        shown(f"{each.file}:{each.place}: {each.level.value}: {each.text}") + "\n"
-        for each in findings
+        shown(f"{each.file}:{each.place}: {each.level.value}: {each.text} [{each.rule.label}]")
+        + "\n"
+        for each in report.findings
     )
 
 
-def as_json(files: Sequence[Path], findings: Iterable[Finding]) -> str:
+def as_json(report: Report) -> str:
     """One object: the files read, the findings, and how many of each level."""
-    found = list(findings)
+    found = report.findings
     told = {
-        "files": [str(file) for file in files],
+        "files": [str(file) for file in report.files],
+        "unusable": report.unusable,
         "findings": [
             {
                 "file": str(each.file),
@@ -41,13 +61,12 @@ def as_json(files: Sequence[Path], findings: Iterable[Finding]) -> str:
             }
             for each in found
         ],
-        "errors": sum(each.level is Level.ERROR for each in found),
-        "warnings": sum(each.level is Level.WARNING for each in found),
+        **{f"{level.value}s": sum(each.level is level for each in found) for level in Level},
     }
     return json.dumps(told, indent=1) + "\n"
 
 
-def as_sarif(_files: Sequence[Path], findings: Iterable[Finding]) -> str:
+def as_sarif(report: Report) -> str:
     """A SARIF log of one run."""
     rules = list(Rule)
     log = {
@@ -59,18 +78,35 @@ def as_sarif(_files: Sequence[Path], findings: Iterable[Finding]) -> str:
                     "driver": {
                         "name": "trs80arm",
                         "version": __version__,
-                        "rules": [
-                            {"id": rule.label, "shortDescription": {"text": rule.sentence}}
-                            for rule in rules
-                        ],
+                        "rules": [_rule(rule) for rule in rules],
                     }
                 },
+                "invocations": [
+                    {
+                        "executionSuccessful": not report.unusable,
+                        "toolExecutionNotifications": [
+                            {"level": "error", "message": {"text": told}}
+                            for told in report.unusable
+                        ],
+                    }
+                ],
                 "columnKind": "unicodeCodePoints",
-                "results": [_result(each, rules.index(each.rule)) for each in findings],
+                "results": [_result(each, rules.index(each.rule)) for each in report.findings],
             }
         ],
     }
     return json.dumps(log, indent=1) + "\n"
+
+
+def _rule(rule: Rule) -> dict[str, Any]:
+    return {
+        "id": rule.label,
+        "name": rule.label.replace("-", " ").title().replace(" ", ""),
+        "shortDescription": {"text": rule.sentence},
+        "fullDescription": {"text": f"{rule.sentence} {rule.remedy}"},
+        "help": {"text": rule.remedy},
+        "defaultConfiguration": {"level": rule.level.value},
+    }
 
 
 def _result(finding: Finding, rule: int) -> dict[str, Any]:
@@ -85,7 +121,7 @@ def _result(finding: Finding, rule: int) -> dict[str, Any]:
         "locations": [
             {
                 "physicalLocation": {
-                    "artifactLocation": {"uri": _uri(finding.file)},
+                    "artifactLocation": _location(finding.file),
                     "region": region,
                 }
             }
@@ -93,10 +129,22 @@ def _result(finding: Finding, rule: int) -> dict[str, Any]:
     }
 
 
-def _uri(file: Path) -> str:
-    """A relative file stays relative, to the folder that the check was started in."""
-    return file.as_uri() if file.is_absolute() else quote(os.fsencode(file.as_posix()))
+def _location(file: Path) -> dict[str, str]:
+    """A relative file stays relative, to the folder that the check was started in.
+
+    So does one below that folder that was given with its whole path.
+    """
+    if file.is_absolute():
+        try:
+            file = file.relative_to(Path.cwd())
+        except (ValueError, OSError):
+            return {"uri": file.as_uri()}
+    return {"uri": quote(os.fsencode(file.as_posix())), "uriBaseId": _ROOT}
 
 
-FORMS = {"text": as_text, "json": as_json, "sarif": as_sarif}
+FORMS: Final[dict[str, Callable[[Report], str]]] = {
+    "text": as_text,
+    "json": as_json,
+    "sarif": as_sarif,
+}
 """The forms by their names."""

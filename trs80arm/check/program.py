@@ -1,4 +1,4 @@
-"""One program file read without running it."""
+"""One program read without running it."""
 
 from __future__ import annotations
 
@@ -9,8 +9,12 @@ from typing import Final
 
 from trs80arm.basic.errors import Code
 from trs80arm.basic.proofreader import Misprint, misprints
-from trs80arm.check.findings import Finding, Level, Rule
+from trs80arm.check.allowed import Allowed
+from trs80arm.check.expressions import Variable
+from trs80arm.check.findings import Finding, Rule
+from trs80arm.check.flow import Flow, Unreached, never_set
 from trs80arm.check.names import Clash, clashes
+from trs80arm.check.statements import UNREAD, Statement, Statements
 from trs80arm.files import FileFormatError, Kind, kind_of, parse_program, read_program
 from trs80arm.machine.cassette import ProgramLine
 from trs80arm.program_text import WrittenLine, spell, written_lines
@@ -37,14 +41,18 @@ class _Listing:
     written: dict[int, str]
     """By line number, how it stands in the file, where that is a text."""
 
-    def finding(self, rule: Rule, level: Level, text: str, number: int, position: int) -> Finding:
+    def finding(self, rule: Rule, text: str, number: int, position: int) -> Finding:
         """What was found behind so many bytes of a line's crunched text."""
         crunched = self.lines[number]
         as_listed = f"{number} {spell(crunched)}"
         column = None
         if self.written.get(number, "").rstrip() == as_listed.rstrip():
             column = len(f"{number} {spell(crunched[:position])}") + 1
-        return Finding(self.file, self.places[number], rule, level, text, number, column)
+        return Finding(self.file, self.places[number], rule, text, number, column)
+
+    def at(self, statement: Statement, rule: Rule, text: str) -> Finding:
+        """What was found of a statement."""
+        return self.finding(rule, text, statement.line, statement.position)
 
 
 def check_program(path: Path, *, armbasic: bool = True) -> list[Finding]:
@@ -55,7 +63,7 @@ def check_program(path: Path, *, armbasic: bool = True) -> list[Finding]:
         armbasic: whether ARMBASIC is loaded; without it its words are errors.
 
     Returns:
-        The findings in the order of the file.
+        The findings in the order of the file, those left out that its remarks allow.
 
     Raises:
         FileFormatError: the file is damaged or no program.
@@ -81,8 +89,17 @@ def check_bytes(path: Path, data: bytes, *, armbasic: bool = True) -> list[Findi
         lines = parse_program(data)
         places = {number: place for place, (number, _) in enumerate(lines, start=1)}
         listing = _Listing(path, dict(lines), places, {})
-    findings += _of_program(listing, armbasic)
-    return sorted(findings, key=lambda each: (each.place, each.column or 0))
+    lines = sorted(listing.lines.items())
+    program = Statements.read(lines)
+    allowed = Allowed.by(program.all)
+    for statement, name in allowed.unknown:
+        text = f"there is no rule {name}"
+        findings.append(listing.at(statement, Rule.UNKNOWN_RULE, text))
+    findings += _of_text_alone(listing, lines, armbasic)
+    if Rule.MEMORY not in {each.rule for each in findings}:
+        findings += _of_ways(listing, program, findings)
+    told = [each for each in findings if not allowed.has(each.rule, each.number)]
+    return sorted(told, key=lambda each: (each.place, each.column or 0))
 
 
 def _of_text(path: Path, written: list[WrittenLine], findings: list[Finding]) -> _Listing:
@@ -90,13 +107,13 @@ def _of_text(path: Path, written: list[WrittenLine], findings: list[Finding]) ->
     for line in written:
         if line.fault:
             text = f"this line {line.fault}"
-            findings.append(Finding(path, line.place, Rule.NO_LINE, Level.ERROR, text))
+            findings.append(Finding(path, line.place, Rule.NO_LINE, text))
             continue
         number = line.number
         before = listing.places.get(number)
         if before is not None and line.crunched:
             text = f"line {number} stands here again: that of line {before} of the file is lost"
-            findings.append(Finding(path, line.place, Rule.LINE_TWICE, Level.WARNING, text, number))
+            findings.append(Finding(path, line.place, Rule.LINE_TWICE, text, number))
         if not line.crunched:
             listing.lines.pop(number, None)
             continue
@@ -106,24 +123,46 @@ def _of_text(path: Path, written: list[WrittenLine], findings: list[Finding]) ->
     return listing
 
 
-def _of_program(listing: _Listing, armbasic: bool) -> Iterator[Finding]:
-    lines: list[ProgramLine] = sorted(listing.lines.items())
+def _of_text_alone(
+    listing: _Listing, lines: list[ProgramLine], armbasic: bool
+) -> Iterator[Finding]:
+    """What every statement shows by itself, and every name."""
     rig = Rig(RigSettings(ram_kib=_LARGEST_KIB, armbasic=armbasic))
     rig.load_lines(lines)
     state = rig.basic.state
     if len(state.program) < len(lines):
         number = lines[len(state.program)][0]
         text = f"the program fits into {_LARGEST_KIB}K up to here (?OM)"
-        yield listing.finding(Rule.MEMORY, Level.ERROR, text, number, 0)
+        yield listing.finding(Rule.MEMORY, text, number, 0)
         return
     for misprint in misprints(state):
         rule = Rule.STEP_VALUES if misprint.too_many else _RULES.get(misprint.code, Rule.OTHER)
         text = f"{_told(misprint, listing.lines[misprint.line])} (?{misprint.code.letters})"
-        yield listing.finding(rule, Level.ERROR, text, misprint.line, misprint.position)
+        yield listing.finding(rule, text, misprint.line, misprint.position)
     for clash in clashes(lines):
-        yield listing.finding(
-            Rule.SAME_VARIABLE, Level.WARNING, _clash(clash), clash.line, clash.position
-        )
+        yield listing.finding(Rule.SAME_VARIABLE, _clash(clash), clash.line, clash.position)
+
+
+def _of_ways(listing: _Listing, program: Statements, findings: list[Finding]) -> Iterator[Finding]:
+    """What shows where the program goes; nothing while statements cannot be read."""
+    if any(each.word == UNREAD and not each.arm for each in program.all):
+        return
+    flow = Flow(program)
+    for statement in flow.nexts_without_for():
+        yield listing.at(statement, Rule.NEXT_WITHOUT_FOR, "this NEXT is in no loop (?NF)")
+    for statement in flow.loops_without_next():
+        name = _name(statement.sets[0])
+        yield listing.at(statement, Rule.FOR_WITHOUT_NEXT, f"FOR {name} comes to no NEXT")
+    for statement, target in flow.calls_without_return():
+        text = f"no RETURN follows in line {target} and behind it"
+        yield listing.at(statement, Rule.NO_RETURN, text)
+    if Rule.MISSING_LINE not in {each.rule for each in findings}:
+        for row in flow.unreached():
+            yield listing.at(row.first, Rule.UNREACHED, _unreached(row))
+    for statement, variable in never_set(program):
+        value = "the empty string" if variable.kind == "$" else "0"
+        text = f"nothing sets {_name(variable)}: it is {value}"
+        yield listing.finding(Rule.NEVER_SET, text, statement.line, variable.position)
 
 
 def _told(misprint: Misprint, crunched: bytes) -> str:
@@ -153,3 +192,15 @@ def _clash(clash: Clash) -> str:
         f"{clash.name} is the same variable as {clash.other} in line {clash.other_line}: "
         f"only {clash.name[:2]} counts"
     )
+
+
+def _unreached(row: Unreached) -> str:
+    if row.first is row.last:
+        return "nothing leads to this statement"
+    if row.first.line == row.last.line:
+        return "nothing leads to these statements"
+    return f"nothing leads here and up to line {row.last.line}"
+
+
+def _name(variable: Variable) -> str:
+    return variable.name + variable.kind + ("" if variable.subscripts is None else "()")

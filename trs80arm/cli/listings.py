@@ -20,20 +20,41 @@ from trs80arm.cli.ending import fail
     type=click.Choice(["text", "json", "sarif"]),
     default="text",
     show_default=True,
-    help="Lines `file:line: text`, one JSON object, or SARIF 2.1.0.",
+    help="Lines `file:line: level: text`, one JSON object, or SARIF 2.1.0.",
 )
 @click.option("--strict", is_flag=True, help="Exit code 1 for warnings too.")
+@click.option(
+    "--ignore",
+    "ignored",
+    multiple=True,
+    metavar="RULE",
+    help="Leave out what a rule finds; may be given several times.",
+)
 @click.option("--no-armbasic", is_flag=True, help="The bare ROM: @ words are errors.")
-def check(programs: tuple[Path, ...], form: str, strict: bool, no_armbasic: bool) -> None:
+def check(
+    programs: tuple[Path, ...], form: str, strict: bool, ignored: tuple[str, ...], no_armbasic: bool
+) -> None:
     """Read PROGRAMS without running them, and tell what is wrong in them.
 
-    Errors are what stops the machine when it comes there: syntax, jumps to missing lines, too many
-    values for @STEP. Warnings are two names that are one variable, and lines lost to a later one of
-    the same number. The exit code is 1 when there are errors, 2 when a file is no program.
+    Files, folders with programs in them, or - for standard input. Errors are what stops the machine
+    when it comes there: syntax, jumps to missing lines, too many values for @STEP. Warnings are
+    what is hardly meant: two names that are one variable, a FOR without NEXT. Notes are worth a
+    look: what nothing leads to, what nothing sets. The exit code is 1 when there are errors, 2 when
+    a file is no program. A remark REM CHECK: ALLOW RULE keeps a rule silent in its line, or, on a
+    line of its own, in its program.
     """
     from trs80arm.check.command import run_check
+    from trs80arm.check.findings import RULES
 
-    sys.exit(run_check(programs, form, strict=strict, armbasic=not no_armbasic))
+    for name in ignored:
+        if name not in RULES:
+            raise click.BadParameter(
+                f"there is no rule {name!r}; the rules are {', '.join(RULES)}",
+                param_hint="--ignore",
+            )
+    rules = [RULES[name] for name in ignored]
+    done = run_check(programs, form, strict=strict, ignored=rules, armbasic=not no_armbasic)
+    sys.exit(done)
 
 
 @click.command()
