@@ -14,7 +14,6 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from pathlib import Path
@@ -22,10 +21,10 @@ from typing import Any, TextIO
 from xml.etree import ElementTree
 
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 from rich.table import Table
 from rich.text import Text
 
+from trs80arm.bars import counting
 from trs80arm.batch import (
     UNUSABLE,
     BatchOptions,
@@ -158,7 +157,7 @@ def _run_all(every: list[BatchOptions], stopwatch: Stopwatch, jobs: int | None) 
     """All runs in the order of the programs."""
     workers = min(jobs or os.cpu_count() or 1, len(every))
     runs: list[Run | None] = [None] * len(every)
-    with _progress(len(every)) as advance:
+    with counting("programs", len(every)) as advance:
         if workers == 1:
             for place, options in enumerate(every):
                 runs[place] = run_one(options, stopwatch)
@@ -186,18 +185,6 @@ def _run_all(every: list[BatchOptions], stopwatch: Stopwatch, jobs: int | None) 
 def _die_of_ctrl_c() -> None:
     """A worker says nothing when the user ends the whole; the parent has the last word."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-
-
-@contextmanager
-def _progress(count: int) -> Iterator[Callable[[], None]]:
-    """A bar on standard error if that is a terminal; what to call when a run is over."""
-    if not sys.stderr.isatty():
-        yield lambda: None
-        return
-    columns = TextColumn("Programs"), BarColumn(), MofNCompleteColumn()
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task("programs", total=count)
-        yield lambda: progress.advance(task)
 
 
 # -- what is told ----------------------------------------------------------------------------------

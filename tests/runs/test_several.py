@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import io
 import json
-import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -101,24 +99,6 @@ def test_junit_xml_has_a_case_for_each_program() -> None:
 def test_one_program_has_junit_xml_too() -> None:
     assert run("good.bas", "--junit", "j.xml").exit_code == 0
     assert ElementTree.parse("j.xml").getroot()[0].get("tests") == "1"
-
-
-@pytest.mark.usefixtures("folder")
-def test_a_bar_is_shown_where_standard_error_is_a_terminal(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    from trs80arm.several import _progress
-
-    class Terminal(io.StringIO):
-        def isatty(self) -> bool:
-            return True
-
-    for stream, shown in ((Terminal(), True), (io.StringIO(), False)):
-        monkeypatch.setattr(sys, "stderr", stream)
-        monkeypatch.setenv("TERM", "xterm")
-        with _progress(2) as advance:
-            advance()
-        assert ("Programs" in stream.getvalue()) is shown
 
 
 @pytest.mark.usefixtures("folder")

@@ -36,15 +36,21 @@ PROGRAM = """
 )
 def test_one_number_is_replaced_and_nothing_else(name: str, line: str) -> None:
     lines = parse_program(PROGRAM.encode())
-    new = replaced(lines, {find(lines, name): 5.0})
+    new = replaced(lines, dict.fromkeys(find(lines, name), 5.0))
     assert [f"{number} {spell(text)}" for number, text in new if (number, text) not in lines] == [
         line
     ]
 
 
+def test_a_number_of_several_lines_is_replaced_in_each() -> None:
+    lines = parse_program(b"10 DATA 1,50\n20 DATA 2,60\n30 DATA 3,70\n")
+    new = replaced(lines, dict.fromkeys(find(lines, "10-25#2"), 5.0))
+    assert [spell(text) for _, text in new] == ["DATA 1,5", "DATA 2,5", "DATA 3,70"]
+
+
 def test_numbers_are_written_as_they_are_typed() -> None:
     lines = parse_program(b"10 A=1:B=2\n")
-    new = replaced(lines, {find(lines, "A"): -0.25, find(lines, "B"): 1e-7})
+    new = replaced(lines, {find(lines, "A")[0]: -0.25, find(lines, "B")[0]: 1e-7})
     assert spell(new[0][1]) == "A=-.25:B=1E-07".replace("-.25", "-0.25")
 
 
@@ -55,7 +61,9 @@ def test_numbers_are_written_as_they_are_typed() -> None:
         ("S", "more than once, in 50, 60; say which, as S@50"),
         ("D@20", "line 20 does not give"),
         ("70#1", "no line 70"),
+        ("70-80#1", "no lines 70 to 80"),
         ("10#2", "has 1 numbers"),
+        ("10-20#2", "line 10 has 1 numbers"),
         ("W", "no line gives"),
     ],
 )

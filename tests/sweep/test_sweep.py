@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +16,9 @@ from trs80arm.cli import cli
 from trs80arm.files import parse_program
 from trs80arm.rig import RigSettings
 from trs80arm.sweep.axes import Axis
+from trs80arm.sweep.journal import Journal, mark
 from trs80arm.sweep.placing import placed
-from trs80arm.sweep.running import Case, Plan, run_all
+from trs80arm.sweep.running import Case, Plan, run_all, run_case
 
 KINDS = ("basic", "toml")
 TURN = '10 D=50\n20 @STEP D,150\n30 PRINT "DONE"\n'
@@ -113,6 +115,69 @@ def test_other_processes_find_the_same() -> None:
     assert list(run_all(plan, axes, each, 2)) == list(run_all(plan, axes, each, 1))
 
 
+def test_a_sweep_that_was_broken_off_goes_on_where_it_was(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    options = ("--vary", "D=0,40,60", "--noise", "0.05", "-o", str(tmp_path / "runs.csv"))
+    assert sweep(tmp_path, *options).exit_code == 0
+    whole = (tmp_path / "runs.csv").read_bytes()
+    (tmp_path / "runs.csv").unlink()
+    done: list[Case] = []
+
+    def tired(plan: Plan, axes: list[Axis], case: Case) -> object:
+        if len(done) == 2:
+            raise KeyboardInterrupt
+        done.append(case)
+        return run_case(plan, axes, case)
+
+    with monkeypatch.context() as patched:
+        patched.setattr("trs80arm.sweep.running.run_case", tired)
+        broken = sweep(tmp_path, *options)
+    assert broken.exit_code != 0
+    assert "2 of 3 runs are in" in broken.stderr
+    assert not (tmp_path / "runs.csv").exists()
+    monkeypatch.setattr("trs80arm.sweep.running.run_case", tired)
+    done.pop()
+    again = sweep(tmp_path, *options)
+    assert again.stderr == "trs80arm: 2 of 3 runs were done before\n"
+    assert (tmp_path / "runs.csv").read_bytes() == whole
+    assert not (tmp_path / "runs.csv.part").exists()
+
+
+@pytest.mark.parametrize(
+    "change", ["other options", "another program", "damaged", "half a line", "a run too many"]
+)
+def test_runs_of_another_sweep_and_damaged_ones_are_done_anew(tmp_path: Path, change: str) -> None:
+    out, part = tmp_path / "runs.csv", tmp_path / "runs.csv.part"
+    (tmp_path / "p.bas").write_text(TURN)
+    axes = [Axis("D", (60.0,))]
+    plan = Plan(tuple(parse_program(TURN.encode())), "the standard bench", {}, no_slip=True)
+    each = [Case((60.0,), 1, RigSettings()), Case((60.0,), 2, RigSettings())]
+    with Journal(out, mark(plan, axes, each), each).keep(iter(())) as kept:
+        assert not list(kept)
+        first = part.read_text()
+    lie = run_case(plan, axes, each[0])
+    with Journal(out, mark(plan, axes, each), each).keep([replace(lie, slips=99)]) as kept:
+        assert len(list(kept)) == 1
+        line = part.read_text().removeprefix(first)
+    contents = {
+        "other options": first.replace(first[:8], "00000000") + line,
+        "another program": first + line,
+        "damaged": first + '{"slips": "many"}\n',
+        "half a line": first + line[:40],
+        "a run too many": first + 3 * line,
+    }
+    part.write_text(contents[change])
+    found = Journal(out, mark(plan, axes, each), each).results
+    if change == "another program":
+        part.write_text(contents[change])
+        other = replace(plan, lines=tuple(parse_program(b"10 D=50\n")))
+        assert not Journal(out, mark(other, axes, each), each).results
+        assert [each.slips for each in found] == [99]
+    else:
+        assert len(found) == (change == "a run too many")
+
+
 def test_an_expectation_has_to_be_printed(tmp_path: Path) -> None:
     done = sweep(tmp_path, "--vary", "D=60", "--expect", "DONE")
     assert "100 %" in done.stdout
@@ -138,6 +203,7 @@ def test_a_question_that_nobody_answers_is_a_failure_and_told(tmp_path: Path) ->
         (("--vary", "D"), "must be NAME="),
         (("--vary", "Z=1"), "no line gives Z"),
         (("--vary", "D=1", "--vary", "10#1=2"), "are one number"),
+        (("--vary", "10-10#1=2", "--vary", "D=1"), "are one number"),
         (("--vary", "D=1", "--vary", "D=2"), "given twice"),
         (("--vary", "cup.weight=2"), "no such part"),
         (("--vary", "weight=-1"), "weight"),

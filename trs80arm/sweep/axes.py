@@ -17,7 +17,7 @@ LENGTHS = ("dx", "dy")
 PART_KEYS = ("weight", "friction", *LENGTHS, "dturn")
 NOISE = "noise"
 _VARIABLE = re.compile(r"[A-Z][A-Z0-9]*[%!#]?(@\d{1,5})?")
-_CONSTANT = re.compile(r"\d{1,5}#\d{1,3}")
+_CONSTANT = re.compile(r"\d{1,5}(-\d{1,5})?#\d{1,3}")
 _SETTING = re.compile(r"(arm|driver|card|machine)\.[a-z_0-9]+")
 _OF_PARTS = re.compile(rf"(?:(?P<part>.+)\.)?(?P<key>{'|'.join(PART_KEYS)})")
 
@@ -69,7 +69,7 @@ def parse_axis(text: str) -> Axis:
     if not (axis.in_program or axis.is_setting or axis.of_parts or name == NOISE):
         raise SweepError(
             f"--vary {text}: {name or 'nothing'} is no BASIC variable (D, S@420), constant of a "
-            f"line (470#1), setting (arm.pad_friction), {NOISE}, "
+            f"line (470#1) or of several (470-490#1), setting (arm.pad_friction), {NOISE}, "
             f"nor {', '.join(PART_KEYS)} of parts"
         )
     if name == NOISE and not all(0 <= value <= MOST_NOISE for value in axis.values):

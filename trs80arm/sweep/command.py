@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
 from trs80arm.arm.bench import BenchError
 from trs80arm.arm.figures import FigureError
 from trs80arm.arm.figures.chart import SUFFIXES
+from trs80arm.bars import counting
 from trs80arm.benches import bench_beside
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.operator import ScriptError, parse_holds
+from trs80arm.paths import is_file
 from trs80arm.reasons import reason
 from trs80arm.rig import RigSettings
 from trs80arm.saving import whole_file
-from trs80arm.sweep.axes import SweepError, grid, parse_axis
+from trs80arm.sweep.axes import NOISE, SweepError, grid, parse_axis
+from trs80arm.sweep.journal import Journal, mark
 from trs80arm.sweep.placing import read_bench
 from trs80arm.sweep.running import Plan, Result, cases, check, run_all
 from trs80arm.sweep.telling import chart, csv_text, table
@@ -103,15 +103,31 @@ def _run(options: SweepOptions, settings_of: Callable[[Mapping[str, float]], Rig
     )
     each = list(cases(axes, cells, options.runs, settings_of))
     check(plan, axes, each)
-    with ExitStack() as files:
+    # Left last: the journal goes when the file that it was for is there.
+    with ExitStack() as journals, ExitStack() as files:
         # Opened before the runs, so that none is in vain; it appears when all are done.
         file = files.enter_context(whole_file(options.output)) if options.output else None
-        results = _shown(run_all(plan, axes, each, options.jobs), len(each))
+        output, journal = options.output, None
+        # What is no regular file, as a pipe, is written to and never gone on with.
+        if output is not None and (is_file(output) or not output.exists()):
+            journal = Journal(output, mark(plan, axes, each), each)
+        results = list(journal.results) if journal else []
+        begun = len(results)
+        if begun:
+            print(f"trs80arm: {begun} of {len(each)} runs were done before", file=sys.stderr)
+        others = run_all(plan, axes, each[begun:], options.jobs)
+        try:
+            with counting("runs", len(each), begun) as advance:
+                kept = journals.enter_context(journal.keep(others)) if journal else others
+                for result in kept:
+                    results.append(result)
+                    advance()
+        except KeyboardInterrupt:
+            _tell_broken_off(journal, len(results), len(each))
+            raise
         if file is not None:
             file.write(csv_text(axes, results).encode("utf-8"))
-    title = f"{options.program.name}: {_wanted(plan)}"
-    if options.noise:
-        title += f"; parts placed with an error of {options.noise:g} in"
+    title = _title(options, plan)
     print(table(axes, results, title).text(), end="")
     _tell_questions(results)
     if options.plot is not None:
@@ -130,19 +146,23 @@ def _wanted(plan: Plan) -> str:
     return ", ".join(wanted)
 
 
-def _shown(results: Iterable[Result], total: int) -> list[Result]:
-    """The results, with a bar on a terminal while they come."""
-    console = Console(stderr=True)
-    if not console.is_terminal:
-        return list(results)
-    columns = (
-        TextColumn("runs"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=console, transient=True) as bar:
-        return list(bar.track(results, total=total))
+def _title(options: SweepOptions, plan: Plan) -> str:
+    """What was run, and what success was."""
+    parts = [f"{options.program.name}: {_wanted(plan)}"]
+    if options.runs > 1:
+        parts.append(f"{options.runs} runs of each")
+    if options.noise or any(parse_axis(text).name == NOISE for text in options.vary):
+        error = f" of {options.noise:g} in" if options.noise else ""
+        parts.append(f"parts placed with an error{error}, seed {options.seed}")
+    return "; ".join(parts)
+
+
+def _tell_broken_off(journal: Journal | None, done: int, total: int) -> None:
+    """Say what became of the runs that are done when the user ends the whole."""
+    how = "lost; with -o FILE they would be kept"
+    if journal is not None:
+        how = f"in {journal.path}; the same command goes on from there"
+    print(f"trs80arm: broken off; {done} of {total} runs are {how}", file=sys.stderr)
 
 
 def _tell_questions(results: list[Result]) -> None:

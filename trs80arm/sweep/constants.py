@@ -49,26 +49,23 @@ class Constant:
     in_data: bool = False
 
 
-def find(lines: Sequence[Line], name: str) -> Constant:
-    """The constant that a name means.
+def find(lines: Sequence[Line], name: str) -> tuple[Constant, ...]:
+    """The constants that a name means.
 
     Args:
         lines: the program, crunched.
         name: `D`, the one assignment of a plain number to D; `D@420`, that in line 420; `470#2`,
-            the second number in the text of line 470, in DATA too.
+            the second number in the text of line 470, in DATA too; `470-490#2`, that of each line
+            from 470 to 490.
 
     Raises:
-        SweepError: there is none, or more than one.
+        SweepError: there is none, or more than one assignment.
     """
+    where, number_sign, place = name.partition("#")
+    if number_sign and name[0].isdigit():
+        first, _, last = where.partition("-")
+        return tuple(_in_lines(lines, name, int(first), int(last or first), int(place)))
     variable, at, line = name.partition("@")
-    if "#" in name and name[0].isdigit():
-        number, _, place = name.partition("#")
-        found = list(_numbers(lines, int(number)))
-        if not any(each == int(number) for each, _ in lines):
-            raise SweepError(f"--vary {name}: the program has no line {number}")
-        if not 1 <= int(place) <= len(found):
-            raise SweepError(f"--vary {name}: line {number} has {len(found)} numbers")
-        return found[int(place) - 1]
     head = _NAME.fullmatch(variable.encode())
     assert head is not None  # By the pattern of axes.
     wanted = head[1], head[2].replace(b"!", b"")
@@ -89,7 +86,22 @@ def find(lines: Sequence[Line], name: str) -> Constant:
         raise SweepError(
             f"--vary {name}: {variable} is given a plain number more than once, in {places}{more}"
         )
-    return assigned[0]
+    return (assigned[0],)
+
+
+def _in_lines(
+    lines: Sequence[Line], name: str, first: int, last: int, place: int
+) -> Iterator[Constant]:
+    """The number of a place in each of some lines."""
+    numbers = [number for number, _ in lines if first <= number <= last]
+    if not numbers:
+        where = f"line {first}" if first == last else f"lines {first} to {last}"
+        raise SweepError(f"--vary {name}: the program has no {where}")
+    for number in numbers:
+        found = list(_numbers(lines, number))
+        if not 1 <= place <= len(found):
+            raise SweepError(f"--vary {name}: line {number} has {len(found)} numbers")
+        yield found[place - 1]
 
 
 def replaced(lines: Sequence[Line], changes: Mapping[Constant, float]) -> list[Line]:

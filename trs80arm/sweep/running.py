@@ -24,7 +24,7 @@ from trs80arm.operator import Hold, Operator
 from trs80arm.report import ended
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.sweep.axes import NOISE, Axis, SweepError
-from trs80arm.sweep.constants import Line, find, replaced
+from trs80arm.sweep.constants import Constant, Line, find, replaced
 from trs80arm.sweep.placing import changed, placed
 
 ENDINGS = ("end", "stop", "limit")
@@ -169,16 +169,18 @@ def run_case(plan: Plan, axes: Sequence[Axis], case: Case) -> Result:
 
 def _rig(plan: Plan, axes: Sequence[Axis], case: Case) -> Rig:
     """The rig of a case, with its program in memory."""
-    noise, constants, keys = plan.noise, {}, {}
+    noise, keys = plan.noise, {}
+    constants: dict[Constant, float] = {}
     for axis, value in zip(axes, case.values, strict=True):
         if axis.name == NOISE:
             noise = value
         elif axis.in_program:
-            constants[find(plan.lines, axis.name)] = value
+            for constant in find(plan.lines, axis.name):
+                if constant in constants:
+                    raise SweepError("two of the things to be varied are one number of the program")
+                constants[constant] = value
         elif axis.of_parts:
             keys[axis.of_parts] = value
-    if len(constants) < sum(axis.in_program for axis in axes):
-        raise SweepError("two of the things to be varied are one number of the program")
     bench = placed(plan.source, changed(plan.bench, keys), noise, plan.seed, case.run)
     rig = Rig(case.settings, bench)
     if rig.waiting is Waiting.MEMORY_SIZE:
