@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from trs80arm.arm.bench import BenchError
+from trs80arm.bars import running
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.outcome import Ending
 from trs80arm.benches import BenchFile, bench_beside
@@ -129,11 +130,12 @@ def _run(options: BatchOptions, stream: TextIO, stopwatch: Callable[[], float] |
     if options.as_json and (options.screen or options.registers or options.pose):
         raise UnusableError("--json has screen, registers and pose in it: give it without them")
     kept = io.StringIO() if options.as_json else None
-    out: TextIO = kept or stream
     script = script_of(options)
-    if script.expected.anything and kept is None:
-        out = _Both(stream)
-    done = carry_out(options, script, out, stopwatch)
+    with running(options.program.stem, script.seconds, stream) as (look, shown_on):
+        out: TextIO = kept or shown_on
+        if script.expected.anything and kept is None:
+            out = _Both(shown_on)
+        done = carry_out(options, script, out, stopwatch, look)
     rig = done.rig
     failures: list[str] = []
     if kept is not None or script.expected.anything:
@@ -193,6 +195,7 @@ def carry_out(
     script: RunScript,
     stream: TextIO,
     stopwatch: Callable[[], float] | None,
+    look: Callable[[Rig], None] | None = None,
 ) -> Done:
     """Run a program to its end, its limit, or what nobody answers.
 
@@ -201,6 +204,7 @@ def carry_out(
         script: what the operator does.
         stream: what is printed to.
         stopwatch: seconds of the wall's clock.
+        look: called with the rig now and then.
 
     Raises:
         UnusableError: the memory size cannot be.
@@ -221,7 +225,7 @@ def carry_out(
             traces.enter_context(Trace(rig, options.trace))
         if options.trace_pose:
             traces.enter_context(PoseTrace(rig, options.trace_pose, options.trace_rate))
-        waiting, spent = _from_run_to_end(rig, script, stream)
+        waiting, spent = _from_run_to_end(rig, script, stream, look)
     wall = stopwatch() - begun if stopwatch else None
     return Done(rig, waiting, spent, wall, script.seconds is not None, script.expected)
 
@@ -235,7 +239,9 @@ def _check_traces(options: BatchOptions) -> None:
         raise UnusableError(f"{options.trace}: --trace and --trace-pose need a file each")
 
 
-def _from_run_to_end(rig: Rig, script: RunScript, stream: TextIO) -> tuple[Waiting, float]:
+def _from_run_to_end(
+    rig: Rig, script: RunScript, stream: TextIO, look: Callable[[Rig], None] | None
+) -> tuple[Waiting, float]:
     """Type RUN and let the program run until it ends, waits in vain, or its time is over.
 
     Returns:
@@ -262,7 +268,7 @@ def _from_run_to_end(rig: Rig, script: RunScript, stream: TextIO) -> tuple[Waiti
     spent = (rig.clock.now - start[0]) / T_STATES_PER_SECOND
     begun = start[0] / T_STATES_PER_SECOND
     keys = [(begun + at, hold) for at, hold in script.keys]
-    waiting = Operator(rig, script.inputs, script.sets, keys).run(limit - spent)
+    waiting = Operator(rig, script.inputs, script.sets, keys, look).run(limit - spent)
     stop_listening()
     # `?UL Error in 20` is the program's last word; READY and the prompt are the machine's.
     for code in after_the_end.partition(b"READY")[0]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from trs80arm.basic.activity import Waiting
@@ -18,6 +18,8 @@ from trs80arm.rig import LONGEST_HOLD, Rig
 
 HAND_PAUSE = 0.1
 """Seconds between two holds, and how long the ending key is held: a person's fingers."""
+GLANCE = 0.25
+"""Virtual seconds between two looks at a run."""
 _TICK = 1 / T_STATES_PER_SECOND
 _ANSWERED_BY_KEYS = (Waiting.NOTHING, Waiting.INPUT, Waiting.SET)
 """What a key that is still to be pressed can bring on."""
@@ -73,6 +75,7 @@ class Operator:
         inputs: the answers to INPUT, in order, each typed with ENTER.
         sets: what to do in each `@SET`, in order.
         keys: what to hold down at times of the rig's clock in seconds, in order, whatever goes on.
+        look: called every `GLANCE` virtual seconds or so while `run` lets time pass.
     """
 
     def __init__(
@@ -81,8 +84,10 @@ class Operator:
         inputs: Iterable[str] = (),
         sets: Iterable[Iterable[Hold]] = (),
         keys: Iterable[tuple[float, Hold]] = (),
+        look: Callable[[Rig], None] | None = None,
     ) -> None:
         self.rig = rig
+        self._look = look
         self._inputs = deque(inputs)
         self._sets = deque(list(holds) for holds in sets)
         self._keys = deque(keys)
@@ -109,14 +114,17 @@ class Operator:
         rig = self.rig
         end = rig.time + seconds
         while rig.time < end:
-            until = self._press_due(end)
+            due = self._press_due(end)
+            until = self._glance(due)
             waiting = rig.run_until_waiting(until - rig.time)
+            if until < due and until - rig.time < _TICK:
+                continue  # It is not settled what the machine waits for.
             if waiting is Waiting.INPUT and self._inputs:
                 rig.type(self._inputs.popleft() + "\r")
             elif waiting is Waiting.SET and self._sets:
                 self._jog(self._sets.popleft(), end)
-            elif waiting in _ANSWERED_BY_KEYS and until < end:
-                self._pass(until - rig.time, end)
+            elif waiting in _ANSWERED_BY_KEYS and due < end:
+                self._pass(due - rig.time, end)
             else:
                 return waiting
         return Waiting.NOTHING
@@ -161,10 +169,17 @@ class Operator:
             self.rig.hold(hold.keys, hold.seconds)
         return min(end, self._keys[0][0]) if self._keys else end
 
+    def _glance(self, until: float) -> float:
+        """Look, if anybody does; until when time may pass before the next look."""
+        if self._look is None:
+            return until
+        self._look(self.rig)
+        return min(until, self.rig.time + GLANCE)
+
     def _pass(self, seconds: float, end: float) -> None:
         """Let time pass, not beyond the end; keys are held at theirs."""
         rig = self.rig
         target = min(rig.time + seconds, end)
         while target - rig.time >= _TICK:
-            if not rig.run_for(min(target, self._press_due(end)) - rig.time):
+            if not rig.run_for(self._glance(min(target, self._press_due(end))) - rig.time):
                 return

@@ -74,7 +74,11 @@ def test_two_things_varied_are_rows_and_columns_of_the_table_and_curves(tmp_path
     done = sweep(tmp_path, "--vary", "D=0,60", "--vary", "weight=1,8", "--plot", str(chart))
     assert done.exit_code == 0, done.stderr
     assert r"D \ weight" in done.stdout
-    assert "weight = 8" in chart.read_text()
+    drawn = chart.read_text()
+    assert "weight = 8" in drawn
+    # Both are seen where they coincide.
+    widths = {float(width) for width in re.findall(r"stroke-width: ([\d.]+); stroke-line", drawn)}
+    assert {1.6, 3.0} <= widths
 
 
 def test_the_seed_and_nothing_else_decides_the_errors(tmp_path: Path) -> None:
@@ -85,8 +89,9 @@ def test_the_seed_and_nothing_else_decides_the_errors(tmp_path: Path) -> None:
         assert sweep(tmp_path, *options, "-o", str(out), bench=BENCH).exit_code == 0
         told.append(out.read_text())
     assert told[0] == told[1] != told[2]
-    offs = {row["off"] for row in rows(tmp_path / "0.csv")}
-    assert len(offs) == 3
+    found = rows(tmp_path / "0.csv")
+    assert len({row["off"] for row in found}) == 3
+    assert {row["seed"] for row in found} == {"7"}
 
 
 def test_a_run_has_the_same_errors_in_every_cell(tmp_path: Path) -> None:

@@ -91,6 +91,13 @@ class Interpreter:
         return running.next if self.state.stack[-1] is running else running.statement
 
     @property
+    def line(self) -> int | None:
+        """The number of the line that is being executed; None when no program runs."""
+        running = execution.under_way(self.state)
+        line = DIRECT if running is None else running.line(self.state)
+        return None if line == DIRECT else line
+
+    @property
     def next_line(self) -> int | None:
         """The number of the line that is executed next; None when no program runs."""
         running = execution.under_way(self.state)

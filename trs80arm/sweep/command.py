@@ -126,7 +126,7 @@ def _run(options: SweepOptions, settings_of: Callable[[Mapping[str, float]], Rig
             _tell_broken_off(journal, len(results), len(each))
             raise
         if file is not None:
-            file.write(csv_text(axes, results).encode("utf-8"))
+            file.write(csv_text(axes, results, plan.seed).encode("utf-8"))
     title = _title(options, plan)
     print(table(axes, results, title).text(), end="")
     _tell_questions(results)

@@ -6,21 +6,21 @@ import csv
 import io
 from collections.abc import Sequence
 
-from trs80arm.arm.figures import Chart, Figure, Series, Table
+from trs80arm.arm.figures import Chart, Figure, Series, Style, Table
 from trs80arm.sweep.axes import Axis, SweepError
 from trs80arm.sweep.constants import number_text
 from trs80arm.sweep.running import Result
 
 COLUMNS = (
-    *("run", "success", "ended", "goals_met", "goals", "off", "slips", "lost_half_steps"),
+    *("run", "seed", "success", "ended", "goals_met", "goals", "off", "slips", "lost_half_steps"),
     *("peak_used", "seconds"),
 )
 """Columns of the CSV behind the things varied; `off` in inches, `peak_used` per cent."""
 _MARKS = "*o+x#%@&"
 
 
-def csv_text(axes: Sequence[Axis], results: Sequence[Result]) -> str:
-    """All runs, one line each, in order."""
+def csv_text(axes: Sequence[Axis], results: Sequence[Result], seed: int) -> str:
+    """All runs, one line each, in order, with what errors in placing were drawn from."""
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow([*(axis.name for axis in axes), *COLUMNS])
@@ -28,7 +28,7 @@ def csv_text(axes: Sequence[Axis], results: Sequence[Result]) -> str:
         rows.writerow(
             [
                 *map(number_text, each.values),
-                *(each.run, int(each.success), each.ended, each.met, each.goals),
+                *(each.run, seed, int(each.success), each.ended, each.met, each.goals),
                 "" if each.off is None else f"{each.off:.4f}",
                 *(each.slips, each.lost, each.peak, f"{each.seconds:.6f}"),
             ]
@@ -79,7 +79,8 @@ def chart(axes: Sequence[Axis], results: Sequence[Result], title: str) -> Figure
     for number, value in enumerate(others[0].values if others else (None,)):
         ys = [share(cells[(at,) if value is None else (at, value)]) for at in x.values]
         label = "success" if value is None else f"{others[0].name} = {number_text(value)}"
-        series.append(Series(label, x.values, tuple(ys), mark=_MARKS[number % len(_MARKS)]))
+        mark = _MARKS[number % len(_MARKS)]
+        series.append(Series(label, x.values, tuple(ys), Style.MEASURED, mark))
     return Figure("sweep", title, (Chart("", x.name, "runs that succeed, %", tuple(series)),))
 
 
