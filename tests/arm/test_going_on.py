@@ -64,7 +64,9 @@ def test_a_course_has_corners_where_the_links_are(name: str) -> None:
                 )
                 for corner in solid.vertices
             ]
-            assert pytest.approx(np.array(there), abs=1e-12) == course.corners(index)[:, place].T
+            (corners,), (heights,) = course.corners(index), course.heights(index)
+            assert pytest.approx(np.array(there), abs=1e-12) == corners[:, place].T
+            assert heights[place].tolist() == corners[2, place].tolist()
 
 
 def test_a_hand_comes_down_around_a_part_without_being_looked_at(
@@ -90,7 +92,8 @@ def test_places_are_clear_as_far_as_measuring_each_says() -> None:
     )
     each = [world.around.measured(place).enough for place in joints.T.tolist()]
     assert not all(each)
-    assert world.around.places_clear(joints) == each.index(False)
+    near = world.around.near(Ranges.of(joints))
+    assert world.around.places_clear(joints, near) == each.index(False)
 
 
 def test_a_grip_that_tightens_is_not_solved_again_and_presses_harder_with_every_step(
@@ -178,13 +181,15 @@ def test_where_a_sweep_is_clear_the_arm_has_room_everywhere_on_its_way(
     places = [
         [at + way * chance.random() for at, way in zip(here, ways, strict=True)] for _ in range(12)
     ]
-    if around.sweep_clear(Ranges.of(np.array(places).T)):
-        assert all(around.measured(place).enough for place in places)
+    near = around.near(Ranges.of(np.array(places).T))
+    for place in places:
+        assert around.measured(place, near).enough is around.measured(place).enough
+        assert near or around.measured(place).enough
     one = places[0]
-    if around.sweep_clear(Ranges.about(one, wide / 10)):
-        near = [at + wide / 10 * chance.uniform(-1, 1) for at in one]
+    if not around.near(Ranges.about(one, wide / 10)):
+        other = [at + wide / 10 * chance.uniform(-1, 1) for at in one]
         assert around.measured(one).enough
-        assert around.measured(near).enough
+        assert around.measured(other).enough
 
 
 def test_ranges_are_within_themselves_and_not_within_less() -> None:
@@ -200,4 +205,4 @@ def test_a_swing_above_everything_is_seen_to_be_clear_at_once() -> None:
     for height, clear in ((3.0, True), (0.6, False)):
         at = inverse(arm.model, 8.0, 0.0, height, -90.0, 0.0).driven
         ways = [(base, *at[1:], 0.6) for base in (-0.8, 0.8)]
-        assert arm.world.around.sweep_clear(Ranges.of(np.array(ways).T)) is clear
+        assert (not arm.world.around.near(Ranges.of(np.array(ways).T))) is clear

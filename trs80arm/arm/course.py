@@ -33,40 +33,73 @@ class Course:
     """
 
     def __init__(self, linkage: ArmLinkage, joints: Floats, loads: Sequence[Body]) -> None:
-        self._frames = _frames(linkage, joints)
-        self._solids: list[tuple[Link, Floats]] = [
-            (piece.link, np.array(solid.vertices))
-            for piece, solid in zip(linkage.model.solids, linkage.solids, strict=True)
+        self._linkage = linkage
+        self._loads = loads
+        self._opening = joints[5]
+        base, shoulder, elbow, left, right = joints[:5]
+        self._turns = np.array((base, shoulder, elbow, (left + right) / 2, (left - right) / 2))
+        self._cosines, self._sines = np.cos(self._turns), np.sin(self._turns)
+        self._frames: dict[Link, _Frame] = {}
+
+    def corners(self, piece: int) -> list[Floats]:
+        """Of each solid of a piece, links before loads: 3 x places x corners."""
+        link, solids = self._solids(piece)
+        place, along, across, up = (each[:, :, None] for each in self._frame(link))
+        return [place + along * x + across * y + up * z for x, y, z in solids]
+
+    def heights(self, piece: int) -> list[Floats]:
+        """How high they are: places x corners."""
+        link, solids = self._solids(piece)
+        place, along, across, up = (each[2, :, None] for each in self._frame(link))
+        return [place + along * x + across * y + up * z for x, y, z in solids]
+
+    def _solids(self, piece: int) -> tuple[Link, list[Floats]]:
+        """The link of a piece, and its solids' corners there: each 3 x corners."""
+        links = self._linkage.model.solids
+        if piece < len(links):
+            return links[piece].link, [np.array(self._linkage.solids[piece].vertices).T]
+        load = self._loads[piece - len(links)]
+        assert load.carried is not None
+        place, turn = load.carried
+        return Link.HAND, [
+            np.array([plus(place, apply(turn, corner)) for corner in solid.vertices]).T
+            for solid in load.shape.solids
         ]
-        for load in loads:
-            assert load.carried is not None
-            place, turn = load.carried
-            for solid in load.shape.solids:
-                corners = [plus(place, apply(turn, corner)) for corner in solid.vertices]
-                self._solids.append((Link.HAND, np.array(corners)))
-        self._corners: dict[int, Floats] = {}
 
-    def __len__(self) -> int:
-        return len(self._solids)
+    def _frame(self, link: Link) -> _Frame:
+        """The frame of a link; the same as `ArmLinkage.links` has it."""
+        if link not in self._frames:
+            self._frames[link] = self._found(link)
+        return self._frames[link]
 
-    def box(self, index: int) -> tuple[Floats, Floats]:
-        """An upright box in which a solid always is: least and greatest x, y, z."""
-        link, local = self._solids[index]
-        place, along, across, up = self._frames[link]
-        low, high = local.min(axis=0), local.max(axis=0)
-        x, y, z = (low + high) / 2
-        middle = place + along * x + across * y + up * z
-        radius = float(np.sqrt(((high - low) ** 2).sum())) / 2
-        return middle.min(axis=1) - radius, middle.max(axis=1) + radius
+    def _found(self, link: Link) -> _Frame:
+        model = self._linkage.model
+        c1, _, _, cp, cr = self._cosines
+        s1, _, _, sp, sr = self._sines
+        nought = np.zeros_like(c1)
+        if link in (Link.UPPER_ARM, Link.FOREARM):
+            level = np.array((-s1, c1, nought))
+            ahead = self._ahead(1 if link is Link.UPPER_ARM else 2)
+            start = np.array((nought, nought, nought + model.shoulder_height))
+            if link is Link.FOREARM:
+                start = start + model.link * self._ahead(1)
+            return start, ahead, level, _cross(ahead, level)
+        if link is Link.HAND:
+            wrist = model.link * (self._ahead(1) + self._ahead(2))
+            wrist[2] += model.shoulder_height
+            pointing = self._ahead(3)
+            across = np.array((-cr * s1 - sr * sp * c1, cr * c1 - sr * sp * s1, sr * cp))
+            return wrist, pointing, across, _cross(pointing, across)
+        wrist, pointing, across, up = self._frame(Link.HAND)
+        side = 0.5 if link is FINGERS[0] else -0.5
+        tip = wrist + model.hand_length * pointing
+        return tip + side * self._opening * across, pointing, across, up
 
-    def corners(self, index: int) -> Floats:
-        """Of a solid, links before loads: 3 x places x corners."""
-        if index not in self._corners:
-            link, local = self._solids[index]
-            place, along, across, up = (each[:, :, None] for each in self._frames[link])
-            x, y, z = local.T
-            self._corners[index] = place + along * x + across * y + up * z
-        return self._corners[index]
+    def _ahead(self, turn: int) -> Floats:
+        """The way in which something points that is raised by one of the angles."""
+        c1, s1 = self._cosines[0], self._sines[0]
+        c, s = self._cosines[turn], self._sines[turn]
+        return np.array((c * c1, c * s1, s))
 
 
 def fingertips(model: ArmModel, joints: Floats) -> tuple[Floats, Floats]:
@@ -80,35 +113,6 @@ def fingertips(model: ArmModel, joints: Floats) -> tuple[Floats, Floats]:
     out = model.link * (np.cos(shoulder) + np.cos(elbow))
     out += model.hand_length * np.cos((left + right) / 2)
     return out * np.cos(base), out * np.sin(base)
-
-
-def _frames(linkage: ArmLinkage, joints: Floats) -> dict[Link, _Frame]:
-    """The frames of the links; the same as `ArmLinkage.links` has them."""
-    model = linkage.model
-    base, shoulder, elbow, left, right, opening = joints
-    pitch, roll = (left + right) / 2, (left - right) / 2
-    c1, s1, c2, s2 = np.cos(base), np.sin(base), np.cos(shoulder), np.sin(shoulder)
-    c3, s3, cp, sp = np.cos(elbow), np.sin(elbow), np.cos(pitch), np.sin(pitch)
-    cr, sr = np.cos(roll), np.sin(roll)
-    nought = np.zeros_like(base)
-    upper = np.array((c2 * c1, c2 * s1, s2))
-    fore = np.array((c3 * c1, c3 * s1, s3))
-    pointing = np.array((cp * c1, cp * s1, sp))
-    level = np.array((-s1, c1, nought))
-    across = np.array((-cr * s1 - sr * sp * c1, cr * c1 - sr * sp * s1, sr * cp))
-    up = _cross(pointing, across)
-    start = np.array((nought, nought, nought + model.shoulder_height))
-    bend = start + model.link * upper
-    wrist = bend + model.link * fore
-    tip = wrist + model.hand_length * pointing
-    frames = {
-        Link.UPPER_ARM: (start, upper, level, _cross(upper, level)),
-        Link.FOREARM: (bend, fore, level, _cross(fore, level)),
-        Link.HAND: (wrist, pointing, across, up),
-    }
-    for finger, side in zip(FINGERS, (0.5, -0.5), strict=True):
-        frames[finger] = (tip + side * opening * across, pointing, across, up)
-    return frames
 
 
 def _cross(a: Floats, b: Floats) -> Floats:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -13,6 +14,7 @@ from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.linkage import ArmLinkage
 from trs80arm.arm.shapes import SKIN, Vector, length
 from trs80arm.arm.surroundings import FAR, SPARE, Surroundings
+from trs80arm.arm.sweep import Ranges, fingertip_out
 
 DEPTHS = (2.0, 1.0, 0.5, 0.2, 0.1)
 """Inches by which a link may be in a feeder's place: how far it has to go at least to be out."""
@@ -97,6 +99,22 @@ class Feeding:
             barred = by - self._around.travel(stood, joints)[0] if by else 0.0
             least = min(least, max(_too_near(feeder, tip), barred))
         return max(0.0, least)
+
+    def surely_unfed(self, ranges: Ranges) -> bool:
+        """Whether no vacant feeder can give its next part, wherever the arm is in some ranges."""
+        if not self.vacant:
+            return True
+        near, out = fingertip_out(self._linkage.model, ranges)
+        if near < 0.0:
+            return False
+        for feeder in self.vacant.values():
+            far = CLEARANCE + feeder.place.radius - SPARE
+            way, bearing = math.hypot(feeder.x, feeder.y), math.atan2(feeder.y, feeder.x)
+            aside = max(abs(ranges.base[0] - bearing), abs(ranges.base[1] - bearing))
+            across = 2 * way * math.cos(min(aside, math.pi))
+            if max(at * (at - across) for at in (near, out)) + way * way >= far * far:
+                return False
+        return True
 
     def places_unfed(self, joints: Floats) -> int:
         """At how many of some places in a row no vacant feeder can give its next part.

@@ -138,6 +138,18 @@ class ArmLinkage:
             out.append(Link(place, (a[0], b[0], u[0], a[1], b[1], u[1], a[2], b[2], u[2]), screws))
         return out
 
+    def piece(self, number: int, links: Sequence[Link], carried: Sequence[Body]) -> list[Placed]:
+        """The solids of one piece: a link, or after these what rests in the hand.
+
+        Args:
+            number: of the piece.
+            links: where they stand.
+            carried: what rests in the hand.
+        """
+        if number < len(links):
+            return [Placed(self.solids[number], links[number].place, links[number].turn)]
+        return load_at(carried[number - len(links)], links[self.hand])
+
     def standing(
         self, joints: Sequence[float], carried: Iterable[Body] = ()
     ) -> list[tuple[str, Placed]]:

@@ -19,7 +19,7 @@ from trs80arm.arm.feeding import Feeding
 from trs80arm.arm.geometry import CableDrive
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.model import LEFT_WRIST
-from trs80arm.arm.surroundings import HAIR, SPARE, Room, Surroundings
+from trs80arm.arm.surroundings import HAIR, SPARE, Near, Room, Surroundings
 from trs80arm.arm.sweep import Ranges
 
 ABOUT = 0.05
@@ -66,12 +66,13 @@ class Outlook:
         self._around = around
         self._feeding = feeding
         self._looked: tuple[list[float], Room] | None = None
+        self._about: tuple[Ranges, list[Near]] | None = None
         self._swept: list[Ranges] = []
         self._easing: list[list[float]] = []
 
     def __getstate__(self) -> dict[str, Any]:
         # How far things are is found anew; when it was looked at hangs on how a run is cut.
-        return {**self.__dict__, "_looked": None, "_swept": [], "_easing": []}
+        return {**self.__dict__, "_looked": None, "_about": None, "_swept": [], "_easing": []}
 
     # Room somewhere
 
@@ -84,7 +85,6 @@ class Outlook:
         return (
             any(each.hold(joints) for each in self._swept)
             or self._surely_clear(joints)
-            or self._sweep_clear(Ranges.about(joints, ABOUT))
             or self._look(joints).enough
         )
 
@@ -97,37 +97,39 @@ class Outlook:
         Args:
             joints: where.
         """
-        if self._looked is None or not self._looked[1].enough:
+        if self._looked is None or self._about is None or not self._looked[1].enough:
             return False
         there, room = self._looked
+        if not self._about[0].hold(joints):
+            return False
         way, down = self._around.travel(there, joints)
         return way <= room.beside - SPARE and (
             down <= room.low - SPARE or (down == 0.0 and room.low >= -HAIR / 2)
         )
 
     def _look(self, joints: list[float]) -> Room:
-        """What room there is somewhere; remembered for bounds."""
-        room = self._around.measured(joints)
+        """What room there is somewhere, by what is about there; remembered for bounds."""
+        if self._about is None or not self._about[0].hold(joints):
+            about = Ranges.about(joints, ABOUT)
+            self._about = about, self._near(about)
+        room = self._around.measured(joints, self._about[1])
         self._looked = joints, room
         return room
 
-    def _sweep_clear(self, ranges: Ranges) -> bool:
-        """Whether it is certain that there is room about while the joints are in some ranges."""
-        if self._known_clear(ranges):
-            return True
-        if not self._around.sweep_clear(ranges):
-            return False
-        self._swept.append(ranges)
-        del self._swept[:-SWEPT]
-        return True
-
-    def _known_clear(self, ranges: Ranges) -> bool:
-        """Whether that was found before, and nothing else has moved since."""
-        return any(ranges.within(each) for each in self._swept)
+    def _near(self, ranges: Ranges) -> list[Near]:
+        """What the arm may come near to while the joints are in some ranges: nothing, or what."""
+        # What was found clear before is so as long as nothing else has moved since.
+        if any(ranges.within(each) for each in self._swept):
+            return []
+        near = self._around.near(ranges)
+        if not near:
+            self._swept.append(ranges)
+            del self._swept[:-SWEPT]
+        return near
 
     def forget(self) -> None:
         """Something may have moved: what was known of the room about is so no longer."""
-        self._looked = None
+        self._looked = self._about = None
         self._swept.clear()
 
     # Whole bursts
@@ -145,35 +147,42 @@ class Outlook:
         if here.gripped or here.strained:
             clear = self.ticks_clear(here, _on_ticks(here, ahead, ticks))
         else:
-            clear = len(ticks)
-            if self._feeding.vacant:
-                joints = self._unstrained(here, _on_ticks(here, ahead, ticks))
-                clear = self._feeding.places_unfed(joints)
             # Where the burst ends the arm will be on the next tick.
-            ends = [*ticks[:clear], ahead.ends + 1]
-            if not self._sweep_clear(self._ranges(here, ahead, ends)) and clear:
-                clear = self._sweeps_clear(here, ahead, ends[:-1])
+            ranges = self._ranges(here, ahead, ticks[0], ahead.ends + 1)
+            clear = self._unfed(here, ahead, ticks, ranges)
+            if clear and (near := self._near(ranges)):
+                clear = self._swept_clear(here, ahead, ticks[:clear], near)
         return ticks[clear] if clear < len(ticks) else None
 
-    def _sweeps_clear(self, here: Standing, ahead: Ahead, ticks: Sequence[int]) -> int:
-        """How many T-states in a row the arm has room at, by what it sweeps over between them.
+    def _unfed(self, here: Standing, ahead: Ahead, ticks: range, ranges: Ranges) -> int:
+        """On how many ticks in a row no feeder can give its next part."""
+        if self._feeding.surely_unfed(ranges):
+            return len(ticks)
+        return self._feeding.places_unfed(self._unstrained(here, _on_ticks(here, ahead, ticks)))
+
+    def _swept_clear(self, here: Standing, ahead: Ahead, ticks: range, near: Sequence[Near]) -> int:
+        """On how many ticks in a row the arm has room, by what it sweeps over between them.
 
         Args:
             here: where the arm is, free.
             ahead: the burst.
-            ticks: the T-states; what is written before is done.
+            ticks: on which what is written before is done.
+            near: what it may come near to on all its way.
         """
-        pieces = [(0, len(ticks))]
+        pieces: list[tuple[int, int, Sequence[Near] | None]] = [(0, len(ticks), near)]
         while pieces:
-            begin, end = pieces.pop()
-            if self._sweep_clear(self._ranges(here, ahead, ticks[begin:end])):
+            begin, end, near_here = pieces.pop()
+            if near_here is None:
+                ranges = self._ranges(here, ahead, ticks[begin], ticks[end - 1])
+                near_here = self._near(ranges)
+            if not near_here:
                 continue
             if end - begin > max(CLOSELY, len(ticks) >> HALVED):
                 middle = (begin + end) // 2
-                pieces += [(middle, end), (begin, middle)]
+                pieces += [(middle, end, None), (begin, middle, None)]
                 continue
             joints = self._unstrained(here, _on_ticks(here, ahead, ticks[begin:end]))
-            clear = self._around.places_clear(joints)
+            clear = self._around.places_clear(joints, near_here)
             if clear < end - begin:
                 return begin + clear
         return len(ticks)
@@ -181,7 +190,8 @@ class Outlook:
     def _wanted(self, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
         """Where motors want the arm's six coordinates, 6 x places, for positions of the rotors."""
         drive, model = self._drive, self._model
-        opening = np.clip(drive.cable(rotors) / model.hand_steps, 0.0, model.hand.range)
+        opening = drive.cable(rotors) / model.hand_steps
+        opening = np.minimum(np.maximum(opening, 0.0), model.hand.range)
         return np.array((*drive.driven(rotors), opening))
 
     def _unstrained(self, here: Standing, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
@@ -191,10 +201,9 @@ class Outlook:
             joints[5] = self._bench.scene.joints[5]
         return joints
 
-    def _ranges(self, here: Standing, ahead: Ahead, ticks: Sequence[int]) -> Ranges:
-        """Between what the joints are on some ticks, nothing in their way."""
+    def _ranges(self, here: Standing, ahead: Ahead, since: int, until: int) -> Ranges:
+        """Between what the joints are from one T-state to another, nothing in their way."""
         model, drive, rotors = self._model, self._drive, here.rotors
-        since, until = ticks[0], ticks[-1]
         low, high = list(rotors), list(rotors)
         for turning, (least, most) in zip(ahead.turnings, ahead.between(since, until), strict=True):
             low[turning.latch] += least
@@ -230,12 +239,12 @@ class Outlook:
             self._ease(joints, loaded=here.loaded)
         else:
             joints = self._unstrained(here, rotors)
+        ranges = Ranges.of(joints)
         count = len(joints[0])
-        if self._feeding.vacant:
+        if not self._feeding.surely_unfed(ranges):
             count = self._feeding.places_unfed(joints)
-        if count and self._sweep_clear(Ranges.of(joints[:, :count])):
-            return count
-        return self._around.places_clear(joints[:, :count]) if count else 0
+        near = self._near(ranges) if count else []
+        return self._around.places_clear(joints[:, :count], near) if near else count
 
     def _ticks_gripping(self, commands: Sequence[list[float]]) -> int:
         """How many ticks in a row what rests in the grip goes on resting there.

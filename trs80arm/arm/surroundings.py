@@ -6,7 +6,7 @@ decides what happens: only whether it is certain that nothing does.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +18,7 @@ from trs80arm.arm.contact.rotations import apply
 from trs80arm.arm.course import Course, Floats, beyond, in_a_row
 from trs80arm.arm.linkage import FINGERS, ArmLinkage
 from trs80arm.arm.model import Link, Motor
-from trs80arm.arm.shapes import Vector, length, plus
+from trs80arm.arm.shapes import length, plus
 from trs80arm.arm.sweep import Extents, Ranges, Sweep
 
 FAR = 100.0
@@ -49,6 +49,11 @@ class Room:
     def enough(self) -> bool:
         """Whether contact need not be looked at."""
         return self.beside >= 0.0 and self.low >= -HAIR
+
+
+Near = tuple[int, Placed | None]
+"""A piece of the arm or of its load, by its number in `Extents`, and what it may come near: a solid
+that stands, or the table where it is None."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,13 +149,16 @@ class Surroundings:
                 ahead, aside = max(ahead, abs(x)), max(aside, length(y, z))
         return ahead, aside
 
-    def measured(self, joints: Sequence[float]) -> Room:
+    def measured(self, joints: Sequence[float], near: Sequence[Near] | None = None) -> Room:
         """How far the arm and what it carries would be from all else.
 
         Args:
             joints: the arm's six coordinates.
+            near: what alone may be near what there; None where that is not known.
         """
         scene = self._bench.scene
+        if near is not None:
+            return self._measured_of(joints, near)
         mine = self._linkage.standing(joints, scene.carried)
         least = FAR
         for thing in scene.fixed.values():
@@ -166,28 +174,41 @@ class Surroundings:
                     least = _nearer(solid, other, least)
         return Room(least - NEAR, min(solid.low[2] for _, solid in mine))
 
-    def sweep_clear(self, ranges: Ranges) -> bool:
-        """Whether it is certain that the arm, with what it carries, has room on its way.
+    def _measured_of(self, joints: Sequence[float], near: Sequence[Near]) -> Room:
+        """`measured` of a few, all others being far."""
+        links, carried = self._linkage.links(joints), self._bench.scene.carried
+        solids: dict[int, list[Placed]] = {}
+        least = low = FAR
+        for piece, other in near:
+            if piece not in solids:
+                solids[piece] = self._linkage.piece(piece, links, carried)
+            for solid in solids[piece]:
+                if other is None:
+                    low = min(low, solid.low[2])
+                else:
+                    least = _nearer(solid, other, least)
+        return Room(least - NEAR, low)
+
+    def near(self, ranges: Ranges) -> list[Near]:
+        """What the arm, with what it carries, may come near on its way: nothing if it has room.
 
         Args:
             ranges: between which its joints stay.
         """
         scene = self._bench.scene
         sweep = Sweep(self._arm().extents, ranges)
-        if sweep.low < -HAIR / 2:
-            return False
         gap = NEAR + SPARE
-        return all(
-            sweep.clear_of(solid, thing.passes, gap)
-            for thing in scene.fixed.values()
-            for solid in thing.placed
-        ) and all(
-            sweep.clear_of(solid, (), gap)
-            for body in scene.sleepers(*sweep.around(gap))
-            for solid in body.placed
-        )
+        found: list[Near] = [(piece, None) for piece in sweep.pieces_below(-HAIR / 2)]
+        for thing in scene.fixed.values():
+            for solid in thing.placed:
+                pieces = sweep.pieces_near(solid, thing.passes, gap)
+                found += [(piece, solid) for piece in pieces]
+        for body in scene.sleepers(*sweep.around(gap)):
+            for solid in body.placed:
+                found += [(piece, solid) for piece in sweep.pieces_near(solid, (), gap)]
+        return found
 
-    def places_clear(self, joints: Floats) -> int:
+    def places_clear(self, joints: Floats, near: Sequence[Near]) -> int:
         """At how many of some places in a row the arm has room, with what it carries.
 
         Seen along the way in which a solid is beyond another, rather than by how far it goes: what
@@ -195,39 +216,20 @@ class Surroundings:
 
         Args:
             joints: the arm's six coordinates, 6 x places.
+            near: what alone may be near what there.
         """
-        scene = self._bench.scene
-        course = Course(self._linkage, joints, scene.carried)
+        course = Course(self._linkage, joints, self._bench.scene.carried)
         count = len(joints[0])
-        names = self._linkage.names
-        for k in range(len(course)):
-            low, high = course.box(k)
-            if low[2] < -HAIR / 2:
-                count = in_a_row(course.corners(k)[2, :count].min(axis=1) >= -HAIR / 2)
-            (a, b, c), (d, e, f) = low.tolist(), high.tolist()
-            reach = (a - NEAR, b - NEAR, c - NEAR), (d + NEAR, e + NEAR, f + NEAR)
-            for other in self._near(reach, names[k] if k < len(names) else ""):
+        for piece, other in near:
+            if other is None:
+                for heights in course.heights(piece):
+                    count = in_a_row(heights[:count].min(axis=1) >= -HAIR / 2)
+                continue
+            for corners in course.corners(piece):
                 if not count:
                     return 0
-                count = _clear_of(course.corners(k)[:, :count], other)
+                count = _clear_of(corners[:, :count], other)
         return count
-
-    def _near(self, around: tuple[Vector, Vector], name: str) -> Iterator[Placed]:
-        """What is in or about an upright box, and can touch a link (or what is carried)."""
-        (a, b, c), (d, e, f) = around
-        scene = self._bench.scene
-        solids = [
-            solid
-            for thing in scene.fixed.values()
-            if name not in thing.passes
-            for solid in thing.placed
-        ]
-        for body in scene.sleepers(*around):
-            solids += body.placed
-        for solid in solids:
-            (u, v, w), (x, y, z) = solid.low, solid.high
-            if a <= x and u <= d and b <= y and v <= e and c <= z and w <= f:
-                yield solid
 
 
 def _clear_of(corners: Floats, other: Placed) -> int:

@@ -9,7 +9,7 @@ library's.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -103,6 +103,11 @@ class Ranges:
         return cls(one, two, three, four, five, last)
 
 
+Piece = tuple[str, Link, float, float, float, float, float, float]
+"""A box of the arm: the solid's name, its link, and from where to where it goes along the link's
+axes, in inches: ahead, aside and up."""
+
+
 class Extents:
     """The boxes that make up an arm and its load, each along the axes of what it is part of.
 
@@ -110,22 +115,24 @@ class Extents:
         model: of the arm.
         names: of its solids.
         loads: what rests in its hand.
+
+    Attributes:
+        model: of the arm.
+        pieces: the boxes; one for each of the arm's solids, and one for each load.
     """
 
     def __init__(self, model: ArmModel, names: Sequence[str], loads: Sequence[Body]) -> None:
         self.model = model
-        self.pieces: list[tuple[str, Link, Span, Span, Span]] = []
+        self.pieces: list[Piece] = []
         for name, solid in zip(names, model.solids, strict=True):
-            x, y, z = [
-                (at - half, at + half) for at, half in zip(solid.center, solid.half, strict=True)
-            ]
+            (x, y, z), (a, b, c) = solid.center, solid.half
             if solid.link in FINGERS:
-                x = x[0] + model.hand_length, x[1] + model.hand_length
-            self.pieces.append((name, solid.link, x, y, z))
+                x += model.hand_length
+            self.pieces.append((name, solid.link, x - a, x + a, y - b, y + b, z - c, z + c))
         self.pieces += [("", Link.HAND, *_around_load(load)) for load in loads]
 
 
-def _around_load(load: Body) -> tuple[Span, Span, Span]:
+def _around_load(load: Body) -> tuple[float, float, float, float, float, float]:
     """The box around a load, along the hand's own axes."""
     assert load.carried is not None
     place, turn = load.carried
@@ -133,7 +140,7 @@ def _around_load(load: Body) -> tuple[Span, Span, Span]:
         plus(place, apply(turn, corner)) for solid in load.shape.solids for corner in solid.vertices
     ]
     x, y, z = zip(*corners, strict=True)
-    return (min(x), max(x)), (min(y), max(y)), (min(z), max(z))
+    return min(x), max(x), min(y), max(y), min(z), max(z)
 
 
 class Sweep:
@@ -149,11 +156,11 @@ class Sweep:
         middle, half = (low + high) / 2, (high - low) / 2
         self._cosine, self._sine = math.cos(middle), math.sin(middle)
         turned, back = math.sin(min(half, math.pi / 2)), 1 - math.cos(min(half, math.pi))
-        # Of each solid the name; how near the base's axis it comes, and how far; how low, and how
+        # Of each piece the name; how near the base's axis it comes, and how far; how low, and how
         # high; and from where to where it goes out, and aside, as seen with the base in the middle
         # of its way.
         self._swept = []
-        for name, (a, b), (d, e), (low, high) in _swept(extents, ranges):
+        for name, a, b, d, e, low, high in _swept(extents, ranges):
             ahead, aside = (b if b > -a else -a), (e if e > -d else -d)
             far = math.sqrt(ahead * ahead + aside * aside)
             wider, broader = aside * turned + ahead * back, ahead * turned + aside * back
@@ -169,15 +176,23 @@ class Sweep:
         Args:
             margin: inches by which it is wider.
         """
-        *_, a, b, d, e = zip(*self._swept, strict=True)
-        x, y = _rotated((min(a), max(b)), (min(d), max(e)), self._cosine, self._sine)
+        *_, lefts, rights, nears, fars = zip(*self._swept, strict=True)
+        a, b, d, e = min(lefts), max(rights), min(nears), max(fars)
+        c, s = self._cosine, self._sine
+        x0, x1, y0, y1 = _turned((c, s, c, s, 0.0), a, b, d, e)
         return (
-            (x[0] - margin, y[0] - margin, self.low - margin),
-            (x[1] + margin, y[1] + margin, self._high + margin),
+            (x0 - margin, y0 - margin, self.low - margin),
+            (x1 + margin, y1 + margin, self._high + margin),
         )
 
-    def clear_of(self, solid: Placed, passes: Sequence[str], gap: float) -> bool:
-        """Whether nothing of it comes nearer to a solid that stands than a gap.
+    def pieces_below(self, height: float) -> list[int]:
+        """Which pieces may come below a height."""
+        if self.low >= height:
+            return []
+        return [number for number, (_, _, _, low, *_) in enumerate(self._swept) if low < height]
+
+    def pieces_near(self, solid: Placed, passes: Sequence[str], gap: float) -> list[int]:
+        """Which pieces may come nearer to a solid that stands than a gap, by number.
 
         Args:
             solid: in the world.
@@ -187,106 +202,108 @@ class Sweep:
         (x0, y0, z0), (x1, y1, z1) = solid.low, solid.high
         z0, z1 = z0 - gap, z1 + gap
         if z0 > self._high or z1 < self.low:
-            return True
+            return []
         out, reach = math.hypot((x0 + x1) / 2, (y0 + y1) / 2), math.hypot(x1 - x0, y1 - y0) / 2
         near, far = out - reach - gap, out + reach + gap
         if near > self._far:
-            return True
+            return []
         c, s = self._cosine, self._sine
         corners = solid.vertices
         outs = [x * c + y * s for x, y, _ in corners]
         sides = [y * c - x * s for x, y, _ in corners]
         out0, out1, side0, side1 = min(outs), max(outs), min(sides), max(sides)
         out0, out1, side0, side1 = out0 - gap, out1 + gap, side0 - gap, side1 + gap
-        for name, nearest, farthest, low, high, a, b, d, e in self._swept:
-            if (
-                z0 <= high
-                and z1 >= low
-                and near <= farthest
-                and far >= nearest
-                and out0 <= b
-                and out1 >= a
-                and side0 <= e
-                and side1 >= d
-                and name not in passes
-            ):
-                return False
-        return True
+        return [
+            number
+            for number, (name, nearest, farthest, low, high, a, b, d, e) in enumerate(self._swept)
+            if z0 <= high
+            and z1 >= low
+            and near <= farthest
+            and far >= nearest
+            and out0 <= b
+            and out1 >= a
+            and side0 <= e
+            and side1 >= d
+            and name not in passes
+        ]
 
 
-def _swept(extents: Extents, ranges: Ranges) -> Iterator[tuple[str, Span, Span, Span]]:
-    """Of each solid the name, and from where to where it goes: out from the base, aside, up."""
+_Swept = tuple[str, float, float, float, float, float, float]
+_Turn = tuple[float, float, float, float, float]
+"""Cosine and sine at the beginning of a turn, the same at its end, and by how much of its radius
+an arc goes beyond its chord at most."""
+
+
+def _swept(extents: Extents, ranges: Ranges) -> list[_Swept]:
+    """Of each piece the name, and from where to where it goes: out from the base, aside, up."""
     model = extents.model
-    link, height = (model.link, model.link), model.shoulder_height
-    shoulder, elbow = _Turn(ranges.shoulder), _Turn(ranges.elbow)
-    pitch, roll = _Turn(ranges.pitch), _Turn(ranges.roll)
-    (a, b), (d, e) = shoulder.of(link, _NOUGHT)
-    bend = a, b, d + height, e + height
-    (u, v), (w, x) = elbow.of(link, _NOUGHT)
-    wrist = a + u, b + v, bend[2] + w, bend[3] + x
+    link, height = model.link, model.shoulder_height
+    shoulder, elbow = _turn(*ranges.shoulder), _turn(*ranges.elbow)
+    pitch, roll = _turn(*ranges.pitch), _turn(*ranges.roll)
+    # Where the elbow and the wrist are: out, and up.
+    x0, x1, z0, z1 = _turned(shoulder, link, link, 0.0, 0.0)
+    x2, x3, z2, z3 = _turned(elbow, link, link, 0.0, 0.0)
+    z0, z1 = z0 + height, z1 + height
+    x2, x3, z2, z3 = x0 + x2, x1 + x3, z0 + z2, z1 + z3
     shut, wide = ranges.opening[0] / 2, ranges.opening[1] / 2
     left, right = FINGERS
-    for name, piece, along, aside, above in extents.pieces:
+    found: list[_Swept] = []
+    for name, piece, a, b, d, e, low, high in extents.pieces:
         if piece is Link.UPPER_ARM:
-            (a, b), (d, e) = shoulder.of(along, above)
-            yield name, (a, b), aside, (d + height, e + height)
-            continue
-        if piece is Link.FOREARM:
-            (a, b), (d, e) = elbow.of(along, above)
-            start = bend
+            a, b, low, high = _turned(shoulder, a, b, low, high)
+            found.append((name, a, b, d, e, low + height, high + height))
+        elif piece is Link.FOREARM:
+            a, b, low, high = _turned(elbow, a, b, low, high)
+            found.append((name, a + x0, b + x1, d, e, low + z0, high + z1))
         else:
             if piece is left:
-                aside = aside[0] + shut, aside[1] + wide
+                d, e = d + shut, e + wide
             elif piece is right:
-                aside = aside[0] - wide, aside[1] - shut
-            aside, above = roll.of(aside, above)
-            (a, b), (d, e) = pitch.of(along, above)
-            start = wrist
-        yield name, (a + start[0], b + start[1]), aside, (d + start[2], e + start[3])
+                d, e = d - wide, e - shut
+            d, e, low, high = _turned(roll, d, e, low, high)
+            a, b, low, high = _turned(pitch, a, b, low, high)
+            found.append((name, a + x2, b + x3, d, e, low + z2, high + z3))
+    return found
 
 
-_NOUGHT = (0.0, 0.0)
+def _turn(low: float, high: float | None = None) -> _Turn:
+    """A turn by some angle of a range (radians), or by one."""
+    c, s = math.cos(low), math.sin(low)
+    if high is None or high <= low:
+        return c, s, c, s, 0.0
+    return c, s, math.cos(high), math.sin(high), 1 - math.cos(min(math.pi, (high - low) / 2))
 
 
-class _Turn:
-    """A turn by some angle of a range.
-
-    Args:
-        span: radians.
-    """
-
-    __slots__ = ("_bulge", "_high", "_low")
-
-    def __init__(self, span: Span) -> None:
-        low, high = span
-        self._low = self._high = math.cos(low), math.sin(low)
-        self._bulge = 0.0
-        if high > low:
-            self._high = math.cos(high), math.sin(high)
-            # An arc goes beyond its chord by so much of its radius at most.
-            self._bulge = 1 - math.cos(min(math.pi, (high - low) / 2))
-
-    def of(self, x: Span, y: Span) -> tuple[Span, Span]:
-        """A box, turned about where x and y are 0: what it sweeps over."""
-        one = _rotated(x, y, *self._low)
-        if self._bulge == 0.0:
-            return one
-        ((a, b), (d, e)), ((u, v), (w, z)) = one, _rotated(x, y, *self._high)
-        out = self._bulge * math.hypot(max(-x[0], x[1]), max(-y[0], y[1]))
-        return (
-            ((a if a < u else u) - out, (b if b > v else v) + out),
-            ((d if d < w else w) - out, (e if e > z else z) + out),
-        )
+def _turned(
+    turn: _Turn, x0: float, x1: float, y0: float, y1: float
+) -> tuple[float, float, float, float]:
+    """A box, turned about where x and y are 0: what it sweeps over."""
+    c, s, cosine, sine, bulge = turn
+    x, y, wide, high = (x0 + x1) / 2, (y0 + y1) / 2, (x1 - x0) / 2, (y1 - y0) / 2
+    p, q = c * x - s * y, s * x + c * y
+    c, s = (c if c > 0.0 else -c), (s if s > 0.0 else -s)
+    h, k = c * wide + s * high, s * wide + c * high
+    a, b, d, e = p - h, p + h, q - k, q + k
+    if bulge == 0.0:
+        return a, b, d, e
+    p, q = cosine * x - sine * y, sine * x + cosine * y
+    c, s = (cosine if cosine > 0.0 else -cosine), (sine if sine > 0.0 else -sine)
+    h, k = c * wide + s * high, s * wide + c * high
+    out = bulge * math.hypot(x1 if x1 > -x0 else -x0, y1 if y1 > -y0 else -y0)
+    u, v, w, z = p - h, p + h, q - k, q + k
+    return (
+        (a if a < u else u) - out,
+        (b if b > v else v) + out,
+        (d if d < w else w) - out,
+        (e if e > z else z) + out,
+    )
 
 
-def _rotated(x: Span, y: Span, c: float, s: float) -> tuple[Span, Span]:
-    """The upright box around a box that was turned."""
-    (x0, x1), (y0, y1) = x, y
-    a, b, d, e = (x0 + x1) / 2, (x1 - x0) / 2, (y0 + y1) / 2, (y1 - y0) / 2
-    across, along = c * a - s * d, s * a + c * d
-    if c < 0.0:
-        c = -c
-    if s < 0.0:
-        s = -s
-    wide, long = c * b + s * e, s * b + c * e
-    return (across - wide, across + wide), (along - long, along + long)
+def fingertip_out(model: ArmModel, ranges: Ranges) -> Span:
+    """How far out from the base's axis the fingertip is, from the least to the greatest, inches."""
+    near = far = 0.0
+    lengths = (model.link, model.link, model.hand_length)
+    for length, span in zip(lengths, (ranges.shoulder, ranges.elbow, ranges.pitch), strict=True):
+        a, b, _, _ = _turned(_turn(*span), length, length, 0.0, 0.0)
+        near, far = near + a, far + b
+    return near, far
