@@ -207,6 +207,17 @@ class Sweep:
         near, far = out - reach - gap, out + reach + gap
         if near > self._far:
             return []
+        about = [
+            (number, piece)
+            for number, piece in enumerate(self._swept)
+            if z0 <= piece[4]
+            and z1 >= piece[3]
+            and near <= piece[2]
+            and far >= piece[1]
+            and piece[0] not in passes
+        ]
+        if not about:
+            return []
         c, s = self._cosine, self._sine
         corners = solid.vertices
         outs = [x * c + y * s for x, y, _ in corners]
@@ -215,16 +226,8 @@ class Sweep:
         out0, out1, side0, side1 = out0 - gap, out1 + gap, side0 - gap, side1 + gap
         return [
             number
-            for number, (name, nearest, farthest, low, high, a, b, d, e) in enumerate(self._swept)
-            if z0 <= high
-            and z1 >= low
-            and near <= farthest
-            and far >= nearest
-            and out0 <= b
-            and out1 >= a
-            and side0 <= e
-            and side1 >= d
-            and name not in passes
+            for number, (*_, a, b, d, e) in about
+            if out0 <= b and out1 >= a and side0 <= e and side1 >= d
         ]
 
 
