@@ -172,7 +172,9 @@ class Train:
     def before(self, tick: int) -> int:
         """How many of its steps come before a tick."""
         step = -((self.phase - tick * self.under) // self.over)
-        return min(max(step, self.begin), self.end) - self.begin
+        if step >= self.end:
+            return self.end - self.begin
+        return step - self.begin if step > self.begin else 0
 
     def before_each(self, ticks: npt.NDArray[np.int64]) -> npt.NDArray[np.int64]:
         """How many of its steps come before each of some ticks."""

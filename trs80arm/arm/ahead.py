@@ -114,11 +114,11 @@ class Ahead(Protocol):
     def closest(self, order: int) -> int:
         """T-states that a ring of one motor's half-steps takes at least; `NEVER` if it has none."""
 
-    def half_steps(self, order: int) -> tuple[Array, Array, list[Array]]:
-        """All half-steps of one motor: their T-states, which way each goes, and all motors' before.
+    def half_steps(self, order: int) -> tuple[Array, Array]:
+        """All half-steps of one motor: their T-states, and which way each goes."""
 
-        The last are the half-steps by which each of the motors is turned just before each of them.
-        """
+    def before_each(self, order: int) -> list[Array]:
+        """Half-steps by which each of the motors is turned just before each of one motor's."""
 
 
 def look_ahead(motors: Sequence[StepperMotor], burst: Burst) -> Ahead | None:
@@ -289,9 +289,11 @@ class PulsesAhead:
 
     def moments(self, order: int, first: int, end: int) -> list[int]:
         """As in `Ahead`."""
-        train, time = self._trains[order], self._pulses.time
-        begin, end = train.begin + first, min(train.begin + end, train.end)
-        return [time(train.tick(step)) for step in range(begin, end)]
+        train, pulses = self._trains[order], self._pulses
+        start, over, under = pulses.start, pulses.over, pulses.under
+        phase, rise, parts = train.phase, train.over, train.under
+        steps = range(train.begin + first, min(train.begin + end, train.end))
+        return [start + (phase + step * rise) // parts * over // under for step in steps]
 
     def closest(self, order: int) -> int:
         """As in `Ahead`."""
@@ -300,18 +302,20 @@ class PulsesAhead:
             return NEVER
         return RING * train.over // train.under * pulses.over // pulses.under
 
-    def half_steps(self, order: int) -> tuple[Array, Array, list[Array]]:
+    def half_steps(self, order: int) -> tuple[Array, Array]:
         """As in `Ahead`."""
         pulses, mine = self._pulses, self._trains[order]
         ticks = mine.tick_array()
-        return (
-            pulses.start + ticks * pulses.over // pulses.under,
-            np.full(len(ticks), mine.direction, dtype=np.int64),
-            [
-                train.direction * train.before_each(ticks + 1 if place < order else ticks)
-                for place, train in enumerate(self._trains)
-            ],
-        )
+        times = pulses.start + ticks * pulses.over // pulses.under
+        return times, np.full(len(ticks), mine.direction, dtype=np.int64)
+
+    def before_each(self, order: int) -> list[Array]:
+        """As in `Ahead`."""
+        ticks = self._trains[order].tick_array()
+        return [
+            train.direction * train.before_each(ticks + 1 if place < order else ticks)
+            for place, train in enumerate(self._trains)
+        ]
 
 
 class ColumnsAhead:
@@ -411,10 +415,13 @@ class ColumnsAhead:
         when = self._times[self._places[order]]
         return int((when[RING:] - when[:-RING]).min()) if len(when) > RING else NEVER
 
-    def half_steps(self, order: int) -> tuple[Array, Array, list[Array]]:
+    def half_steps(self, order: int) -> tuple[Array, Array]:
         """As in `Ahead`."""
-        places = self._places[order]
-        return self._times[places], self._turns[order].astype(np.int64), self._turned(places)
+        return self._times[self._places[order]], self._turns[order].astype(np.int64)
+
+    def before_each(self, order: int) -> list[Array]:
+        """As in `Ahead`."""
+        return self._turned(self._places[order])
 
     def _turned(self, writes: Array) -> list[Array]:
         """Half-steps by which each motor is turned by so many writes."""

@@ -62,7 +62,8 @@ def weighing(
     if turns is HAND or (turns is BASE and not burdens):
         return 0.0
     if turns is SHOULDER or turns is ELBOW:
-        return arm.strength.level(turns, burdens) * cosine(arm.drive.lifted(turns, rotors))
+        lifted: float = arm.drive.lifted(turns, rotors)
+        return arm.strength.level(turns, burdens) * cosine(lifted)
     driven = arm.drive.driven(rotors)
     return float(arm.strength.weight(turns, driven, burdens, cosine))
 

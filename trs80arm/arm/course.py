@@ -6,6 +6,7 @@ leaves them a little room.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -100,6 +101,14 @@ class Course:
         c1, s1 = self._cosines[0], self._sines[0]
         c, s = self._cosines[turn], self._sines[turn]
         return np.array((c * c1, c * s1, s))
+
+
+def fingertip(model: ArmModel, joints: Sequence[float]) -> tuple[float, float]:
+    """`fingertips` for one place."""
+    base, shoulder, elbow, left, right, _ = joints
+    out = model.link * (math.cos(shoulder) + math.cos(elbow))
+    out += model.hand_length * math.cos((left + right) / 2)
+    return out * math.cos(base), out * math.sin(base)
 
 
 def fingertips(model: ArmModel, joints: Floats) -> tuple[Floats, Floats]:

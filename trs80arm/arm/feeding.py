@@ -8,12 +8,12 @@ from typing import Any
 
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.course import Floats, fingertips, in_a_row
+from trs80arm.arm.course import Floats, fingertip, fingertips, in_a_row
 from trs80arm.arm.fixtures import Feeder
 from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.linkage import ArmLinkage
-from trs80arm.arm.shapes import SKIN, Vector, length
-from trs80arm.arm.surroundings import FAR, SPARE, Surroundings
+from trs80arm.arm.shapes import SKIN, length
+from trs80arm.arm.surroundings import SPARE, Surroundings
 from trs80arm.arm.sweep import Ranges, fingertip_out
 
 DEPTHS = (2.0, 1.0, 0.5, 0.2, 0.1)
@@ -74,10 +74,12 @@ class Feeding:
         Args:
             joints: where motors want the arm's six coordinates; its links stand as in the scene.
         """
-        tip, given = self._fingertip(joints), False
+        given = False
         for number, feeder in self.vacant.items():
             placed = feeder.placed
-            if _too_near(feeder, tip) > 0.0 or not self._bench.room_for(placed):
+            if self._surely_near(feeder, joints) or self._near(feeder, joints):
+                continue
+            if not self._bench.room_for(placed):
                 continue
             if self._touches(placed):
                 by = next((by for by in DEPTHS if self._touches(placed, SKIN + by)), 0.0)
@@ -87,18 +89,18 @@ class Feeding:
             given = True
         return given
 
-    def room(self, joints: Sequence[float]) -> float:
-        """Inches that anything of the arm may go until a vacant feeder can give; 0 where one can.
+    def may_give(self, joints: Sequence[float]) -> bool:
+        """Whether a vacant feeder may be able to give its next part, for all that is sure.
 
         Args:
             joints: the arm's six coordinates.
         """
-        tip, least = self._fingertip(joints), FAR
         for number, feeder in self.vacant.items():
             stood, by = self._barred.get(number, (joints, 0.0))
-            barred = by - self._around.travel(stood, joints)[0] if by else 0.0
-            least = min(least, max(_too_near(feeder, tip), barred))
-        return max(0.0, least)
+            barred = by > 0.0 and self._around.travel(stood, joints)[0] < by
+            if not (barred or self._surely_near(feeder, joints)):
+                return True
+        return False
 
     def surely_unfed(self, ranges: Ranges) -> bool:
         """Whether no vacant feeder can give its next part, wherever the arm is in some ranges."""
@@ -133,16 +135,17 @@ class Feeding:
             count = min(count, in_a_row(unfed))
         return count
 
-    def _fingertip(self, joints: Sequence[float]) -> Vector:
-        return forward(self._linkage.model, JointAngles.of_gears(*joints[:5])).fingertip
+    def _near(self, feeder: Feeder, joints: Sequence[float]) -> bool:
+        """Whether the fingertip is too near to a feeder for its next part."""
+        x, y, _ = forward(self._linkage.model, JointAngles.of_gears(*joints[:5])).fingertip
+        return length(x - feeder.x, y - feeder.y) < CLEARANCE + feeder.place.radius
+
+    def _surely_near(self, feeder: Feeder, joints: Sequence[float]) -> bool:
+        """Whether it is for sure; the sines are the C library's, and leave a little room."""
+        x, y = fingertip(self._linkage.model, joints)
+        return length(x - feeder.x, y - feeder.y) < CLEARANCE + feeder.place.radius - SPARE
 
     def _touches(self, solids: Sequence[Placed], depth: float = SKIN) -> bool:
         """Whether a link or finger is in some solids by more than a depth, inches."""
         links = self._bench.scene.link_solids
         return any(deep(mine, other, depth) for mine in links for other in solids)
-
-
-def _too_near(feeder: Feeder, tip: Vector) -> float:
-    """Inches by which a fingertip is too near to a feeder for its next part."""
-    out = length(tip[0] - feeder.x, tip[1] - feeder.y)
-    return CLEARANCE + feeder.place.radius - out

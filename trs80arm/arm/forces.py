@@ -26,6 +26,8 @@ from trs80arm.arm.trigonometry import sin_cos
 
 NEVER = 1 << 40
 """Period, in T-states, of a motor whose load is more than it can move."""
+BY_THEMSELVES = (SHOULDER, ELBOW)
+"""What bears its load at its own angle, wherever the others are."""
 
 Vector = tuple[float, float, float]
 

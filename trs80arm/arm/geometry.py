@@ -226,8 +226,8 @@ class CableDrive:
             pitch - roll + e,
         )
 
-    def lifted(self, motor: Motor, rotors: Sequence[int]) -> float:
-        """Radians of upper arm or forearm alone, as `driven` has them."""
+    def lifted(self, motor: Motor, rotors: Rotors) -> Any:
+        """Radians of upper arm or forearm alone, as `driven` has them; arrays for arrays."""
         home = self.home.shoulder if motor is SHOULDER else self.home.elbow
         return home + self.model.turned_alone(motor, rotors)
 

@@ -138,6 +138,17 @@ class ArmLinkage:
             out.append(Link(place, (a[0], b[0], u[0], a[1], b[1], u[1], a[2], b[2], u[2]), screws))
         return out
 
+    def hand_at(self, joints: Sequence[float]) -> Link:
+        """Where the hand is, with nothing said of how it moves.
+
+        Args:
+            joints: as for `links`.
+        """
+        points = forward(self.model, JointAngles.of_gears(*joints[:5]))
+        a, b = points.pointing, points.across
+        u = cross(a, b)
+        return Link(points.wrist, (a[0], b[0], u[0], a[1], b[1], u[1], a[2], b[2], u[2]), ())
+
     def piece(self, number: int, links: Sequence[Link], carried: Sequence[Body]) -> list[Placed]:
         """The solids of one piece: a link, or after these what rests in the hand.
 

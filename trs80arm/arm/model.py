@@ -309,8 +309,8 @@ class ArmModel:
             n * rotors[e] / w,
         )
 
-    def turned_alone(self, motor: Motor, rotors: Sequence[int]) -> float:
-        """What `turned` has for one motor of the arm, for one position."""
+    def turned_alone(self, motor: Motor, rotors: Rotors) -> Any:
+        """What `turned` has for one motor of the arm."""
         latch, sign, steps = self._scales[motor]
         return sign * rotors[latch] / steps
 

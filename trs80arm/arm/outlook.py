@@ -18,7 +18,7 @@ from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.feeding import Feeding
 from trs80arm.arm.geometry import CableDrive
 from trs80arm.arm.grip import Grip
-from trs80arm.arm.model import LEFT_WRIST
+from trs80arm.arm.model import HAND, LEFT_WRIST
 from trs80arm.arm.surroundings import HAIR, SPARE, Near, Room, Surroundings
 from trs80arm.arm.sweep import Ranges
 
@@ -144,6 +144,8 @@ class Outlook:
         ticks = range(self._bench.scene.due, ahead.ends + 1, TICK_STATES)
         if not ticks:
             return None
+        if here.gripped and self._grips_on(here, ahead):
+            return None
         if here.gripped or here.strained:
             clear = self.ticks_clear(here, _on_ticks(here, ahead, ticks))
         else:
@@ -245,6 +247,18 @@ class Outlook:
             count = self._feeding.places_unfed(joints)
         near = self._near(ranges) if count else []
         return self._around.places_clear(joints[:, :count], near) if near else count
+
+    def _grips_on(self, here: Standing, ahead: Ahead) -> bool:
+        """Whether what rests in the grip goes on resting there for the whole of a burst.
+
+        Args:
+            here: where the arm is.
+            ahead: the burst, of the hand's motor alone.
+        """
+        hand, (least, most) = self._model.latch(HAND), ahead.together(self._model.pays_out)
+        ends = np.array([here.rotors, here.rotors], dtype=np.int64)
+        ends[:, hand] += (least, most)
+        return self._ticks_gripping(self._wanted(ends.T).T.tolist()) == 2
 
     def _ticks_gripping(self, commands: Sequence[list[float]]) -> int:
         """How many ticks in a row what rests in the grip goes on resting there.

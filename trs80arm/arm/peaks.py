@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from trs80arm.arm.ahead import Ahead
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
-from trs80arm.arm.forces import Vector, cosines, nearest_and_farthest
+from trs80arm.arm.forces import BY_THEMSELVES, Vector, cosines, nearest_and_farthest
 from trs80arm.arm.loads import per_cent
 from trs80arm.arm.model import BASE, HAND
 from trs80arm.arm.motors import RING
@@ -50,7 +50,7 @@ def note_stride(
     level: Vector | None = None
     for order, turning in enumerate(ahead.turnings):
         latch = turning.latch
-        kind, motor, peak = arm.model.drives[latch].turns, arm.motors[latch], arm.peaks[latch]
+        kind, motor, peak = arm.motor_kinds[latch], arm.motors[latch], arm.peaks[latch]
         curve, torque = arm.strength.curves[kind], torques[latch]
         # Rings of pulses that begin before the stride, and those that do not.
         gap, steps, pulses = turning.gap, turning.steps, motor.pulses
@@ -91,11 +91,14 @@ def _known(arm: MiniMover, ahead: Ahead, order: int) -> int:
 def _worked_out(arm: MiniMover, ahead: Ahead, order: int) -> int:
     """The greatest share that one motor's half-steps take, per cent, rounded up."""
     latch = ahead.turnings[order].latch
-    times, turns, turned = ahead.half_steps(order)
+    times, turns = ahead.half_steps(order)
     rotors = np.empty((6, len(times)), dtype=np.int64)
-    rotors[:] = np.array(arm.rotors)[:, None]
-    for other, by in zip(ahead.turnings, turned, strict=True):
-        rotors[other.latch] += by
+    if arm.motor_kinds[latch] in BY_THEMSELVES:
+        rotors[latch] = np.cumsum(turns) - turns + arm.rotors[latch]
+    else:
+        rotors[:] = np.array(arm.rotors)[:, None]
+        for other, by in zip(ahead.turnings, ahead.before_each(order), strict=True):
+            rotors[other.latch] += by
     bearing = against(arm, latch, turns, rotors)
     return greatest(arm, latch, times, np.abs(turns), bearing)
 
@@ -114,15 +117,20 @@ def against(
         arm: the arm, nothing but its own weight and load bearing on it.
         latch: of the motor.
         turns: half-steps by which its field is turned, signed.
-        before: positions of all rotors before each of them, 6 x half-steps.
+        before: positions of all rotors before each of them, 6 x half-steps; of no others than its
+            own for a motor that bears its load by itself.
     """
     drive = arm.model.drives[latch]
     if drive.turns is HAND:
         squeeze = np.maximum(0, arm.grip.contact - arm.drive.cable(before))
         pressed: npt.NDArray[np.float64] = 16 * (squeeze / arm.model.hand.pound_steps)
         return np.where(turns < 0, pressed, 0.0)
-    driven = arm.drive.driven(before)
-    torque = arm.strength.weight(drive.turns, driven, arm.world.burdens(), cosines)
+    burdens = arm.world.burdens()
+    if drive.turns in BY_THEMSELVES:
+        lifted = arm.drive.lifted(drive.turns, before)
+        torque = arm.strength.level(drive.turns, burdens) * cosines(lifted)
+    else:
+        torque = arm.strength.weight(drive.turns, arm.drive.driven(before), burdens, cosines)
     if drive.turns is not BASE:
         torque = np.where(turns * drive.sign > 0, torque, -torque)
     return np.where(turns == 0, 0.0, np.maximum(0.0, torque))

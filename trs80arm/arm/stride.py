@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING
 from trs80arm.arm.ahead import Ahead, look_ahead
 from trs80arm.arm.bearing import period_at
 from trs80arm.arm.contact.clock import TICK_STATES
-from trs80arm.arm.forces import nearest_and_farthest
-from trs80arm.arm.model import ELBOW, HAND, LEFT_WRIST, SHOULDER
+from trs80arm.arm.forces import BY_THEMSELVES, nearest_and_farthest
+from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER
 from trs80arm.arm.motors import RING, ROWS
 from trs80arm.arm.peaks import note_stride
 from trs80arm.pulses import NOTHING, Burst
@@ -27,9 +27,6 @@ if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
 
 Span = tuple[float, float]
-
-_BY_THEMSELVES = (SHOULDER, ELBOW)
-"""What bears its load at its own angle, wherever the others are."""
 
 
 def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst | None:
@@ -105,6 +102,8 @@ def _load_stays(arm: MiniMover, ahead: Ahead, pitched: tuple[int, int]) -> bool:
     if not (world.burdens() and low <= now + least and now + most <= high):
         return False
     rolled = ahead.together(arm.model.gears(-1))
+    if not any(pitched) and not any(rolled):
+        return True
     per_radian = 2 * arm.model.drives[arm.model.latch(LEFT_WRIST)].steps
     *_, left, right = arm.drive.driven(arm.rotors)
     level = abs(math.cos((left + right) / 2))
@@ -177,18 +176,17 @@ def _in_time(
 def _arrive(arm: MiniMover, ahead: Ahead) -> None:
     """Leave the arm as the burst leaves it."""
     turnings = ahead.turnings
-    here, there = list(arm.rotors), list(arm.rotors)
+    here, there, loaded = list(arm.rotors), list(arm.rotors), bool(arm.world.burdens())
     for turning in turnings:
         there[turning.latch] += turning.net
     for order, turning in enumerate(turnings):
         # Where every rotor stood just before the last step of this one, whose time hangs on it.
-        if arm.motor_kinds[turning.latch] in _BY_THEMSELVES:
-            stood = list(there)
+        stood, kind = list(there), arm.motor_kinds[turning.latch]
+        if kind in BY_THEMSELVES:
             stood[turning.latch] -= turning.turn
-        else:
-            stood = list(here)
+        elif turning.turn < 0 if kind is HAND else loaded or kind is not BASE:
             for each, turned in zip(turnings, ahead.turned_at_last(order), strict=True):
-                stood[each.latch] += turned
+                stood[each.latch] = here[each.latch] + turned
         motor = arm.motors[turning.latch]
         steps = turning.steps
         motor.asked(ahead.moments(order, max(0, steps - RING - 1), steps), turning.turn)

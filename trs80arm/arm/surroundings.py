@@ -56,19 +56,20 @@ Near = tuple[int, Placed | None]
 that stands, or the table where it is None."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class _Mine:
     """What follows from the shape of the arm and of its load.
 
     Attributes:
         load: what is carried, and where in the hand.
-        levers: inches that anything goes for a unit of each coordinate, at most.
         extents: the boxes that it is made of.
+        levers: inches that anything goes for a unit of each coordinate, at most; None as long as
+            nobody has asked.
     """
 
     load: list[object]
-    levers: tuple[float, ...]
     extents: Extents
+    levers: tuple[float, ...] | None = None
 
 
 class Surroundings:
@@ -77,19 +78,30 @@ class Surroundings:
     def __init__(self, bench: Bench, linkage: ArmLinkage) -> None:
         self._bench = bench
         self._linkage = linkage
+        self._empty: _Mine | None = None
         self._mine: _Mine | None = None
 
     def __getstate__(self) -> dict[str, object]:
-        return {**self.__dict__, "_mine": None}
+        return {**self.__dict__, "_empty": None, "_mine": None}
 
     def _arm(self) -> _Mine:
         """The arm with what it carries now."""
         carried = self._bench.scene.carried
+        known = self._mine if carried else self._empty
         load: list[object] = [(load.name, load.carried) for load in carried]
-        if self._mine is None or self._mine.load != load:
-            extents = Extents(self._linkage.model, self._linkage.names, carried)
-            self._mine = _Mine(load, self._longest_levers(), extents)
-        return self._mine
+        if known is None or known.load != load:
+            known = _Mine(load, Extents(self._linkage.model, self._linkage.names, carried))
+            if carried:
+                self._mine = known
+            else:
+                self._empty = known
+        return known
+
+    def _levers(self) -> tuple[float, ...]:
+        mine = self._arm()
+        if mine.levers is None:
+            mine.levers = self._longest_levers()
+        return mine.levers
 
     def _longest_levers(self) -> tuple[float, ...]:
         model = self._linkage.model
@@ -114,7 +126,7 @@ class Surroundings:
 
     def travel(self, before: Sequence[float], after: Sequence[float]) -> tuple[float, float]:
         """Inches that any point of arm and load goes at most between two places, and goes down."""
-        a, b, c, d, e, f = self._arm().levers
+        a, b, c, d, e, f = self._levers()
         down = (
             b * abs(after[1] - before[1])
             + c * abs(after[2] - before[2])
@@ -127,7 +139,7 @@ class Surroundings:
     def travels(self, before: Sequence[float], joints: Floats) -> Floats:
         """`travel` from one place to many, 6 x places."""
         gone = np.abs(joints - np.array(before)[:, None])
-        ways: Floats = (np.array(self._arm().levers)[:, None] * gone).sum(axis=0)
+        ways: Floats = (np.array(self._levers())[:, None] * gone).sum(axis=0)
         return ways
 
     def extent(self, opening: float) -> tuple[float, float]:

@@ -144,7 +144,7 @@ class World:
             self._ticked[:] = self._rotors
             self._let_alone()
             self._busy = self._strained and not self.gripped
-            if self._feeding.vacant and not self._feeding.room(self.wanted):
+            if self._feeding.vacant and self._feeding.may_give(self.wanted):
                 self.show()
                 self._feed()
             return
@@ -201,7 +201,7 @@ class World:
             return True
         return carrying.openings[0] <= commands[-1] <= carrying.openings[1] and (
             self._rotors[3:5] == self._ticked[3:5]
-            or carrying.upright_in(self.linkage.links(commands)[self.linkage.hand])
+            or carrying.upright_in(self.linkage.hand_at(commands))
         )
 
     def tilt(self) -> float:
@@ -209,8 +209,7 @@ class World:
         scene = self.bench.scene
         if not scene.carried:
             return math.inf
-        links = self.linkage.links(self.wanted)
-        return scene.carrying.tilt_left(links[self.linkage.hand])
+        return scene.carrying.tilt_left(self.linkage.hand_at(self.wanted))
 
     def held_cables(self) -> tuple[float, float]:
         """Least and most cable of the hand's, half-steps, at which a load stays as it is."""
@@ -514,4 +513,4 @@ class World:
             return
         if self._feeding.give(self.wanted):
             self._outlook.forget()
-        self._changed()
+            self._changed()
