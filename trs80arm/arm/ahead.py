@@ -6,12 +6,13 @@ half-steps count: where a write is anything else, nothing is known ahead.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
+from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.forces import NEVER
 from trs80arm.arm.model import Signs
 from trs80arm.arm.motors import PHASES, RING, ROWS, StepperMotor
@@ -66,7 +67,7 @@ class Ahead(Protocol):
         """T-state of the last write."""
 
     @property
-    def repeats(self) -> Hashable:
+    def repeats(self) -> bytes | None:
         """What is the same in bursts that do the same, whenever they begin; None if not known."""
 
     def together(self, signs: Signs, *, instants: bool = False) -> tuple[int, int]:
@@ -75,6 +76,14 @@ class Ahead(Protocol):
         Args:
             signs: of the sum.
             instants: whether only what holds when all writes of one time are done counts.
+        """
+
+    def is_all(self, since: int, until: int) -> bool:
+        """Whether what comes between two T-states is as good as all of it: its bounds are the same.
+
+        Args:
+            since: T-state.
+            until: T-state.
         """
 
     def together_between(self, signs: Signs, since: int, until: int) -> tuple[int, int]:
@@ -164,15 +173,30 @@ class PulsesAhead:
         self._last = max(self._lasts)
         self.ends = pulses.time(self._last)
         self._sums: dict[tuple[Signs, bool], tuple[int, int]] = {}
+        self._repeats: bytes | None = None
         self.turnings = [
             self._turning(train, last) for train, last in zip(trains, self._lasts, strict=True)
         ]
 
     @property
-    def repeats(self) -> Hashable:
+    def repeats(self) -> bytes | None:
         """As in `Ahead`."""
-        pulses = self._pulses
-        return pulses.over, pulses.under, tuple(self._trains)
+        if self._repeats is None:
+            pulses, trains = self._pulses, self._trains
+            numbers = [
+                (
+                    each.motor,
+                    each.direction,
+                    each.begin,
+                    each.end,
+                    each.phase,
+                    each.over,
+                    each.under,
+                )
+                for each in trains
+            ]
+            self._repeats = question(pulses.over, pulses.under, numbers)
+        return self._repeats
 
     @classmethod
     def of(cls, motors: Sequence[StepperMotor], pulses: Pulses) -> PulsesAhead | None:
@@ -225,7 +249,7 @@ class PulsesAhead:
 
     def together_between(self, signs: Signs, since: int, until: int) -> tuple[int, int]:
         """As in `Ahead`."""
-        if self._is_all(since, until):
+        if self.is_all(since, until):
             return self.together(signs)
         first, last = self._pulses.first_tick_from(since), self._pulses.first_tick_from(until)
         return self._course(signs, first, last)
@@ -253,13 +277,13 @@ class PulsesAhead:
 
     def between(self, since: int, until: int) -> list[tuple[int, int]]:
         """As in `Ahead`."""
-        if self._is_all(since, until):
+        if self.is_all(since, until):
             return [(turning.low, turning.high) for turning in self.turnings]
         ends = zip(self.turned_before(since), self.turned_before(until), strict=True)
         return [(one, other) if one < other else (other, one) for one, other in ends]
 
-    def _is_all(self, since: int, until: int) -> bool:
-        """Whether that is nearly all of the burst, and its bounds need not be narrower."""
+    def is_all(self, since: int, until: int) -> bool:
+        """As in `Ahead`: its bounds need not be narrower."""
         return 4 * (until - since) >= 3 * (self.ends - min([each.first for each in self.turnings]))
 
     def turned(self, times: Array) -> list[Array]:
@@ -335,7 +359,7 @@ class ColumnsAhead:
         self.ends = int(times[-1])
 
     @property
-    def repeats(self) -> Hashable:
+    def repeats(self) -> bytes | None:
         """As in `Ahead`."""
         return None
 
@@ -380,6 +404,10 @@ class ColumnsAhead:
         if instants:
             path = path[np.append(times[1:] != times[:-1], True)]
         return min(0, int(path.min())), max(0, int(path.max()))
+
+    def is_all(self, since: int, until: int) -> bool:
+        """As in `Ahead`."""
+        return False
 
     def together_between(self, signs: Signs, since: int, until: int) -> tuple[int, int]:
         """As in `Ahead`."""

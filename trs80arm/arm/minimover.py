@@ -7,7 +7,7 @@ what the arm was told and where it is are two things.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from trs80arm.arm.bearing import borne, loads, pushes, pushing, resistance, weighing
@@ -15,6 +15,7 @@ from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.arm.body import Body
 from trs80arm.arm.by_hand import STRONGEST, cable_for, placed, refill, turned
 from trs80arm.arm.cell.inputs import Answer
+from trs80arm.arm.contact.recurrence import Recurrence
 from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.events import ArmEvent, EventKind, Happening, Reason
 from trs80arm.arm.following import follow_burst
@@ -25,6 +26,7 @@ from trs80arm.arm.limits import beyond_stop, steps_to_stops
 from trs80arm.arm.loads import Loads, per_cent
 from trs80arm.arm.model import BASE, HAND, Motor, Pose
 from trs80arm.arm.motors import RING, ROWS, StepperMotor
+from trs80arm.arm.passage import Passage
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.state import ArmState, six
 from trs80arm.arm.world import World
@@ -35,7 +37,14 @@ __all__ = ["MiniMover", "OutOfReach", "Pose"]
 GIVEN_WAY = 4
 """Half-steps by which a motor without current is turned in a tick, at most."""
 
+KNOWN = 1024
+"""Bursts, and motors' parts in them, that are remembered."""
+
 AUXILIARY = 6
+
+
+def _unknown() -> dict[str, Any]:
+    return {"known_uses": Recurrence(KNOWN), "known_passages": Recurrence(KNOWN)}
 
 
 class MiniMover:
@@ -53,6 +62,7 @@ class MiniMover:
         peaks: the greatest share of what each motor has that any half-step took
             since `forget_peaks`, whole per cent, rounded up.
         known_uses: what was worked out of motors' parts in strides lately.
+        known_passages: what was found of bursts lately, whenever they began.
     """
 
     def __init__(self, settings: ArmSettings | None = None, bench: Bench | None = None) -> None:
@@ -75,7 +85,7 @@ class MiniMover:
         # What is on the bench is seen before the world is: all of it has to be where it is.
         self._world.show()
         # The distance to the stops is found anew; how it was counted hangs on how a run is cut.
-        return {**self.__dict__, "_stops_off": 0, "_heaviest": None, "known_uses": {}}
+        return {**self.__dict__, "_stops_off": 0, "_heaviest": None, **_unknown()}
 
     def prepare(self, bench: Bench) -> World:
         """A bench laid out for this arm, everything on it at rest; the arm is not at it yet.
@@ -112,7 +122,8 @@ class MiniMover:
         self._world, self.bench, self.drive = world, world.bench, world.drive
         self._rotors = [0] * 6
         self._stops_off = 0
-        self.known_uses: dict[Hashable, int] = {}
+        self.known_uses: Recurrence[int] = Recurrence(KNOWN)
+        self.known_passages: Recurrence[Passage] = Recurrence(KNOWN)
 
     def refill(self) -> None:
         """Put every part of the bench back to where it was at the start.

@@ -15,6 +15,7 @@ import numpy.typing as npt
 from trs80arm.arm.ahead import Ahead
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.contact.clock import TICK_STATES
+from trs80arm.arm.contact.recurrence import Recurrence, question
 from trs80arm.arm.feeding import Feeding
 from trs80arm.arm.geometry import CableDrive
 from trs80arm.arm.grip import Grip
@@ -24,6 +25,8 @@ from trs80arm.arm.sweep import Ranges
 
 ABOUT = 0.05
 """Radians, and inches of the opening, about a place in which room is looked for at once."""
+KNOWN = 256
+"""Bursts of which it is known between what they leave the joints."""
 SWEPT = 4
 """Motions whose room is remembered while nothing else moves."""
 CLOSELY = 8
@@ -69,10 +72,12 @@ class Outlook:
         self._about: tuple[Ranges, list[Near]] | None = None
         self._swept: list[Ranges] = []
         self._easing: list[list[float]] = []
+        self._known: Recurrence[Ranges] = Recurrence(KNOWN)
 
     def __getstate__(self) -> dict[str, Any]:
         # How far things are is found anew; when it was looked at hangs on how a run is cut.
-        return {**self.__dict__, "_looked": None, "_about": None, "_swept": [], "_easing": []}
+        again: dict[str, Any] = {"_looked": None, "_about": None, "_swept": [], "_easing": []}
+        return {**self.__dict__, **again, "_known": Recurrence(KNOWN)}
 
     # Room somewhere
 
@@ -205,6 +210,16 @@ class Outlook:
 
     def _ranges(self, here: Standing, ahead: Ahead, since: int, until: int) -> Ranges:
         """Between what the joints are from one T-state to another, nothing in their way."""
+        repeats = ahead.repeats
+        if repeats is None or not ahead.is_all(since, until):
+            return self._found_ranges(here, ahead, since, until)
+        asked = question(repeats, here.rotors, here.loaded and self._bench.scene.joints[5])
+        known = self._known.get(asked)
+        if known is None:
+            known = self._known.keep(asked, self._found_ranges(here, ahead, since, until))
+        return known
+
+    def _found_ranges(self, here: Standing, ahead: Ahead, since: int, until: int) -> Ranges:
         model, drive, rotors = self._model, self._drive, here.rotors
         low, high = list(rotors), list(rotors)
         for turning, (least, most) in zip(ahead.turnings, ahead.between(since, until), strict=True):

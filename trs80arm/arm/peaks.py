@@ -7,7 +7,6 @@ that a peak is the same however a motion is cut.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from itertools import starmap
 from typing import TYPE_CHECKING, Any
 
@@ -15,48 +14,45 @@ import numpy as np
 import numpy.typing as npt
 
 from trs80arm.arm.ahead import Ahead
-from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
+from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.forces import BY_THEMSELVES, Vector, cosines, nearest_and_farthest
 from trs80arm.arm.loads import per_cent
 from trs80arm.arm.model import BASE, HAND
 from trs80arm.arm.motors import RING
+from trs80arm.arm.passage import PER_RING, Passage
 
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
 
 Array = npt.NDArray[np.int64]
 
-_KNOWN = 1024
-"""How many motors' parts in strides are remembered."""
-_PER_RING = RING * T_STATES_PER_SECOND
-"""Half-steps per second that a ring of them makes in one T-state."""
-
 
 def note_stride(
     arm: MiniMover,
     ahead: Ahead,
-    torques: Mapping[int, float],
-    spans: Sequence[tuple[float, float]],
+    passage: Passage,
 ) -> None:
     """Keep the greatest use of each motor in a stride that is about to be done.
 
     Args:
         arm: the arm.
         ahead: the stride.
-        torques: by latch, the most that motors turn against, at most.
-        spans: angles to which upper arm, forearm and hand come to the horizontal, at most.
+        passage: of it, or of a burst of which it is the beginning.
     """
-    margin = arm.settings.speed_margin
+    margin, torques = arm.settings.speed_margin, passage.torques
+    assert torques is not None
     level: Vector | None = None
     for order, turning in enumerate(ahead.turnings):
         latch = turning.latch
         kind, motor, peak = arm.motor_kinds[latch], arm.motors[latch], arm.peaks[latch]
+        gap, steps, pulses = turning.gap, turning.steps, motor.pulses
+        if passage.shares[latch] <= peak and turning.first - pulses[-1] >= RING * gap:
+            continue
         curve, torque = arm.strength.curves[kind], torques[latch]
         # Rings of pulses that begin before the stride, and those that do not.
-        gap, steps, pulses = turning.gap, turning.steps, motor.pulses
         begin = [turning.first + k * gap - pulses[k + 1] for k in range(min(RING, steps))]
         span = max(1, min(RING * gap, *begin))
-        if 100 * curve.used(torque, _PER_RING / span / margin) <= peak:
+        if 100 * curve.used(torque, PER_RING / span / margin) <= peak:
             continue
         first = zip(ahead.moments(order, 0, RING), pulses[1:], strict=False)
         span = max(1, min(ahead.closest(order), *(now - before for now, before in first)))
@@ -64,10 +60,12 @@ def note_stride(
             torque = 0.0 if turning.way > 0 else torque
         else:
             if level is None:
-                upper, fore, hand = (max(a, -b) for a, b in starmap(nearest_and_farthest, spans))
+                upper, fore, hand = (
+                    max(a, -b) for a, b in starmap(nearest_and_farthest, passage.tilted)
+                )
                 level = upper, fore, hand
             torque = min(torque, arm.strength.most(kind, arm.world.burdens(), level))
-        if per_cent(curve.used(torque, _PER_RING / span / margin)) <= peak:
+        if per_cent(curve.used(torque, PER_RING / span / margin)) <= peak:
             continue
         arm.note_use(latch, _known(arm, ahead, order))
 
@@ -79,12 +77,10 @@ def _known(arm: MiniMover, ahead: Ahead, order: int) -> int:
         return _worked_out(arm, ahead, order)
     motor = arm.motors[turning.latch]
     since = tuple([turning.first - pulse for pulse in motor.pulses])
-    key = (turning.latch, repeats, arm.rotors, since, arm.world.burdens(), arm.grip.contact)
-    used = arm.known_uses.get(key)
+    asked = question(turning.latch, repeats, arm.rotors, since, *arm.world.bearing)
+    used = arm.known_uses.get(asked)
     if used is None:
-        if len(arm.known_uses) >= _KNOWN:
-            arm.known_uses.clear()
-        used = arm.known_uses[key] = _worked_out(arm, ahead, order)
+        used = arm.known_uses.keep(asked, _worked_out(arm, ahead, order))
     return used
 
 
@@ -156,7 +152,7 @@ def greatest(
     pulses = np.concatenate((before, np.repeat(times, asked)))
     place = np.cumsum(asked)
     span = np.maximum(1, pulses[place + RING] - pulses[place])
-    rate = _PER_RING / span / arm.settings.speed_margin
+    rate = PER_RING / span / arm.settings.speed_margin
     curve = arm.strength.curves[arm.model.drives[latch].turns]
     shares = curve.uses(torque, rate)[asked > 0]
     return per_cent(float(shares.max())) if len(shares) else 0

@@ -8,17 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.contact.bodies import Fixed
 from trs80arm.arm.contact.distance import boxes_apart, distance, separation
 from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.recurrence import Recurrence, question
 from trs80arm.arm.contact.rotations import apply
 from trs80arm.arm.course import Course, Floats, beyond, in_a_row
 from trs80arm.arm.linkage import FINGERS, ArmLinkage
 from trs80arm.arm.model import Link, Motor
-from trs80arm.arm.shapes import length, plus
+from trs80arm.arm.shapes import Vector, length, plus
 from trs80arm.arm.sweep import Extents, Ranges, Sweep
 
 FAR = 100.0
@@ -29,6 +32,10 @@ HAIR = 1e-9
 """Inches below the table that are not below it."""
 SPARE = 1e-6
 """Inches by which bounds are taken too narrow."""
+GAP = NEAR + SPARE
+"""Inches from which on something is surely not looked at."""
+SWEPT = 256
+"""Motions known of which it was found what they sweep over."""
 AXES = 6
 """Ways along which two solids are seen apart in turn, at most."""
 
@@ -56,6 +63,20 @@ Near = tuple[int, Placed | None]
 that stands, or the table where it is None."""
 
 
+class Swept(NamedTuple):
+    """What a motion of the arm sweeps over, known until something stands elsewhere.
+
+    Attributes:
+        sweep: itself.
+        around: an upright box about it.
+        near: what of what stands fast it comes near to, and the table.
+    """
+
+    sweep: Sweep
+    around: tuple[Vector, Vector]
+    near: Sequence[Near]
+
+
 @dataclass(slots=True)
 class _Mine:
     """What follows from the shape of the arm and of its load.
@@ -80,9 +101,17 @@ class Surroundings:
         self._linkage = linkage
         self._empty: _Mine | None = None
         self._mine: _Mine | None = None
+        self._swept: Recurrence[Swept] = Recurrence(SWEPT)
+        self._stands: list[Fixed] = []
 
     def __getstate__(self) -> dict[str, object]:
-        return {**self.__dict__, "_empty": None, "_mine": None}
+        again: dict[str, object] = {
+            "_empty": None,
+            "_mine": None,
+            "_swept": Recurrence(SWEPT),
+            "_stands": [],
+        }
+        return {**self.__dict__, **again}
 
     def _arm(self) -> _Mine:
         """The arm with what it carries now."""
@@ -207,18 +236,29 @@ class Surroundings:
         Args:
             ranges: between which its joints stay.
         """
-        scene = self._bench.scene
-        sweep = Sweep(self._arm().extents, ranges)
-        gap = NEAR + SPARE
-        found: list[Near] = [(piece, None) for piece in sweep.pieces_below(-HAIR / 2)]
-        for thing in scene.fixed.values():
-            for solid in thing.placed:
-                pieces = sweep.pieces_near(solid, thing.passes, gap)
-                found += [(piece, solid) for piece in pieces]
-        for body in scene.sleepers(*sweep.around(gap)):
+        swept = self._sweep(ranges)
+        found = list(swept.near)
+        for body in self._bench.scene.sleepers(*swept.around):
             for solid in body.placed:
-                found += [(piece, solid) for piece in sweep.pieces_near(solid, (), gap)]
+                found += [(piece, solid) for piece in swept.sweep.pieces_near(solid, (), GAP)]
         return found
+
+    def _sweep(self, ranges: Ranges) -> Swept:
+        """What is swept over, and what of what stands fast is near it."""
+        extents, stands = self._arm().extents, list(self._bench.scene.fixed.values())
+        if stands != self._stands:
+            self._swept, self._stands = Recurrence(SWEPT), stands
+        asked = question(ranges.numbers, extents.key)
+        known = self._swept.get(asked)
+        if known is not None:
+            return known
+        sweep = Sweep(extents, ranges)
+        found: list[Near] = [(piece, None) for piece in sweep.pieces_below(-HAIR / 2)]
+        for thing in stands:
+            for solid in thing.placed:
+                pieces = sweep.pieces_near(solid, thing.passes, GAP)
+                found += [(piece, solid) for piece in pieces]
+        return self._swept.keep(asked, Swept(sweep, sweep.around(GAP), found))
 
     def places_clear(self, joints: Floats, near: Sequence[Near]) -> int:
         """At how many of some places in a row the arm has room, with what it carries.
@@ -255,7 +295,7 @@ def _clear_of(corners: Floats, other: Placed) -> int:
     gaps = np.maximum(low - np.array(other.high)[:, None], np.array(other.low)[:, None] - high).max(
         axis=0
     )
-    clear = gaps >= NEAR + SPARE
+    clear = gaps >= GAP
     count = in_a_row(clear)
     for _ in range(AXES):
         if count == len(clear):
@@ -264,7 +304,7 @@ def _clear_of(corners: Floats, other: Placed) -> int:
         out, way = separation(here, other.vertices)
         if out < NEAR:
             break
-        clear[count:] |= beyond(corners[:, count:], other.vertices, way) >= NEAR + SPARE
+        clear[count:] |= beyond(corners[:, count:], other.vertices, way) >= GAP
         if not clear[count]:
             break
         count = in_a_row(clear)

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from trs80arm.arm.contact.bodies import Body
 from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.contact.rotations import apply
 from trs80arm.arm.linkage import FINGERS
 from trs80arm.arm.model import ArmModel, Link
@@ -70,6 +71,11 @@ class Ranges:
             and self.opening[0] <= opening <= self.opening[1]
         )
 
+    @property
+    def numbers(self) -> tuple[Span, ...]:
+        """All of them."""
+        return self.base, self.shoulder, self.elbow, self.pitch, self.roll, self.opening
+
     @classmethod
     def about(cls, joints: Sequence[float], by: float) -> Ranges:
         """One place, and what is about it.
@@ -119,6 +125,7 @@ class Extents:
     Attributes:
         model: of the arm.
         pieces: the boxes; one for each of the arm's solids, and one for each load.
+        key: the same for the same boxes of a load.
     """
 
     def __init__(self, model: ArmModel, names: Sequence[str], loads: Sequence[Body]) -> None:
@@ -129,7 +136,9 @@ class Extents:
             if solid.link in FINGERS:
                 x += model.hand_length
             self.pieces.append((name, solid.link, x - a, x + a, y - b, y + b, z - c, z + c))
-        self.pieces += [("", Link.HAND, *_around_load(load)) for load in loads]
+        boxes = [_around_load(load) for load in loads]
+        self.pieces += [("", Link.HAND, *box) for box in boxes]
+        self.key = question(boxes)
 
 
 def _around_load(load: Body) -> tuple[float, float, float, float, float, float]:

@@ -376,6 +376,15 @@ class World:
         return self._grasp.burdens
 
     @property
+    def bearing(self) -> tuple[Sequence[tuple[float, Vector]], int]:
+        """All on which it depends what motors bear in free motion, beside where they stand.
+
+        That is burdens with their places, and the cable at which the fingers have met something.
+        """
+        burdens = [(burden.weight, burden.place) for burden in self._grasp.burdens]
+        return burdens, self.grip.contact
+
+    @property
     def hold(self) -> tuple[float, float]:
         """Ounces of all on which both fingers press, and the coefficient of its friction."""
         return self._grasp.hold

@@ -1,0 +1,183 @@
+"""What a burst asks of an arm that stands somewhere, whenever it begins: bounds on all of its way.
+
+A program that goes round asks the same of the arm over and over, so that is found once for each
+burst, place and load, and remembered.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from trs80arm.arm.ahead import Ahead
+from trs80arm.arm.bearing import period_at
+from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
+from trs80arm.arm.contact.recurrence import question
+from trs80arm.arm.forces import BY_THEMSELVES, nearest_and_farthest
+from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER
+from trs80arm.arm.motors import RING
+
+if TYPE_CHECKING:
+    from trs80arm.arm.minimover import MiniMover
+
+PER_RING = RING * T_STATES_PER_SECOND
+"""Half-steps per second that a ring of them makes in one T-state."""
+
+Span = tuple[float, float]
+
+
+@dataclass(slots=True)
+class Passage:
+    """What a burst asks of an arm.
+
+    Attributes:
+        pitched: the least and the greatest sum of half-steps by which the hand is pitched.
+        tilted: angles to which upper arm, forearm and hand come to the horizontal, at most.
+        torques: by latch, the most that motors turn against, at most; None where it is not sure
+            that they keep up, that no joint comes to its end, and that the hand neither opens
+            nor closes as far as it can.
+        shares: by latch, the greatest share of what it has that any ring of a motor's half-steps
+            takes, at most, as long as none before belongs to it; per cent.
+        periods: T-states that each turning motor needs for its last half-step; None as long as
+            nobody has asked.
+    """
+
+    pitched: tuple[int, int]
+    tilted: tuple[Span, Span, Span]
+    torques: Mapping[int, float] | None
+    shares: Mapping[int, float]
+    periods: list[int] | None = None
+
+
+def known_passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) -> Passage:
+    """The passage of a burst, remembered where it is one of trains.
+
+    Args:
+        arm: the arm, every motor of it settled.
+        ahead: the burst.
+        stop: as for `MiniMover.follow`, the grip switch only.
+    """
+    repeats = ahead.repeats
+    if repeats is None:
+        return _passage(arm, ahead, stop)
+    halt = None if stop is None else (*stop,)
+    asked = question(repeats, arm.rotors, halt, *arm.world.bearing)
+    known = arm.known_passages.get(asked)
+    if known is None:
+        known = arm.known_passages.keep(asked, _passage(arm, ahead, stop))
+    return known
+
+
+def _passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) -> Passage:
+    """The same, found anew."""
+    low, high = list(arm.rotors), list(arm.rotors)
+    for turning in ahead.turnings:
+        low[turning.latch] += turning.low
+        high[turning.latch] += turning.high
+    paid = ahead.together(arm.model.pays_out)
+    pitched = ahead.together(arm.model.gears(1))
+    spans = _spans(arm, low, high)
+    torques, shares = None, {}
+    if _hand_stays(arm, paid, stop) and _within_stops(arm, spans, pitched):
+        torques = _torques(arm, ahead, spans, paid[0])
+    if torques is not None:
+        margin = arm.settings.speed_margin
+        for turning in ahead.turnings:
+            curve = arm.strength.curves[arm.motor_kinds[turning.latch]]
+            rate = PER_RING / max(1, RING * turning.gap) / margin
+            shares[turning.latch] = 100 * curve.used(torques[turning.latch], rate)
+    return Passage(pitched, (spans[1], spans[2], _pitches(arm, pitched)), torques, shares)
+
+
+def last_periods(arm: MiniMover, ahead: Ahead) -> list[int]:
+    """T-states that each turning motor needs for its last half-step, wherever all stand then."""
+    turnings = ahead.turnings
+    here, there, loaded = arm.rotors, list(arm.rotors), bool(arm.world.burdens())
+    for turning in turnings:
+        there[turning.latch] += turning.net
+    periods = []
+    for order, turning in enumerate(turnings):
+        # Where every rotor stood just before that step; but a base that carries nothing and a hand
+        # that opens bear nothing anywhere.
+        stood, kind = list(there), arm.motor_kinds[turning.latch]
+        if kind in BY_THEMSELVES:
+            stood[turning.latch] -= turning.turn
+        elif turning.turn < 0 if kind is HAND else loaded or kind is not BASE:
+            for each, turned in zip(turnings, ahead.turned_at_last(order), strict=True):
+                stood[each.latch] = here[each.latch] + turned
+        periods.append(period_at(arm, turning.latch, turning.turn, stood))
+    return periods
+
+
+def _hand_stays(arm: MiniMover, paid: tuple[int, int], stop: tuple[int, int] | None) -> bool:
+    """Whether neither stop nor switch nor grip of the hand can come into play."""
+    model, grip = arm.model, arm.grip
+    now = arm.drive.cable(arm.rotors)
+    least, most = paid
+    hand = model.hand
+    squeeze = max(0, grip.contact - now - least)
+    if squeeze > hand.most_squeeze - 2 or now + most > hand.range * model.hand_steps - 2:
+        return False
+    return stop is None or not (squeeze >= hand.switch_steps or 0b1111 & stop[0] == stop[1])
+
+
+def _spans(arm: MiniMover, low: Sequence[int], high: Sequence[int]) -> tuple[Span, ...]:
+    """The angles that each driven joint comes to, from the least to the greatest, radians."""
+    one, other = arm.drive.driven(low), arm.drive.driven(high)
+    return tuple([(a, b) if a < b else (b, a) for a, b in zip(one, other, strict=True)])
+
+
+def _pitches(arm: MiniMover, pitched: tuple[int, int]) -> Span:
+    """The least and the greatest pitch, radians."""
+    *_, left, right = arm.drive.driven(arm.rotors)
+    here = (left + right) / 2
+    per_radian = 2 * arm.model.drives[arm.model.latch(LEFT_WRIST)].steps
+    return here + pitched[0] / per_radian, here + pitched[1] / per_radian
+
+
+def _within_stops(arm: MiniMover, spans: Sequence[Span], pitched: tuple[int, int]) -> bool:
+    """Whether no joint can come to its end."""
+    limits = arm.model.limits
+    base, shoulder, elbow, left, right = spans
+    lowest, highest = _pitches(arm, pitched)
+    return (
+        max(-base[0], base[1]) < limits.base
+        and shoulder[0] > limits.shoulder[0]
+        and shoulder[1] < limits.shoulder[1]
+        and elbow[0] - shoulder[1] > limits.elbow[0]
+        and elbow[1] - shoulder[0] < limits.elbow[1]
+        and max(highest - elbow[0], elbow[1] - lowest) < limits.pitch
+        and max(-left[0], left[1], -right[0], right[1]) < limits.gear
+    )
+
+
+def _torques(
+    arm: MiniMover, ahead: Ahead, spans: Sequence[Span], least: int
+) -> dict[int, float] | None:
+    """By latch, the torque that motors turn against at most, where all are sure to keep up.
+
+    That is where every rotor is done with each half-step before the next is asked of it, if it is
+    with what came before.
+    """
+    found = {}
+    strength, margin = arm.strength, arm.settings.speed_margin
+    burdens = arm.world.burdens()
+    for turning in ahead.turnings:
+        drive = arm.model.drives[turning.latch]
+        turns = drive.turns
+        if turns is HAND:
+            squeeze = max(0, arm.grip.contact - arm.drive.cable(arm.rotors) - least)
+            against = 16 * (squeeze / arm.model.hand.pound_steps)
+        elif turns is SHOULDER or turns is ELBOW:
+            against = strength.most(turns, burdens)
+            if turning.way:
+                level, steep = nearest_and_farthest(*spans[turns])
+                up = turning.way * drive.sign > 0
+                against = max(0.0, against * (level if up else -steep))
+        else:
+            against = strength.most(turns, burdens)
+        if turning.gap < strength.curves[turns].period(against, margin):
+            return None
+        found[turning.latch] = against
+    return found
