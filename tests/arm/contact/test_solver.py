@@ -10,12 +10,11 @@ from tests.arm.contact.hand import PER_INCH, SlidingHand
 from trs80arm.arm.contact import prospect
 from trs80arm.arm.contact.bodies import Body, Shape
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND, TICK_STATES
-from trs80arm.arm.contact.recurrence import Recurrence
 from trs80arm.arm.contact.rotations import oriented
 from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.sixes import plus, six
 from trs80arm.arm.contact.solids import box
-from trs80arm.arm.contact.solver import Problem, Solution
+from trs80arm.arm.contact.solver import Problem
 from trs80arm.arm.contact.table import Plate
 
 WEIGHT = 4.0
@@ -105,9 +104,9 @@ def test_a_step_of_newtons_method_follows_how_the_momentum_that_is_missing_grows
     problems: list[Problem] = []
 
     class Noted(Problem):
-        def solve(self, known: Recurrence[Solution]) -> int:
+        def solve(self) -> int:
             problems.append(self)
-            return super().solve(known)
+            return super().solve()
 
     monkeypatch.setattr("trs80arm.arm.contact.scene.Problem", Noted)
     hand = Hand(8.0, 0.0, 0.3, 0.2, 0.1, 1.3)
@@ -142,9 +141,9 @@ def test_what_has_turned_with_the_hand_is_found_pressed_where_it_was(
     begun: list[dict[str, list[float]]] = []
 
     class Noted(Problem):
-        def solve(self, known: Recurrence[Solution]) -> int:
+        def solve(self) -> int:
             begun.append({each.key[0]: list(each.pressures) for each in self.contacts})
-            return super().solve(known)
+            return super().solve()
 
     monkeypatch.setattr("trs80arm.arm.contact.scene.Problem", Noted)
     hand = Hand(8.0, 0.0, 0.3, 0.0, 0.0, 1.1)

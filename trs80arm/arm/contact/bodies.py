@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, fields
 from typing import Any, Protocol
 
 from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.contact.rotations import (
     IDENTITY,
     STRAIGHT,
@@ -117,11 +118,12 @@ class Body:
     _asleep: bool = False
     _carried: tuple[Vector, Matrix] | None = None
     _solids: list[Placed] | None = field(default=None, repr=False, compare=False)
+    _form: bytes | None = field(default=None, init=False, repr=False, compare=False)
     _watcher: Watcher | None = field(default=None, init=False, repr=False, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
         # Where its corners are follows from its place; who watches it, the scene knows.
-        gone = {"_solids": None, "_watcher": None}
+        gone = {"_solids": None, "_form": None, "_watcher": None}
         return {each.name: getattr(self, each.name) for each in fields(self)} | gone
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -147,6 +149,17 @@ class Body:
     def carried(self, carried: tuple[Vector, Matrix] | None) -> None:
         self._carried = carried
         self._tell()
+
+    @property
+    def form(self) -> bytes:
+        """Its shape: of two with the same it is the same to the last bit."""
+        if self._form is None:
+            shape = self.shape
+            self._form = question(
+                [(solid.form, shape.mass) for solid in shape.solids],
+                *(shape.inertia, shape.ease, shape.radius),
+            )
+        return self._form
 
     def watch(self, watcher: Watcher | None) -> None:
         """Tell somebody from now on when it wakes, falls asleep, or is put elsewhere asleep."""
@@ -201,13 +214,23 @@ class Fixed:
     carries: Vector = NOWHERE
     passes: tuple[str, ...] = ()
     _solids: list[Placed] | None = field(default=None, repr=False, compare=False)
+    _form: bytes | None = field(default=None, init=False, repr=False, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {each.name: getattr(self, each.name) for each in fields(self)} | {"_solids": None}
+        gone = {"_solids": None, "_form": None}
+        return {each.name: getattr(self, each.name) for each in fields(self)} | gone
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         for name, value in state.items():
             setattr(self, name, value)
+
+    @property
+    def form(self) -> bytes:
+        """All that it is, but for what its upper side carries, to the last bit."""
+        if self._form is None:
+            solids = [solid.form for solid in self.solids]
+            self._form = question(self.name, solids, self.friction, self.passes)
+        return self._form
 
     def surface(self, normal: Vector) -> Vector:
         """Velocity of its surface where that faces along a normal, inches a second."""

@@ -51,6 +51,16 @@ class Carrying:
         self._down: Vector = _DOWN
         self._standing: list[float] = [0.0] * 5
 
+    @property
+    def found(self) -> tuple[tuple[float, float], bool, Vector, Sequence[float]]:
+        """All that is known of how the hand holds, but for the names of what it grips."""
+        return self.openings, self.flat, self._down, tuple(self._standing)
+
+    @found.setter
+    def found(self, found: tuple[tuple[float, float], bool, Vector, Sequence[float]]) -> None:
+        self.openings, self.flat, self._down, standing = found
+        self._standing = list(standing)
+
     def hold(self, arm: DrivenArm, contacts: Sequence[Contact], names: Sequence[str]) -> None:
         """Take note of how the fingers hold something.
 

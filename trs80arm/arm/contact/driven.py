@@ -284,6 +284,13 @@ class DrivenArm:
         a, b, c, d, e, f = (abs(rate) for rate in rates)
         return [u * a + v * b + w * c + x * d + y * e + z * f for u, v, w, x, y, z in self.reaches]
 
+    def repeat(
+        self, joints: Sequence[float], torques: Sequence[float], way: Sequence[float]
+    ) -> None:
+        """Be where a tick of the same beginning has led, with the same torques and rates."""
+        self.joints, self.torques, self.way = list(joints), list(torques), list(way)
+        self.place()
+
     def touched(self, mobile: Mobile, contacts: Sequence[Contact]) -> bool:
         """Whether anything presses on it."""
         return any(

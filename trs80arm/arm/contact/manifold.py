@@ -15,13 +15,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from trs80arm.arm.contact.recurrence import Recurrence, question
 from trs80arm.arm.contact.rotations import Matrix
 from trs80arm.arm.contact.solids import Solid
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
-MANIFOLDS = 1024
-"""Pairs of solids of which it is known how they touch."""
 MOST_POINTS = 8
 """Points of an area of contact of which none is left out."""
 _PREFERENCE = 1e-3
@@ -48,7 +45,6 @@ class Placed:
     __slots__ = (
         "_box",
         "_edges",
-        "_key",
         "_levels",
         "_normals",
         "_place",
@@ -73,16 +69,6 @@ class Placed:
         self._levels: list[float] | None = None
         self._edges: list[Vector] | None = None
         self._box: tuple[Vector, Vector] | None = None
-        self._key: bytes | None = None
-
-    @property
-    def key(self) -> bytes:
-        """All that it is: of two with the same everything is the same."""
-        if self._key is None:
-            solid = self.solid
-            form = solid.vertices, solid.faces, solid.normals, solid.edges, solid.middle
-            self._key = question(form, solid.radius, self._place, self._turn)
-        return self._key
 
     @property
     def radius(self) -> float:
@@ -199,23 +185,6 @@ def on_table(solid: Placed, margin: float) -> Manifold | None:
         return None
     points = [((x, y, z / 2), z) for x, y, z in solid.vertices if z <= margin]
     return Manifold((0.0, 0.0, 1.0), _fewer(points, (0.0, 0.0, 1.0)), solid.low[2])
-
-
-class Manifolds:
-    """How solids touch, of those that were lately looked at where they stand."""
-
-    def __init__(self) -> None:
-        self._known: Recurrence[tuple[Manifold | None]] = Recurrence(MANIFOLDS)
-
-    def met(self, first: Placed, second: Placed, margin: float) -> Manifold | None:
-        """How two solids touch, or None if they are farther apart than a margin (inches)."""
-        if not first.near(second, margin):
-            return None
-        asked = question(margin, first.key, second.key)
-        known = self._known.get(asked)
-        if known is None:
-            known = self._known.keep(asked, (between(first, second, margin),))
-        return known[0]
 
 
 def between(a: Placed, b: Placed, margin: float) -> Manifold | None:

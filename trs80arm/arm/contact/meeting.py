@@ -10,10 +10,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed
-from trs80arm.arm.contact.bounds import greatest_speed, spheres_within
+from trs80arm.arm.contact.bounds import greatest_speed, met, spheres_within
 from trs80arm.arm.contact.contacts import SOLIDS, Contact, Key, Mobile, Side, total
 from trs80arm.arm.contact.driven import DrivenArm
-from trs80arm.arm.contact.manifold import Manifold, Manifolds, on_table
+from trs80arm.arm.contact.manifold import Manifold, on_table
 from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.table import TABLE, Plate, surface
@@ -45,7 +45,6 @@ class Meeting:
         arm_mobile: the arm for the solver, or None.
         reach: how far each link may move in this step, inches.
         memory: forces of the step before.
-        manifolds: how solids touch.
         mobiles: what is awake, for the solver; grows by what is woken.
         wake: wakes a body.
         make: makes a body one for the solver.
@@ -61,7 +60,6 @@ class Meeting:
     arm_mobile: Mobile | None
     reach: Sequence[float]
     memory: Memory
-    manifolds: Manifolds
     mobiles: dict[str, Mobile]
     wake: Callable[[str], None]
     make: Callable[[Body], Mobile]
@@ -112,7 +110,7 @@ class Meeting:
                 self._add((TABLE, body.name, i), found, _FAST, side, rough)
             for thing in self.fixed.values():
                 for k, other in enumerate(thing.placed):
-                    found = self.manifolds.met(other, solid, margin)
+                    found = met(other, solid, margin)
                     if found is not None:
                         key = (thing.name, body.name, SOLIDS * k + i)
                         rough = math.sqrt(thing.friction * body.friction)
@@ -120,7 +118,7 @@ class Meeting:
             if self.arm_mobile is None or self.arm.linkage is None:
                 continue
             for k, link in enumerate(self.arm.solids):
-                found = self.manifolds.met(link, solid, margin + self.reach[k])
+                found = met(link, solid, margin + self.reach[k])
                 if found is not None:
                     key = (self.arm.names[k], body.name, i)
                     rough = math.sqrt(self.arm.linkage.frictions[k] * body.friction)
@@ -149,7 +147,7 @@ class Meeting:
         mobiles = self.mobiles
         for i, solid in enumerate(body.placed):
             for k, theirs in enumerate(other.placed):
-                found = self.manifolds.met(theirs, solid, margin)
+                found = met(theirs, solid, margin)
                 if found is None:
                     continue
                 if other.asleep and not body.still and self._comes_upon(body, found):
@@ -186,7 +184,7 @@ class Meeting:
                 if name in thing.passes:
                     continue
                 for i, solid in enumerate(thing.placed):
-                    found = self.manifolds.met(solid, link, margin)
+                    found = met(solid, link, margin)
                     if found is not None:
                         side = Side(mobile, self.arm.links[k].screws)
                         friction = math.sqrt(rough * thing.friction)

@@ -14,19 +14,24 @@ much (impulse a second)."""
 
 
 class Memory:
-    """Forces of contact of the last step, and of what sleeps as it was when it fell asleep."""
+    """Forces of contact of the last step, and of what sleeps as it was when it fell asleep.
+
+    Attributes:
+        last: of the last step.
+        resting: of what sleeps, by its name.
+    """
 
     def __init__(self) -> None:
-        self._pressures: dict[Key, Pressures] = {}
-        self._resting: dict[str, dict[Key, Pressures]] = {}
+        self.last: dict[Key, Pressures] = {}
+        self.resting: dict[str, dict[Key, Pressures]] = {}
 
     def known(self, key: Key) -> Pressures:
         """Where two things pressed in the last step, and with how much."""
-        return self._pressures.get(key, [])
+        return self.last.get(key, [])
 
     def pressed(self, name: str) -> Iterator[tuple[Key, float]]:
         """What pressed on a thing in the last step, sleepers too: impulse a second, all points."""
-        for pressures in (self._pressures, *self._resting.values()):
+        for pressures in (self.last, *self.resting.values()):
             for key, points in pressures.items():
                 if name in key[:2]:
                     yield key, sum(pressure for _, pressure in points)
@@ -49,25 +54,25 @@ class Memory:
                 for (point, _), pressure in zip(contact.points, contact.pressures, strict=True)
                 if pressure > 0
             )
-        for key, pressures in self._pressures.items():
+        for key, pressures in self.last.items():
             # What sleeps still presses.
             body = bodies.get(key[1])
             if key not in kept and body is not None and body.asleep:
-                self._resting.setdefault(body.name, {})[key] = pressures
-        self._pressures = kept
+                self.resting.setdefault(body.name, {})[key] = pressures
+        self.last = kept
 
     def wake(self, name: str) -> None:
         """A sleeper wakes: it presses as it did."""
-        self._pressures.update(self._resting.pop(name, {}))
+        self.last.update(self.resting.pop(name, {}))
 
     def forget(self, name: str) -> None:
         """A body is gone."""
-        self._resting.pop(name, None)
-        for pressures in (self._pressures, *self._resting.values()):
+        self.resting.pop(name, None)
+        for pressures in (self.last, *self.resting.values()):
             for key in [key for key in pressures if name in key[:2]]:
                 del pressures[key]
 
     def clear(self) -> None:
         """All of them are."""
-        self._pressures.clear()
-        self._resting.clear()
+        self.last.clear()
+        self.resting.clear()

@@ -33,6 +33,7 @@ class Prospect:
         contacts: likewise.
         fixed: what stands fast, by name.
         roster: where the sleepers are.
+        far: whether it has mattered what is farther off than a tick can reach.
     """
 
     seconds: float
@@ -45,6 +46,7 @@ class Prospect:
     contacts: Sequence[Contact]
     fixed: Mapping[str, Fixed]
     roster: Roster
+    far: bool = False
 
     def coast(self) -> Coast | None:
         """How all goes on as in this step, if it does."""
@@ -134,6 +136,7 @@ class Prospect:
         seconds: float,
     ) -> float:
         """For how much of some time nothing comes upon anything new, as all moves now."""
+        self.far = True
         others = [Mover(thing.name, thing.placed) for thing in self.fixed.values()]
         near: dict[str, Body] = {}
         for mover in (*bodies, *links):

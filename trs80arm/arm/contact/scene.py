@@ -19,16 +19,17 @@ from trs80arm.arm.contact.clock import TICK, TICK_STATES
 from trs80arm.arm.contact.coasting import Coast
 from trs80arm.arm.contact.contacts import Contact, Key, Mobile
 from trs80arm.arm.contact.driven import GRAVITY, DrivenArm
-from trs80arm.arm.contact.manifold import Manifolds, Placed
-from trs80arm.arm.contact.meeting import TOUCH, Meeting, islands, presses
+from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.meeting import MARGIN, TOUCH, Meeting, islands, presses
 from trs80arm.arm.contact.memory import Memory
+from trs80arm.arm.contact.moment import NEARBY, Moment, Outcome, concerned
 from trs80arm.arm.contact.prospect import Prospect
 from trs80arm.arm.contact.recurrence import Recurrence
 from trs80arm.arm.contact.rest import CALM_TICKS, Group, calm, groups, leaning
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.rotations import matrix, spun, times, transposed, turned
 from trs80arm.arm.contact.sixes import Six
-from trs80arm.arm.contact.solver import Problem, Solution
+from trs80arm.arm.contact.solver import Problem
 from trs80arm.arm.contact.table import TABLE, Plate
 from trs80arm.arm.shapes import Vector, plus
 
@@ -41,10 +42,13 @@ STRIDES = ((4, 3.0), (2, 6.0))
 inches a second in its outermost point."""
 STEADY, UNEVEN = 0.25, 0.5
 """Inches a second by which a velocity may change in a step, or part of it: motors go in steps."""
-SOLUTIONS = 512
-"""Problems of contact of which the solution is known."""
 FINEST = 8
 """Steps of a tick at most."""
+OUTCOMES = 512
+"""Ticks of which it is known what comes of them."""
+
+_Result = tuple[Outcome, list[float], float, bool, float]
+"""Of a tick: what came of it, at which joints, how fast and how steadily, in how long a step."""
 
 
 class Scene:
@@ -82,23 +86,24 @@ class Scene:
         self._stride = 1
         self._steady = False
         self._fastest = 0.0
+        self._reach = 0.0
+        self._far = False
         self._coast: Coast | None = None
         self._roster = Roster()
         self._memory = Memory()
-        self._manifolds = Manifolds()
-        self._solutions: Recurrence[Solution] = Recurrence(SOLUTIONS)
+        self._outcomes: Recurrence[_Result] = Recurrence(OUTCOMES)
 
     def __getstate__(self) -> dict[str, Any]:
         # What was measured is no part of what is.
         gone: dict[str, Any] = {"contacts": [], "met_at": [0.0] * 6, "went_on": False}
-        state = {**self.__dict__, **gone, "steps": 0, "solved": 0}
+        state = {**self.__dict__, **gone, "steps": 0, "solved": 0, "_reach": 0.0, "_far": False}
         # Who does what is asked of the bodies again; what was found before is found again.
-        del state["_roster"], state["_manifolds"], state["_solutions"]
+        del state["_roster"], state["_outcomes"]
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
-        self._manifolds, self._solutions = Manifolds(), Recurrence(SOLUTIONS)
+        self._outcomes = Recurrence(OUTCOMES)
         self._roster = Roster()
         for body in self.bodies.values():
             self._roster.enter(body)
@@ -152,6 +157,7 @@ class Scene:
     def arm(self, linkage: Linkage | None) -> None:
         self.driven.linkage = linkage
         self.driven.place()
+        self._outcomes = Recurrence(OUTCOMES)
 
     def put_arm(self, joints: Sequence[float]) -> None:
         """Have the arm stand somewhere, its cables without tension."""
@@ -312,14 +318,55 @@ class Scene:
             self.went_on = True
             return
         self._coast, self.went_on = None, False
-        self._steady, self._fastest = True, 0.0
-        self._part(before, after, 0, self._stride * FINEST, moved)
+        self._steady, self._fastest, self._reach, self._far = True, 0.0, 0.0, False
+        moment = self._moment()
+        asked = b"" if moment is None else moment.question(self.fixed, self._else(moved))
+        known = self._outcomes.get(asked)
+        if moment is not None and known is not None:
+            self._repeat(moment, known)
+        else:
+            self._part(before, after, 0, self._stride * FINEST, moved)
+            if moment is not None and self._was_near(moment):
+                self._outcomes.keep(asked, self._outcome(moment))
         arm.commands = arm.reached = after
         if self._coast is None:
             self._stride = 1
             if self._steady and not self.quiet:
                 fitting = (ticks for ticks, fast in STRIDES if self._fastest <= fast)
                 self._stride = max(fitting, default=1)
+
+    def _moment(self) -> Moment | None:
+        """What this tick hangs on; None if that is much."""
+        if self._something_spins():
+            return None
+        bodies = concerned(self.bodies, self._roster, self._memory, self.driven)
+        if bodies is None:
+            return None
+        return Moment(bodies, self.driven, self.carrying, self._memory)
+
+    def _else(self, moved: bool) -> object:
+        """What it hangs on besides."""
+        return self._stride, moved, self.table_friction
+
+    def _was_near(self, moment: Moment) -> bool:
+        """Whether nothing but what is concerned could be met on this tick, nor came to matter."""
+        if self._far or self._coast is not None:
+            return False
+        seconds = self._stride * TICK
+        # How it came there, and what is looked at from there as about to touch.
+        way = max(moment.farthest(), seconds * self._fastest)
+        looked_at = seconds * (self._fastest + GRAVITY * seconds) + self._reach + MARGIN
+        return way + self._reach + looked_at < NEARBY
+
+    def _outcome(self, moment: Moment) -> _Result:
+        """What has come of this tick."""
+        found = self._fastest, self._steady, self._seconds
+        return moment.outcome(self.contacts), self.met_at, *found
+
+    def _repeat(self, moment: Moment, known: _Result) -> None:
+        """Have come of this tick what came of one that began like it."""
+        outcome, met_at, self._fastest, self._steady, self._seconds = known
+        self.contacts, self.met_at = moment.repeat(outcome), list(met_at)
 
     def _part(
         self, before: list[float], after: list[float], start: int, end: int, moved: bool
@@ -353,6 +400,7 @@ class Scene:
             if loaded and not self._roster.carried:
                 rates = self._rates()
                 reach = [h * speed for speed in arm.speeds(rates)]
+        self._reach += max(reach, default=0.0)
         awake = self._roster.ordered(self._roster.awake.values())
         mobiles = {body.name: self._mobile(body) for body in awake}
         arm_mobile = arm.mobile(rates, h, loaded=bool(self._roster.carried))
@@ -368,7 +416,7 @@ class Scene:
         problems = [Problem(group, h) for group in islands(contacts) if presses(group, h)]
         for problem in problems:
             self.solved += 1
-            self.steps += problem.solve(self._solutions)
+            self.steps += problem.solve()
         if may_halve and any(_turns_far(mobile, h) for mobile in beside):
             return False
         self.contacts, self.met_at = contacts, list(arm.joints)
@@ -398,6 +446,7 @@ class Scene:
                 self._roster,
             )
             self._coast = prospect.coast()
+            self._far = self._far or prospect.far
         return True
 
     def _meeting(
@@ -414,7 +463,6 @@ class Scene:
             arm,
             reach,
             self._memory,
-            self._manifolds,
             mobiles,
             self.wake,
             self._mobile,

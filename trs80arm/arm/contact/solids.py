@@ -11,6 +11,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.contact.rotations import Matrix, Quaternion, apply, matrix
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
@@ -37,6 +38,12 @@ class Solid:
     edges: tuple[Vector, ...]
     middle: Vector
     radius: float
+
+    @property
+    def form(self) -> bytes:
+        """All that it is: of two with the same everything is the same to the last bit."""
+        numbers = self.vertices, self.faces, self.normals, self.edges
+        return question(*numbers, self.middle, self.radius)
 
     @classmethod
     def of(cls, vertices: Sequence[Vector], faces: Sequence[Sequence[int]]) -> Solid:

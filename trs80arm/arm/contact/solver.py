@@ -18,7 +18,6 @@ the same to the last bit on every machine.
 from __future__ import annotations
 
 import math
-from functools import cached_property
 
 from trs80arm.arm.contact.blocks import (
     add_linked,
@@ -31,7 +30,6 @@ from trs80arm.arm.contact.blocks import (
 from trs80arm.arm.contact.contacts import Contact, Mobile
 from trs80arm.arm.contact.elimination import Eliminated, order
 from trs80arm.arm.contact.patch import AS_BEFORE, CAUGHT, HELD, NOTHING, Patch, Pressures, holds
-from trs80arm.arm.contact.recurrence import Recurrence, question
 from trs80arm.arm.contact.sixes import STILL, Six, greatest, negative, plus, product, six
 
 SOLVED = 1e-3
@@ -58,9 +56,6 @@ SETTLED = 1e-2
 ARM_SPAN = 4.0
 """Inches across the area in which a link touches what stands fast, at most."""
 
-Solution = tuple[list[Six], list[Pressures]]
-"""Velocities of each mobile, and impulses along the normal at the points of each contact."""
-
 
 class Problem:
     """Contacts that belong together.
@@ -80,60 +75,21 @@ class Problem:
                     index[id(side.mobile)] = len(mobiles)
                     mobiles.append(side.mobile)
         self.mobiles = mobiles
-        self._seconds = seconds
-        self._pairs = [
-            (
-                None if contact.first.mobile is None else index[id(contact.first.mobile)],
-                index[id(contact.second.mobile)],
-            )
-            for contact in contacts
-        ]
-
-    @cached_property
-    def _patches(self) -> list[Patch]:
-        """The contacts as numbers."""
-        return [
-            Patch(contact, one, two, self._seconds)
-            for contact, (one, two) in zip(self.contacts, self._pairs, strict=True)
-        ]
-
-    def solve(self, known: Recurrence[Solution]) -> int:
-        """Find the velocities and the impulses; steps of Newton's method taken.
-
-        Args:
-            known: of problems solved before.
-        """
-        asked = self._question()
-        found = known.get(asked)
-        steps = 0
-        if found is None:
-            found, steps = self._solved()
-            known.keep(asked, found)
-        speeds, pressures = found
-        for contact, pressing in zip(self.contacts, pressures, strict=True):
-            contact.press(list(pressing) if pressing else [0.0] * len(contact.points))
-        for mobile, speed in zip(self.mobiles, speeds, strict=True):
-            mobile.speed[:] = speed
-        return steps
-
-    def _question(self) -> bytes:
-        """All on which the solution depends."""
-        return question(
-            self._seconds,
-            self._pairs,
-            [(c.points, c.normal, c.friction, c.surface, c.pressures) for c in self.contacts],
-            [(c.first.screws, c.second.screws) for c in self.contacts],
-            [(m.speed, m.before, m.place, m.mass, m.inertia, m.inertias) for m in self.mobiles],
-        )
-
-    def _solved(self) -> tuple[Solution, int]:
-        patches, mobiles = self._patches, self.mobiles
-        self._holds = holds(patches)
-        self._others = [k for k, patch in enumerate(patches) if patch.columns_one is None]
+        self._patches: list[Patch] = []
+        for contact in contacts:
+            first, second = contact.first.mobile, contact.second.mobile
+            one = None if first is None else index[id(first)]
+            self._patches.append(Patch(contact, one, index[id(second)], seconds))
+        self._holds = holds(self._patches)
+        self._others = [k for k, patch in enumerate(self._patches) if patch.columns_one is None]
         self._wanted = [six(mobile.speed) for mobile in mobiles]
         self._order: list[int] | None = None
         self._rank: dict[int, int] = {}
         self._masses = [mass_block(mobile) for mobile in mobiles]
+
+    def solve(self) -> int:
+        """Find the velocities and the impulses; steps of Newton's method taken."""
+        patches = self._patches
         speeds: list[Six] = [six(mobile.speed) for mobile in self.mobiles]
         steps = 0
         pressures = [c.pressures if any(c.pressures) else None for c in self.contacts]
@@ -149,7 +105,11 @@ class Problem:
                 before, pressures = pressures, self._pressures(speeds)
                 if self._in_line(speeds, before, pressures):
                     break
-        return (speeds, pressures), steps
+        for contact, pressing in zip(self.contacts, pressures, strict=True):
+            contact.press(pressing or [0.0] * len(contact.points))
+        for mobile, found in zip(self.mobiles, speeds, strict=True):
+            mobile.speed[:] = found
+        return steps
 
     @property
     def settled(self) -> bool:
