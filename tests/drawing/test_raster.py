@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from trs80arm.drawing import style_ascii
 from trs80arm.drawing.camera import Camera
-from trs80arm.drawing.cells import NO_INK, Cells, Samples
+from trs80arm.drawing.cells import NO_INK, Cells, Looks, Samples
 from trs80arm.drawing.raster import NOWHERE, Raster
 from trs80arm.drawing.solids import Solids, box, cylinder, prism, rounded
 from trs80arm.drawing.style_blocks import HALVES, SEXTANTS
@@ -31,7 +31,7 @@ def taken(solids: Solids, camera: Camera) -> Raster:
 
 def area(raster: Raster) -> float:
     """Square inches of the picture that show something."""
-    return float((raster.face != NOWHERE).sum()) / 256
+    return float((raster.seen.face != NOWHERE).sum()) / 256
 
 
 def test_a_box_covers_what_it_measures() -> None:
@@ -48,7 +48,7 @@ def test_what_is_nearer_hides_what_is_behind() -> None:
     for order in ((low, high), (high, low)):
         solids = Solids.joined(order)
         raster = taken(solids, FROM_ABOVE)
-        middle = raster.face[64, 64]
+        middle = raster.seen.face[64, 64]
         assert solids.normals[middle][2] == pytest.approx(1.0)
         assert solids.offsets[middle] == pytest.approx(3.0)
 
@@ -66,7 +66,7 @@ def test_a_point_is_drawn_where_the_camera_says_it_is() -> None:
         place = np.array([[2.0, 1.0, 0.5]])
         x, y, _ = camera.points(place)[0]
         speck = box(place[0] - 0.06, place[0] + 0.06)
-        rows, columns = np.nonzero(taken(speck, camera).face != NOWHERE)
+        rows, columns = np.nonzero(taken(speck, camera).seen.face != NOWHERE)
         assert abs(-4.0 + (columns.mean() + 0.5) / 16 - x) < 0.06
         assert abs(4.0 - (rows.mean() + 0.5) / 16 - y) < 0.06
 
@@ -89,7 +89,7 @@ def test_a_tilted_eye_sees_the_shadow_where_a_thing_lying_there_is_seen() -> Non
             plate, camera.shades(plate, (-0.6, 0.0, 0.8)), np.ones(6, dtype=bool)
         )
         lying = box((0.46, -1, -0.01), (2.5, 1, 0.0))
-        shown = taken(lying, camera).face != NOWHERE
+        shown = taken(lying, camera).seen.face != NOWHERE
         assert (covered ^ shown).sum() < 0.08 * shown.sum()
 
 
@@ -97,7 +97,7 @@ def test_a_tilted_eye_sees_the_shadow_where_a_thing_lying_there_is_seen() -> Non
 @given(st.floats(-pi, pi), st.floats(0.0, 1.5), st.sampled_from([inf, 20.0, 48.0]))
 def test_a_turned_prism_shows_no_holes(turn: float, tilt: float, distance: float) -> None:
     link = prism(rounded((-0.5, -1.5), (0.5, 1.5), 0.3), -1.0, 1.0, along=1, bevel=(0.2, 0.1))
-    shown = taken(link, Camera.around((0.0, 0.0, 0.0), turn, tilt, distance)).face != NOWHERE
+    shown = taken(link, Camera.around((0.0, 0.0, 0.0), turn, tilt, distance)).seen.face != NOWHERE
     for row in shown[shown.any(1)]:
         columns = np.flatnonzero(row)
         assert len(columns) == columns[-1] - columns[0] + 1
@@ -108,14 +108,18 @@ def test_a_turned_prism_shows_no_holes(turn: float, tilt: float, distance: float
 def test_a_cell_that_a_thing_half_covers_shows_nothing_behind_it(
     draw: Callable[[Samples], Cells], upper: bool
 ) -> None:
-    count = {style_ascii.draw: 8, HALVES.draw: 2, SEXTANTS.draw: 6}[draw]
-    there = (np.arange(count) < count // 2) == upper
-    cell = Samples(
-        np.where(there, 4, NO_INK).astype(np.int8)[:, None, None],
-        np.where(there, 0.7, 0.0).astype(np.float32)[:, None, None],
-        np.where(there, 3, -1).astype(np.int16)[:, None, None],
-        np.where(there, -5.0, -inf).astype(np.float32)[:, None, None],
+    grain = {style_ascii.draw: (2, 4), HALVES.draw: (1, 2), SEXTANTS.draw: (2, 3)}[draw]
+    raster = Raster(1, 1, grain, Window(0.0, 1.0, 1.0))
+    low, high = (0.5, 2.0) if upper else (-1.0, 0.5)
+    block = box((-1.0, low, -6.0), (2.0, high, -5.0))
+    raster.draw(block, FROM_ABOVE.sees(block))
+    seen = raster.gathered_seen
+    looks = Looks(
+        np.array([4] * 6 + [NO_INK], dtype=np.int8),
+        np.array([0.7] * 6 + [0.0], dtype=np.float32),
+        np.array([3] * 6 + [-1], dtype=np.int16),
     )
+    cell = Samples(seen.face, seen, looks)
     drawn = draw(cell)
     assert drawn.ink.tolist() == [[4]]
     assert drawn.under.tolist() == [[NO_INK]]
@@ -126,7 +130,7 @@ def test_of_faces_as_near_as_each_other_the_first_is_seen() -> None:
     cube = box((-1, -1, 0), (1, 1, 2))
     for _ in range(2):
         raster.draw(cube, FROM_ABOVE.sees(cube))
-    assert raster.face.max() < 6
+    assert raster.seen.face.max() < 6
 
 
 def test_what_is_sent_back_hides_nothing_that_is_drawn_later() -> None:
@@ -135,9 +139,9 @@ def test_what_is_sent_back_hides_nothing_that_is_drawn_later() -> None:
     raster.draw(high, FROM_ABOVE.sees(high))
     raster.send_back(-1000.0)
     raster.draw(low, FROM_ABOVE.sees(low))
-    assert raster.face.max() >= 6
-    assert raster.nearness[64, 64] == 1.0
-    assert raster.nearness[0, 0] == -inf
+    assert raster.seen.face.max() >= 6
+    assert raster.seen.nearness[64, 64] == 1.0
+    assert raster.seen.nearness[0, 0] == -inf
 
 
 @given(turn=st.floats(0, 2 * pi), tilt=st.floats(-pi, pi))

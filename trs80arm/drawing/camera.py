@@ -73,6 +73,11 @@ class Camera:
         right, up = np.array(self.right), np.array(self.up)
         return np.array(self.target), right, up, -np.array(cross(self.right, self.up))
 
+    @cached_property
+    def _turn(self) -> Floats:
+        """The matrix from the world's axes to those of the picture and of depth."""
+        return np.stack(self._axes[1:], axis=1)
+
     def towards(self, right: float, up: float, eye: float) -> Place:
         """A direction given to the right, up and towards the eye, as a unit vector of the world."""
         forward = cross(self.up, self.right)
@@ -90,8 +95,7 @@ class Camera:
 
     def points(self, places: Floats) -> Floats:
         """Places of the world as x, y of the picture and depth behind the target, n x 3."""
-        target, right, up, forward = self._axes
-        seen = (places - target) @ np.stack((right, up, forward), axis=1)
+        seen = (places - self._axes[0]) @ self._turn
         if self.distance < inf:
             depth = np.maximum(seen[:, 2] + self.distance, _NEAREST)
             seen[:, :2] *= (self.distance / depth)[:, None]

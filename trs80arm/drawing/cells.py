@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any, TypeAlias, TypeVar
 
@@ -16,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trs80arm.drawing.materials import INKS
+from trs80arm.drawing.raster import Nearness, Seen
 from trs80arm.drawing.rows import LEVELS, Ink, Paint, Row
 from trs80arm.drawing.solids import Floats, Ints
 
@@ -26,42 +27,86 @@ SheetShape: TypeAlias = tuple[int, int]
 """Height and width of a sheet of cells."""
 NO_INK = -1
 """The ink of a sample that shows nothing."""
+NEVER = np.finfo(np.float32).max
+"""Where something fades that looks alike however far away it is."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Samples:
-    """What a picture shows, sample by sample: samples a cell x height x width.
-
-    So what is asked of all samples of a cell goes along the first axis, which is quick. In a cell
-    they go along its rows from the top.
+class Looks:
+    """How all that samples may show looks, by a number for each.
 
     Attributes:
         ink: index of the ink, or `NO_INK`.
         light: how bright, 0 to 1.
         body: the thing that is seen; 0 the table, negative for nothing.
-        nearness: how near it is.
+        fades: inches behind the picture's plane at which it has half its brightness, `NEVER` for
+            what has all of it everywhere; None if all is such.
     """
 
     ink: npt.NDArray[np.int8]
     light: npt.NDArray[np.float32]
     body: npt.NDArray[np.int16]
-    nearness: npt.NDArray[np.float32]
+    fades: npt.NDArray[np.float32] | None = None
+
+
+class Samples:
+    """What a picture shows, sample by sample: samples a cell x height x width.
+
+    So what is asked of all samples of a cell goes along the first axis, which is quick. In a cell
+    they go along its rows from the top. What most cells show is the same in all of their samples:
+    how it looks is found for those that are asked for.
+
+    Args:
+        shown: the number, in `looks`, of what each sample shows.
+        seen: the samples, for how near that is.
+        looks: how it looks.
+    """
+
+    def __init__(self, shown: npt.NDArray[np.int32], seen: Seen, looks: Looks) -> None:
+        self.shape = shown.shape
+        self._shown = shown
+        self._seen = seen
+        self._looks = looks
+
+    @cached_property
+    def ink(self) -> npt.NDArray[np.int8]:
+        """Index of the ink, or `NO_INK`."""
+        return self._looks.ink.take(self._shown, mode="wrap")
+
+    @cached_property
+    def light(self) -> npt.NDArray[np.float32]:
+        """How bright, 0 to 1."""
+        light = self._looks.light.take(self._shown, mode="wrap")
+        if self._looks.fades is not None:
+            behind = -self.nearness / self._looks.fades.take(self._shown, mode="wrap")
+            light *= 1 - 0.5 * np.minimum(np.maximum(behind, 0.0), 1.0)
+        return light
+
+    @cached_property
+    def body(self) -> npt.NDArray[np.int16]:
+        """The thing that is seen; 0 the table, negative for nothing."""
+        return self._looks.body.take(self._shown, mode="wrap")
+
+    @cached_property
+    def nearness(self) -> Nearness:
+        """How near it is."""
+        return self._seen.nearness
+
+    def first(self) -> Samples:
+        """The first sample of each cell only, cells counted along the rows from the top: 1 x n."""
+        shown, keys = self._shown[0].reshape(1, -1), self._seen.keys[0].reshape(1, -1)
+        return Samples(shown, Seen(keys), self._looks)
 
     def mixed(self) -> Ints:
-        """The cells whose samples are not all alike, counted along the rows from the top."""
-        mixed = (self.body != self.body[0]).any(0)
-        mixed |= (self.ink != self.ink[0]).any(0)
-        mixed |= (self.light != self.light[0]).any(0)
+        """The cells whose samples do not all show the same, counted along the rows."""
+        mixed = (self._shown[1:] != self._shown[0]).any(0)
+        if self._looks.fades is not None:
+            mixed |= self._looks.fades.take(self._shown[0], mode="wrap") < NEVER
         return np.flatnonzero(mixed)
 
     def of(self, cells: Ints) -> Samples:
         """The samples of some cells only: samples a cell x cells."""
-        return Samples(
-            _of(self.ink, cells),
-            _of(self.light, cells),
-            _of(self.body, cells),
-            _of(self.nearness, cells),
-        )
+        return Samples(_of(self._shown, cells), Seen(_of(self._seen.keys, cells)), self._looks)
 
 
 def _of(values: npt.NDArray[_Number], cells: Ints) -> npt.NDArray[_Number]:

@@ -61,7 +61,7 @@ class Pixels:
             samples: of a picture.
             grain: how many a cell has across and down.
         """
-        _, height, width = samples.ink.shape
+        _, height, width = samples.shape
         words = Cells(height, width)
         words.free[:] = (samples.body <= 0).all(0)
         return cls(_spread(samples.ink, grain), _spread(samples.light, grain), words)

@@ -9,6 +9,7 @@ of numbers that have the nearness in their upper half and the face in their lowe
 from __future__ import annotations
 
 import copy
+from dataclasses import dataclass
 from math import inf
 from typing import NamedTuple, TypeAlias, TypeVar
 
@@ -49,6 +50,29 @@ class _Runs(NamedTuple):
     faces: Ints
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Seen:
+    """What samples show.
+
+    Attributes:
+        keys: a number for each sample, the greater the nearer.
+    """
+
+    keys: npt.NDArray[np.int64]
+
+    @property
+    def nearness(self) -> Nearness:
+        """Of what each sample shows, in the camera's measure."""
+        bits = (self.keys >> _HALF).astype(np.int32)
+        bits ^= (bits >> _SIGN) & _MAGNITUDE
+        return bits.view(np.float32)
+
+    @property
+    def face(self) -> Faces:
+        """Which face each sample shows, counted over all solids drawn, or `NOWHERE`."""
+        return (_FIRST - (self.keys & _LOWER)).astype(np.int32)
+
+
 class Raster:
     """Samples of a picture of `width` x `height` cells, nothing in them at first.
 
@@ -77,17 +101,14 @@ class Raster:
         self._faces = 0
 
     @property
-    def nearness(self) -> Nearness:
-        """Of what each sample shows, in the camera's measure, rows x columns."""
-        bits = (self._keys >> _HALF).astype(np.int32)
-        bits ^= (bits >> _SIGN) & _MAGNITUDE
-        return bits.view(np.float32).reshape(len(self.y), len(self.x))
+    def seen(self) -> Seen:
+        """What the samples show, rows x columns."""
+        return Seen(self._keys.reshape(len(self.y), len(self.x)))
 
     @property
-    def face(self) -> Faces:
-        """Which face each sample shows, counted over all solids drawn, or `NOWHERE`."""
-        face = _FIRST - (self._keys & _LOWER)
-        return face.astype(np.int32).reshape(len(self.y), len(self.x))
+    def gathered_seen(self) -> Seen:
+        """The same gathered by cells, as `gathered` has it."""
+        return Seen(self.gathered(self._keys))
 
     def draw(self, solids: Solids, seen: Projected, chosen: Bits | None = None) -> None:
         """Draw solids, each where nothing nearer is.

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from functools import cached_property
 from math import tau
 from zlib import crc32
 
@@ -97,7 +98,7 @@ class Posture:
     angles: JointAngles
     opening: float
 
-    @property
+    @cached_property
     def points(self) -> ArmPoints:
         """The joints as points, and the axes of the hand."""
         return forward(self.model, self.angles)

@@ -72,6 +72,15 @@ def _faces_of(shape: Shape, materials: tuple[int, ...]) -> npt.NDArray[np.bool_]
     return np.isin(shape.face_materials, materials)
 
 
+@lru_cache(256)
+def _thick(shape: Shape, bodies: tuple[int, ...]) -> tuple[Ints, Ints, npt.NDArray[np.bool_]]:
+    """The corners of some bodies, made of boxes; the three faces that meet in each; their faces."""
+    faces = np.isin(shape.face_bodies, bodies)
+    edge = faces[shape.edge_faces].nonzero()[0]
+    edge = edge[np.argsort(shape.edges[0, edge], kind="stable")]
+    return shape.edges[0, edge[::3]], shape.edge_faces[edge].reshape(-1, 3).T, faces
+
+
 @lru_cache(512)
 def _shape(count: int, faces: tuple[tuple[int, ...], ...], material: int, body: int) -> Shape:
     """That of one solid of so many corners, with these faces."""
@@ -208,12 +217,10 @@ class Solids:
     def thickened(self, bodies: Iterable[int], by: float) -> Solids:
         """The same with some bodies, made of boxes, so many inches larger on all sides."""
         shape = self.shape
-        faces = np.isin(shape.face_bodies, list(bodies))
-        outwards = np.zeros_like(self.corners)
-        np.add.at(outwards, shape.edges[0], (self.normals * faces[:, None])[shape.edge_faces])
-        return replace(
-            self, corners=self.corners + by * outwards, offsets=self.offsets + by * faces
-        )
+        corner, meeting, faces = _thick(shape, tuple(bodies))
+        corners = self.corners.copy()
+        corners[corner] += by * self.normals[meeting].sum(0)
+        return Solids(shape, corners, self.normals, self.offsets + by * faces)
 
     def made_of(self, material: int) -> Solids:
         """The same of another material."""

@@ -21,9 +21,9 @@ from trs80arm.drawing.arm_solids import (
 from trs80arm.drawing.bench_solids import FIRST_THING, TABLE, solids_of, table
 from trs80arm.drawing.camera import Camera
 from trs80arm.drawing.canvas_ascii import Point
-from trs80arm.drawing.cells import NO_INK, Samples
+from trs80arm.drawing.cells import NEVER, NO_INK, Looks, Samples
 from trs80arm.drawing.materials import BRIGHT, INK_OF, SHADOW, Material
-from trs80arm.drawing.raster import Raster
+from trs80arm.drawing.raster import NOWHERE, Faces, Raster
 from trs80arm.drawing.readings import Posture, Readings, Thing
 from trs80arm.drawing.rows import Ink
 from trs80arm.drawing.scene import (
@@ -32,10 +32,9 @@ from trs80arm.drawing.scene import (
     SHOWS,
     Bounds,
     Extras,
-    around,
 )
 from trs80arm.drawing.side_scene import RESTING, side_envelope, side_frame
-from trs80arm.drawing.solids import NOTHING, Floats, Place, Solids
+from trs80arm.drawing.solids import NOTHING, Floats, Place, Shape, Solids
 from trs80arm.drawing.top_scene import top_envelope, top_frame
 from trs80arm.drawing.viewport import ASPECT, Window
 
@@ -198,7 +197,10 @@ def space_shot(readings: Readings, orbit: Orbit, extras: Extras = PLAINLY) -> Sh
     arm = arm_solids(readings.posture)
     things = [solids for _, solids in _things(readings)]
     base = _base(readings)
-    seen = camera.points(np.concatenate([base.corners, arm.corners, *(t.corners for t in things)]))
+    solids = Solids.joined((base, arm, *things))
+    seen = camera.points(solids.corners)
+    left, bottom, _ = seen.min(0).tolist()
+    right, top, _ = seen.max(0).tolist()
     points = readings.posture.points
     [focus] = camera.points(np.array([points.fingertip])).tolist()
     marks = [_INCHES]
@@ -211,9 +213,9 @@ def space_shot(readings: Readings, orbit: Orbit, extras: Extras = PLAINLY) -> Sh
         marks.append(Mark(np.array(way), Ink.TRAIL, "`,"))
     return Shot(
         camera,
-        Solids.joined((base, arm, *things)),
+        solids,
         _SUN,
-        around(seen[:, :2].tolist()),
+        (left, bottom, right, top),
         (focus[0], focus[1]),
         ghost=_ghost(camera, readings, arm),
         marks=marks,
@@ -315,25 +317,46 @@ def take(shot: Shot, width: int, height: int, samples: tuple[int, int], window: 
         # A finger is at least a sample thick, or it would come and go.
         shot = replace(shot, solids=shot.solids.thickened(_FINGERS, (wide - BAR) / 2))
     raster.draw(shot.solids, camera.sees(shot.solids), chosen)
-    solids = Solids.joined((shot.table, shot.ghost, shot.solids))
-    material = solids.shape.face_materials
-    shade = AMBIENT + (1 - AMBIENT) * np.maximum(0.0, solids.normals @ np.array(shot.sun))
-    light_of = np.append(BRIGHT[material] * shade, 0.0).astype(np.float32)
-    ink_of = np.append(INK_OF[material], NO_INK).astype(np.int8)
-    body_of = np.append(solids.shape.face_bodies, -1).astype(np.int16)
-    face, nearness = raster.gathered(raster.face), raster.gathered(raster.nearness)
-    # `NOWHERE` wraps round to the last.
-    light = light_of.take(face, mode="wrap")
-    ink = ink_of.take(face, mode="wrap")
-    body = body_of.take(face, mode="wrap")
-    if shot.fades:
-        far = body >= FIRST_THING
-        light[far] *= 1 - 0.5 * np.clip(-nearness[far] / FADES, 0.0, 1.0)
+    seen = raster.gathered_seen
+    # `NOWHERE` is the last of the faces' looks; what is dark on the table comes before it.
+    shown = seen.face
     dark = _shadows(raster, shot, window) if shot.shadows else _below(raster, shot)
-    dark = dark & (body == 0)
-    np.copyto(ink, SHADOW, where=dark)
-    np.copyto(light, IN_SHADOW, where=dark)
-    return Samples(ink, light, body, nearness)
+    np.copyto(shown, IN_THE_DARK, where=dark & _is_table(shown, shot.table))
+    return Samples(shown, seen, _looks(shot))
+
+
+def _is_table(shown: Faces, table: Solids) -> npt.NDArray[np.bool_]:
+    """Which samples show the table, whose faces are the first."""
+    return shown.view(np.uint32) < table.shape.faces
+
+
+IN_THE_DARK = NOWHERE - 1
+"""The number, among all looks, of the table in a shadow."""
+
+
+def _looks(shot: Shot) -> Looks:
+    """How each face looks, and after them the table in the dark, and nothing."""
+    ink, body, bright, fades = _finishes(
+        (shot.table.shape, shot.ghost.shape, shot.solids.shape), fades=shot.fades
+    )
+    light = np.full(len(ink), IN_SHADOW, dtype=np.float32)
+    normals = np.concatenate((shot.table.normals, shot.ghost.normals, shot.solids.normals))
+    shade = np.maximum(0.0, normals @ np.array(shot.sun))
+    light[:IN_THE_DARK] = bright * (AMBIENT + (1 - AMBIENT) * shade)
+    light[NOWHERE] = 0.0
+    return Looks(ink, light, body, fades)
+
+
+@lru_cache(16)
+def _finishes(
+    shapes: tuple[Shape, ...], *, fades: bool
+) -> tuple[npt.NDArray[np.int8], npt.NDArray[np.int16], Floats, npt.NDArray[np.float32] | None]:
+    """Of all faces ink, body, brightness, and where it fades; all but brightness as of `_looks`."""
+    material = np.concatenate([shape.face_materials for shape in shapes])
+    body = np.concatenate([*(shape.face_bodies for shape in shapes), [0, -1]]).astype(np.int16)
+    ink = np.append(INK_OF[material], [SHADOW, NO_INK]).astype(np.int8)
+    far = np.where(body >= FIRST_THING, np.float32(FADES), NEVER)
+    return ink, body, BRIGHT[material], far if fades else None
 
 
 @lru_cache(4)

@@ -81,10 +81,11 @@ _BITS = 1 << np.arange(7, -1, -1)
 
 def draw(samples: Samples) -> Cells:
     """The cells of a picture."""
-    _, height, width = samples.ink.shape
+    _, height, width = samples.shape
     cells = Cells(height, width)
     # Most cells are all table, all one face or all nothing: their first sample says everything.
-    ink, light, body = (values[0].ravel() for values in (samples.ink, samples.light, samples.body))
+    first = samples.first()
+    ink, light, body = first.ink[0], first.light[0], first.body[0]
     mixed = samples.mixed()
     several = samples.of(mixed)
     every = np.arange(len(mixed))

@@ -28,11 +28,10 @@ class Blocks:
 
     def draw(self, samples: Samples) -> Cells:
         """The cells of a picture: what is nearest, before what is next behind it."""
-        count, height, width = samples.ink.shape
+        count, height, width = samples.shape
         # Most cells show one thing in one light: their first sample says everything.
-        ink, light, body = (
-            values[0].ravel() for values in (samples.ink, samples.light, samples.body)
-        )
+        first = samples.first()
+        ink, light, body = first.ink[0], first.light[0], first.body[0]
         mixed = samples.mixed()
         several = samples.of(mixed)
         nearest = several.nearness.argmax(0), np.arange(len(mixed))

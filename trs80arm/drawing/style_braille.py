@@ -27,7 +27,7 @@ FULL = 0.85
 
 def draw(samples: Samples) -> Cells:
     """The cells of a picture."""
-    _, height, width = samples.ink.shape
+    _, height, width = samples.shape
     cells = Cells(height, width)
     nearest = samples.nearness.argmax(0)[None]
     ink = np.take_along_axis(samples.ink, nearest, 0)[0]
