@@ -122,24 +122,32 @@ class Marks:
         places: the cells, counted along the rows from the top; of two marks the later one is seen.
         glyphs: code points.
         inks: indices of their inks.
+        texts: which text each is of, counted from 0: a figure of which a part has no room says
+            something else. None where each stands for itself.
     """
 
     places: Ints
     glyphs: Ints
     inks: Ints
+    texts: Ints | None = None
 
     @classmethod
     def written(cls, texts: Iterable[Text], shape: SheetShape) -> Marks:
-        """Texts on a sheet; blanks leave cells."""
+        """Texts on a sheet, each whole or not at all; blanks leave cells."""
         height, width = shape
-        signs = [
-            (row * width + at, ord(sign), INKS.index(ink))
+        whole = [
+            (column, row, text, ink)
             for column, row, text, ink in texts
-            for at, sign in enumerate(text, column)
-            if 0 <= row < height and 0 <= at < width and sign != " "
+            if 0 <= row < height and 0 <= column <= width - len(text)
         ]
-        places, glyphs, inks = np.array(signs, dtype=np.int64).reshape(-1, 3).T
-        return cls(places, glyphs, inks)
+        signs = [
+            (row * width + at, ord(sign), INKS.index(ink), number)
+            for number, (column, row, text, ink) in enumerate(whole)
+            for at, sign in enumerate(text, column)
+            if sign != " "
+        ]
+        places, glyphs, inks, numbers = np.array(signs, dtype=np.int64).reshape(-1, 4).T
+        return cls(places, glyphs, inks, numbers)
 
     @classmethod
     def dots(cls, x: Floats, y: Floats, glyphs: str, ink: Ink, shape: SheetShape) -> Marks:
@@ -198,6 +206,8 @@ class Cells:
     def mark(self, marks: Marks) -> None:
         """Put characters into cells where nothing stands; what they show is behind from then on."""
         free = self.free.take(marks.places)
+        if marks.texts is not None:
+            free &= np.bincount(marks.texts, ~free).take(marks.texts) == 0
         places = marks.places[free]
         self._clear(places)
         self.glyphs.put(places, marks.glyphs[free])
