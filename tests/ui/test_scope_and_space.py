@@ -26,6 +26,21 @@ async def test_the_scope_shows_the_latches_of_a_motion(sit_down: Opener) -> None
 
 
 @piloted
+async def test_in_a_huge_window_the_scope_comes_back_to_its_place(sit_down: Opener) -> None:
+    async with sit_down(200, 60) as sitting:
+        desk, run = sitting.app.desk, sitting.app.run_action
+        await run("do('show_effort')")
+        assert not desk.panels["scope"].display
+        await run("do('show_scope')")
+        assert desk.panels["scope"].display
+        assert desk.zoomed is None
+        await run("do('show_scope')")
+        assert desk.zoomed == "scope"
+        await run("do('show_scope')")
+        assert desk.zoomed is None
+
+
+@piloted
 async def test_keys_of_the_scope(sit_down: Opener) -> None:
     async with sit_down(100, 30) as sitting:
         await sitting.app.run_action("do('show_scope')")

@@ -110,19 +110,19 @@ class DebugCommands:
 
     def back(self) -> None:
         """One statement back in time."""
-        self._back(self._debugger.back())
+        self._back(self._debugger.back(), "statement")
 
     def back_to_stop(self) -> None:
         """Back to the breakpoint before."""
-        self._back(self._debugger.back_to_stop())
+        self._back(self._debugger.back_to_stop(), "breakpoint")
 
-    def _back(self, found: bool) -> None:
+    def _back(self, found: bool, what: str) -> None:
         stop = self._debugger.new_stop()
         if found and stop is not None:
             self._pacer.pause(True)
             self._say(stop.text)
         else:
-            self._say("Nothing is known of an earlier one.")
+            self._say(f"Nothing is known of an earlier {what}.")
 
     # -- saved states -----------------------------------------------------------------------------
 

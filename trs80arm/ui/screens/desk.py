@@ -257,14 +257,24 @@ class DeskScreen(Layer):
             self._show_bottom(choices[(choices.index(self.bottom) + 1) % len(choices)])
 
     def show_bottom(self, group: str) -> None:
-        """Show a group of panels under the tube; asked for again, the first one."""
+        """Show a group of panels under the tube; asked for again, the first one.
+
+        One that has a place of its own is shown there, or on all of the screen if it is seen.
+        """
         choices = self._bottoms()
         if group not in choices:
-            self.zoom(group)
+            comes_back = self.zoomed is None and not self._sees(group)
+            if comes_back:
+                self._show_bottom(choices[0])
+            if not comes_back or not self._sees(group):
+                self.zoom(group)
         elif group == self.bottom and self.zoomed is None:
             self._show_bottom(choices[0])
         else:
             self._show_bottom(group)
+
+    def _sees(self, group: str) -> bool:
+        return any(self.panels[name].display for name in self._groups.get(group, ()))
 
     def _show_bottom(self, group: str) -> None:
         self.bottom = group
