@@ -32,6 +32,11 @@ _KINDS: Final = frozenset(b"%!#$")
 _WITHOUT_PARENTHESES: Final = frozenset(
     words.TOKENS[word] for word in ("ERL", "ERR", "MEM", "INKEY$", "TIME$")
 )
+_ARGUMENTS: Final = {
+    **{words.TOKENS[word]: (2,) for word in ("LEFT$", "RIGHT$", "STRING$", "POINT")},
+    words.TOKENS["MID$"]: (2, 3),
+}
+"""How many things stand in a function's parentheses, where it is not one."""
 _DEEPEST: Final = 60
 """Operands in one another, as no person writes them; a run tells of more."""
 
@@ -297,4 +302,7 @@ class Text:
             return Call(function, ())
         if self.code != OPEN:
             raise Unreadable
-        return Call(function, self._list())
+        arguments = self._list()
+        if len(arguments) not in _ARGUMENTS.get(function, (1,)):
+            raise Unreadable
+        return Call(function, arguments)

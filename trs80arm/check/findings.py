@@ -12,7 +12,7 @@ class Level(Enum):
     """How bad a finding is."""
 
     ERROR = "error"
-    """The machine stops there, when it comes there."""
+    """The machine stops there, or the arm cannot follow, when it comes there."""
     WARNING = "warning"
     """It runs, hardly as it was meant."""
     NOTE = "note"
@@ -94,6 +94,24 @@ class Rule(Enum):
         Level.ERROR,
         "No way leads to the NEXT from a FOR of its variable (?NF).",
         "Write the FOR, or mend the name behind NEXT. A loop does not reach into a subroutine.",
+    )
+    OUT_OF_REACH = (
+        "out-of-reach",
+        Level.ERROR,
+        "DATA send the arm where it cannot go.",
+        "The program turns the point away, or a motor would slip at a stop. Move the point.",
+    )
+    OUT_OF_DATA = (
+        "out-of-data",
+        Level.ERROR,
+        "A READ finds no DATA left (?OD).",
+        "Count the items, or end the list with one that the program looks for.",
+    )
+    DATA_TYPE = (
+        "data-type",
+        Level.ERROR,
+        "DATA that are no number are read into one (?SN in the line of the DATA).",
+        "Compare the order of the items with that of the variables behind READ.",
     )
     FOR_WITHOUT_NEXT = (
         "for-without-next",

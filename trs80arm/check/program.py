@@ -7,14 +7,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from trs80arm.arm.bench import Bench, BenchError
+from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic.errors import Code
 from trs80arm.basic.proofreader import Misprint, misprints
+from trs80arm.benches import BenchFile, bench_beside
 from trs80arm.check.allowed import Allowed
 from trs80arm.check.expressions import Variable
 from trs80arm.check.findings import Finding, Rule
 from trs80arm.check.flow import Flow, Unreached, never_set
+from trs80arm.check.following import Follower
 from trs80arm.check.names import Clash, clashes
 from trs80arm.check.statements import UNREAD, Statement, Statements
+from trs80arm.check.values import Items
 from trs80arm.files import FileFormatError, Kind, kind_of, parse_program, read_program
 from trs80arm.machine.cassette import ProgramLine
 from trs80arm.program_text import WrittenLine, spell, written_lines
@@ -71,13 +76,30 @@ def check_program(path: Path, *, armbasic: bool = True) -> list[Finding]:
     """
     data = read_program(path)
     try:
-        return check_bytes(path, data, armbasic=armbasic)
+        return check_bytes(path, data, armbasic=armbasic, bench=_bench(path))
     except FileFormatError as error:
         raise FileFormatError(f"{path}: {error}") from None
 
 
-def check_bytes(path: Path, data: bytes, *, armbasic: bool = True) -> list[Finding]:
+def _bench(path: Path) -> Bench | None:
+    """The bench of a program, if there is one; one that cannot be read is a run's concern."""
+    beside = bench_beside(path)
+    try:
+        return None if beside is None else BenchFile.read(beside).bench
+    except BenchError:
+        return None
+
+
+def check_bytes(
+    path: Path, data: bytes, *, armbasic: bool = True, bench: Bench | None = None
+) -> list[Finding]:
     """The same of what stands in a file.
+
+    Args:
+        path: what it is called.
+        data: its content.
+        armbasic: whether ARMBASIC is loaded.
+        bench: on which the arm begins where the program wants it; without one that is not known.
 
     Raises:
         FileFormatError: it is damaged or no program.
@@ -98,6 +120,7 @@ def check_bytes(path: Path, data: bytes, *, armbasic: bool = True) -> list[Findi
     findings += _of_text_alone(listing, lines, armbasic)
     if Rule.MEMORY not in {each.rule for each in findings}:
         findings += _of_ways(listing, program, findings)
+        findings += _of_data(listing, program, bench)
     told = [each for each in findings if not allowed.has(each.rule, each.number)]
     return sorted(told, key=lambda each: (each.place, each.column or 0))
 
@@ -163,6 +186,33 @@ def _of_ways(listing: _Listing, program: Statements, findings: list[Finding]) ->
         value = "the empty string" if variable.kind == "$" else "0"
         text = f"nothing sets {_name(variable)}: it is {value}"
         yield listing.finding(Rule.NEVER_SET, text, statement.line, variable.position)
+
+
+def _of_data(listing: _Listing, program: Statements, bench: Bench | None) -> Iterator[Finding]:
+    """What READ makes of the DATA, and where they send the arm."""
+    settings = bench.settings if bench is not None else ArmSettings()
+    start = None if bench is None else bench.start or settings.arm_model.start
+    follower = Follower(program, settings.arm_model, start)
+    follower.follow()
+    for point, why in follower.out_of_reach.items():
+        items = [follower.items[each] for each in sorted(point)]
+        values = ", ".join(each.text.decode("latin-1").strip() for each in items)
+        text = f"{values} ({_taken(follower, point)}) is out of reach: {why}"
+        yield listing.finding(Rule.OUT_OF_REACH, text, items[0].line, items[0].position)
+    for place in follower.unreadable:
+        item = follower.items[place]
+        taken = _taken(follower, frozenset((place,)))
+        text = f"{item.text.decode('latin-1')!r} is no number ({taken}) (?SN)"
+        yield listing.finding(Rule.DATA_TYPE, text, item.line, item.position)
+    if follower.short is not None:
+        yield listing.at(follower.short, Rule.OUT_OF_DATA, "no DATA are left for this READ (?OD)")
+
+
+def _taken(follower: Follower, items: Items) -> str:
+    """Which variables of which READ take some items."""
+    taken = [follower.read_by[each] for each in sorted(items)]
+    names = ", ".join(_name(read.sets[place]) for read, place in taken)
+    return f"{names} of line {taken[0][0].line}"
 
 
 def _told(misprint: Misprint, crunched: bytes) -> str:

@@ -53,6 +53,7 @@ class Statement:
         traps: whether an ON is an ON ERROR.
         onward: whether a RESUME is a RESUME NEXT.
         text: of a DEFINT and so on, of a DATA and of a REM, what stands behind the word.
+        text_at: how much of the line's crunched text stands before that.
         otherwise: the place in the program of what an IF does when it is false; behind a true one,
             where its ELSE goes on.
     """
@@ -68,6 +69,7 @@ class Statement:
     traps: bool = False
     onward: bool = False
     text: bytes = b""
+    text_at: int = 0
     otherwise: int = -1
 
     def used(self) -> Iterator[Variable]:
@@ -187,6 +189,7 @@ def _to_colon(statement: Statement, text: Text) -> None:
     start = text.position
     text.skip_statement()
     statement.text = text.text[start : text.position]
+    statement.text_at = start
 
 
 def _expressions(statement: Statement, text: Text) -> None:
