@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import shutil
+import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,8 +18,27 @@ settings.register_profile("patient", deadline=None)
 if "CI" not in os.environ:
     settings.load_profile("patient")
 
+if sys.dont_write_bytecode:
+    # The program is started by dozens of tests. Where nothing may be written beside its modules
+    # they are kept compiled beside pytest's own cache, or each start would compile them all.
+    compiled = Path(__file__).parents[1] / ".pytest_cache" / "compiled"
+    sys.dont_write_bytecode, sys.pycache_prefix = False, str(compiled)
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    os.environ["PYTHONPYCACHEPREFIX"] = str(compiled)
+
 NOBODY = 65534
 """A user who owns nothing."""
+
+
+def pytest_collection_finish() -> None:
+    """What has been imported and collected stays; the garbage collector is to leave it alone.
+
+    A test of the screen makes so many objects that it would look through all of them again and
+    again, and for nothing: a fifth of such a test's time.
+    """
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(50_000, 20, 100)
 
 
 @pytest.fixture

@@ -10,9 +10,10 @@ from tests.conformance import case, player, verdict
 from tests.conformance.exceptions import EXCEPTIONS
 
 CASES = list(case.load(Path(__file__).parent / "cases"))
+# The tests of a case stand next to each other, so that one process does them and plays it once.
+pytestmark = pytest.mark.parametrize("one", CASES, ids=lambda one: one.id, scope="module")
 
 
-@pytest.mark.parametrize("one", CASES, ids=lambda one: one.id)
 def test_machine_does_what_the_rom_did(one: case.Case) -> None:
     differences = verdict.compare(one, player.play_once(one))
     if one.id in EXCEPTIONS:
@@ -21,7 +22,6 @@ def test_machine_does_what_the_rom_did(one: case.Case) -> None:
         assert not differences, "\n".join(map(str, differences))
 
 
-@pytest.mark.parametrize("one", CASES, ids=lambda one: one.id)
 def test_blocks_and_single_statements_are_one_machine(one: case.Case) -> None:
     """To the last T-state of every segment."""
     assert player.play(one, blocks=False) == player.play_once(one)

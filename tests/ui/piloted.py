@@ -6,6 +6,9 @@ import asyncio
 from collections.abc import Callable, Coroutine
 from functools import wraps
 from typing import Any, ParamSpec
+from unittest.mock import patch
+
+from tests.ui.all_done import all_done
 
 Arguments = ParamSpec("Arguments")
 
@@ -13,10 +16,14 @@ Arguments = ParamSpec("Arguments")
 def piloted(
     test: Callable[Arguments, Coroutine[Any, Any, None]],
 ) -> Callable[Arguments, None]:
-    """Run the coroutine of a test to its end."""
+    """Run the coroutine of a test to its end; its pilot waits for all to be done, no longer."""
 
     @wraps(test)
     def run(*args: Arguments.args, **kwargs: Arguments.kwargs) -> None:
-        asyncio.run(test(*args, **kwargs))
+        with (
+            patch("textual.pilot.wait_for_idle", all_done),
+            patch("textual.app.wait_for_idle", all_done),
+        ):
+            asyncio.run(test(*args, **kwargs))
 
     return run

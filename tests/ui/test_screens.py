@@ -89,6 +89,7 @@ async def test_every_theme_has_its_colours(sit_down: Opener, theme: str) -> None
 async def test_the_dialogs(sit_down: Opener, action: str) -> None:
     async with sit_down(80, 24) as sitting:
         await sitting.app.run_action(f"do('{action}')")
+        await sitting.app.workers.wait_for_complete()
         await sitting.settle()
         text = screen_text(sitting.app).replace(str(PROGRAMS), "PROGRAMS")
         assert "Traceback" not in text

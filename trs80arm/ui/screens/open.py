@@ -132,7 +132,9 @@ class OpenScreen(Dialog[Path]):
     async def _show_preview(self, path: Path | None) -> None:
         """Read a file and show its beginning, while keys go on being taken."""
         text = await asyncio.to_thread(preview, path) if path else ""
-        self.query_one("#preview", Static).update(text)
+        # The dialog may have been left meanwhile.
+        for shown in self.query("#preview").results(Static):
+            shown.update(text)
 
     def action_to_list(self) -> None:
         """Go from the name to the list."""
