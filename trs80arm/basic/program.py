@@ -133,9 +133,12 @@ class Program:
 
     def text_from(self, address: int) -> bytes:
         """The text from an address up to the next zero, or to the end of RAM."""
-        ram = self._memory.ram
-        end = ram.find(0, address, self._memory.top)
-        return bytes(ram[address : end if end >= 0 else self._memory.top])
+        return bytes(self._memory.ram[address : self._text_end(address)])
+
+    def _text_end(self, address: int) -> int:
+        """Where the next zero is from an address on, or the end of RAM where there is none."""
+        end = self._memory.ram.find(0, address, self._memory.top)
+        return end if end >= 0 else max(address, self._memory.top)
 
     def statement_end(self, address: int) -> int:
         """The colon, or the zero, that ends the statement at an address, quotes respected."""
@@ -221,8 +224,7 @@ class Program:
         address = self.start
         end = self.end
         while address < end - 2 and (ram[address] or ram[address + 1]):
-            text = address + LINE_HEAD
-            following = text + len(self.text_from(text)) + 1
+            following = self._text_end(address + LINE_HEAD) + 1
             set_word(ram, address, following & 0xFFFF)
             address = following
         self.changed()

@@ -110,7 +110,9 @@ class Matrix:
             rows[row] |= 1 << bit
         self._rows = rows
         self._readings.clear()
-        self._image = bytes(self._sense(1 << row) for row in range(SCANNED_ROWS))
+        self._image = bytes(rows[:SCANNED_ROWS])
+        if self.ghosting:
+            self._image = bytes(self._sense(1 << row) for row in range(SCANNED_ROWS))
 
     def _sense(self, select: int) -> int:
         columns = 0

@@ -133,8 +133,8 @@ class OpenScreen(Dialog[Path]):
         """Read a file and show its beginning, while keys go on being taken."""
         text = await asyncio.to_thread(preview, path) if path else ""
         # The dialog may have been left meanwhile.
-        for shown in self.query("#preview").results(Static):
-            shown.update(text)
+        for page in self.query("#preview").results(Static):
+            page.update(text)
 
     def action_to_list(self) -> None:
         """Go from the name to the list."""
