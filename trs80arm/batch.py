@@ -10,8 +10,9 @@ import io
 import json
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -34,6 +35,10 @@ from trs80arm.trace import PoseTrace, Trace, TraceError
 
 DEFAULT_SECONDS = 3600.0
 """Virtual seconds after which an unattended run ends when no limit is given."""
+
+
+Look = Callable[[Rig], None]
+Stopwatch = Callable[[], float]
 
 
 class UnusableError(Exception):
@@ -71,6 +76,7 @@ class Done:
         wall: seconds of the wall's clock, where somebody gave one.
         limited: whether the limit of seconds was asked for.
         expected: by the script.
+        unattended: whether a script answered, and not a person whose session was recorded.
     """
 
     rig: Rig
@@ -79,6 +85,7 @@ class Done:
     wall: float | None
     limited: bool
     expected: Expected
+    unattended: bool = True
 
     def told(self, program: Path, output: str) -> dict[str, Any]:
         """The whole run as one plain object."""
@@ -94,6 +101,21 @@ class Done:
         }
 
 
+@dataclass(frozen=True)
+class Task:
+    """What is to be run.
+
+    Attributes:
+        script: what the operator does, and what is expected.
+        seconds: virtual ones that it takes at most; None if nobody has said.
+        perform: does it, given what is printed to and who is called with the rig now and then.
+    """
+
+    script: RunScript
+    seconds: float | None
+    perform: Callable[[TextIO, Look | None], Done]
+
+
 UNUSABLE = (ScriptError, FileFormatError, BenchError, TraceError, OSError)
 """What is raised for what cannot be used, beside `UnusableError`."""
 
@@ -101,7 +123,7 @@ UNUSABLE = (ScriptError, FileFormatError, BenchError, TraceError, OSError)
 def run_program(
     options: BatchOptions,
     out: TextIO | None = None,
-    stopwatch: Callable[[], float] | None = None,
+    stopwatch: Stopwatch | None = None,
 ) -> int:
     """Run a program as the options say.
 
@@ -113,9 +135,28 @@ def run_program(
     Returns:
         The exit code: 0 ended or limit reached, 1 stopped on a BASIC error, 2 unusable.
     """
+
+    def task() -> Task:
+        script = script_of(options)
+        return Task(script, script.seconds, partial(carry_out, options, script, stopwatch))
+
+    return attempt(options, task, out)
+
+
+def attempt(options: BatchOptions, task: Callable[[], Task], out: TextIO | None = None) -> int:
+    """Do a task, and tell of it as the options say; whatever cannot be used is one line.
+
+    Args:
+        options: what to tell of it.
+        task: reads what is to be run.
+        out: what is printed to; standard output unless given.
+
+    Returns:
+        The exit code, as `run_program`.
+    """
     stream = out or sys.stdout
     try:
-        return _run(options, stream, stopwatch)
+        return _run(options, task, stream)
     except BrokenPipeError:
         raise
     except (UnusableError, *UNUSABLE) as error:
@@ -125,17 +166,18 @@ def run_program(
     return 2
 
 
-def _run(options: BatchOptions, stream: TextIO, stopwatch: Callable[[], float] | None) -> int:
+def _run(options: BatchOptions, task: Callable[[], Task], stream: TextIO) -> int:
     _check_traces(options)
     if options.as_json and (options.screen or options.registers or options.pose):
         raise UnusableError("--json has screen, registers and pose in it: give it without them")
     kept = io.StringIO() if options.as_json else None
-    script = script_of(options)
-    with running(options.program.stem, script.seconds, stream) as (look, shown_on):
+    chosen = task()
+    script = chosen.script
+    with running(options.program.stem, chosen.seconds, stream) as (look, shown_on):
         out: TextIO = kept or shown_on
         if script.expected.anything and kept is None:
             out = _Both(shown_on)
-        done = carry_out(options, script, out, stopwatch, look)
+        done = chosen.perform(out, look)
     rig = done.rig
     failures: list[str] = []
     if kept is not None or script.expected.anything:
@@ -193,17 +235,17 @@ def script_of(options: BatchOptions) -> RunScript:
 def carry_out(
     options: BatchOptions,
     script: RunScript,
+    stopwatch: Stopwatch | None,
     stream: TextIO,
-    stopwatch: Callable[[], float] | None,
-    look: Callable[[Rig], None] | None = None,
+    look: Look | None = None,
 ) -> Done:
     """Run a program to its end, its limit, or what nobody answers.
 
     Args:
         options: the program, its bench, the rig and the traces.
         script: what the operator does.
-        stream: what is printed to.
         stopwatch: seconds of the wall's clock.
+        stream: what is printed to.
         look: called with the rig now and then.
 
     Raises:
@@ -220,14 +262,25 @@ def carry_out(
         )
     rig.load_lines(lines)
     begun = stopwatch() if stopwatch else 0.0
+    with traced(rig, options):
+        waiting, spent = _from_run_to_end(rig, script, stream, look)
+    wall = stopwatch() - begun if stopwatch else None
+    return Done(rig, waiting, spent, wall, script.seconds is not None, script.expected)
+
+
+@contextmanager
+def traced(rig: Rig, options: BatchOptions) -> Iterator[None]:
+    """Write the traces that the options ask for while a block runs.
+
+    Raises:
+        TraceError, OSError: one cannot be written.
+    """
     with ExitStack() as traces:
         if options.trace:
             traces.enter_context(Trace(rig, options.trace))
         if options.trace_pose:
             traces.enter_context(PoseTrace(rig, options.trace_pose, options.trace_rate))
-        waiting, spent = _from_run_to_end(rig, script, stream, look)
-    wall = stopwatch() - begun if stopwatch else None
-    return Done(rig, waiting, spent, wall, script.seconds is not None, script.expected)
+        yield
 
 
 def _check_traces(options: BatchOptions) -> None:
@@ -240,7 +293,7 @@ def _check_traces(options: BatchOptions) -> None:
 
 
 def _from_run_to_end(
-    rig: Rig, script: RunScript, stream: TextIO, look: Callable[[Rig], None] | None
+    rig: Rig, script: RunScript, stream: TextIO, look: Look | None
 ) -> tuple[Waiting, float]:
     """Type RUN and let the program run until it ends, waits in vain, or its time is over.
 
@@ -283,7 +336,8 @@ def faults(done: Done) -> Iterator[str]:
     for device, fault in (("cassette", rig.tape.fault), ("printer", rig.printer.fault)):
         if fault is not None:
             yield f"{device}: {fault}"
-    if _stopped_by_error(rig) or done.expected.ended is not None:
+    expected = done.expected.ended is not None
+    if _stopped_by_error(rig) or expected or not done.unattended:
         return
     if done.waiting in (Waiting.INPUT, Waiting.SET):
         word, option = ("INPUT", "--input") if done.waiting is Waiting.INPUT else ("@SET", "--set")

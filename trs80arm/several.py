@@ -11,7 +11,7 @@ import json
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, replace
@@ -28,6 +28,7 @@ from trs80arm.bars import counting
 from trs80arm.batch import (
     UNUSABLE,
     BatchOptions,
+    Stopwatch,
     UnusableError,
     carry_out,
     failed,
@@ -39,7 +40,6 @@ from trs80arm.reasons import one_line
 from trs80arm.saving import write_whole
 from trs80arm.shown import shown
 
-Stopwatch = Callable[[], float]
 _PIPE_WIDTH = 160
 """Columns of the table where no terminal says how many there are."""
 
@@ -82,7 +82,7 @@ def run_one(options: BatchOptions, stopwatch: Stopwatch) -> Run:
     program = options.program
     printed = io.StringIO()
     try:
-        done = carry_out(options, script_of(options), printed, stopwatch)
+        done = carry_out(options, script_of(options), stopwatch, printed)
     except (UnusableError, *UNUSABLE) as error:
         return Run(program, unusable=one_line(error))
     told = done.told(program, printed.getvalue())

@@ -126,6 +126,21 @@ def test_what_sensors_say_does_not_hang_on_how_time_is_sliced(name: str) -> None
     check_golden(f"program-{name}", told(rig))
 
 
+def test_programs_that_run_by_turns_in_one_process_come_to_what_each_does_alone() -> None:
+    # So nothing is shared by rigs, and in which order or beside what a test runs is all the same.
+    chance, rigs = random.Random("turns"), {}
+    for name in ("pegs", "tending", "half-steps"):
+        rigs[name] = Rig(bench=benchfile.load(PROGRAMS / f"{name}.toml"))
+        rigs[name].load(PROGRAMS / f"{name}.bas")
+        rigs[name].type("RUN\r")
+        rigs[name].run_for(1.0)
+    while working := [rig for rig in rigs.values() if rig.outcome is None]:
+        chance.choice(working).run_for(chance.choice([0.01, 0.3, 2.0]))
+    for name, rig in rigs.items():
+        rig.run_until_waiting()
+        check_golden(f"program-{name}", told(rig))
+
+
 @pytest.mark.parametrize("name", sorted({*WITH_GOALS} - THERE_AND_BACK))
 def test_before_it_has_run_its_goals_are_not_all_met(name: str) -> None:
     # Or the score would say nothing of the program.

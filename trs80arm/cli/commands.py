@@ -8,12 +8,12 @@ from trs80arm import __version__
 from trs80arm.cli.group import ProgramFirst
 from trs80arm.cli.listings import check, convert, programs
 from trs80arm.cli.making import export_, figure, film
-from trs80arm.cli.runs import run, sweep
+from trs80arm.cli.runs import replay, run, sweep
 from trs80arm.cli.terminal import demo, serve, terminal, tour
 
 _COMMANDS = (
     *(terminal, tour, demo, serve),
-    *(run, sweep),
+    *(run, replay, sweep),
     *(film, export_, figure),
     *(check, convert, programs),
 )

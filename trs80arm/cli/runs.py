@@ -11,13 +11,42 @@ import click
 
 from trs80arm.cli.arguments import A_PATH, A_PROGRAM, Finite
 from trs80arm.cli.ending import fail
-from trs80arm.cli.options import SETTING_FLAGS, answer_options, machine_options, take_settings
+from trs80arm.cli.options import (
+    SETTING_FLAGS,
+    Command,
+    answer_options,
+    machine_options,
+    take_settings,
+)
 
 if TYPE_CHECKING:
     from trs80arm.rig import RigSettings
 
 LONGEST_RUN = 1e9
 """Virtual seconds of an unattended run, 31 years."""
+
+
+def telling_options(command: Command) -> Command:
+    """What is told of a run."""
+    for option in (
+        click.option(
+            "--trace-rate",
+            type=Finite(min=0, max=100_000, min_open=True),
+            help="Poses a virtual second; one after each step unless given.",
+        ),
+        click.option(
+            "--trace-pose", type=A_PATH, help="Angles, pose, grip and loads to .csv or .npz."
+        ),
+        click.option("--trace", type=A_PATH, help="Latch writes to a .csv, .npz or .vcd file."),
+        click.option(
+            "--json", "as_json", is_flag=True, help="Print the whole run as one JSON object."
+        ),
+        click.option("--pose", is_flag=True, help="Print x y z pitch roll opening at the end."),
+        click.option("--registers", is_flag=True, help="Print J1 to J6 at the end."),
+        click.option("--screen", is_flag=True, help="Print the final 16 lines of the tube."),
+    ):
+        command = option(command)
+    return command
 
 
 @click.command()
@@ -31,17 +60,7 @@ LONGEST_RUN = 1e9
 @click.option(
     "--script", type=A_PATH, help="What the operator does and what is expected: a TOML file."
 )
-@click.option("--screen", is_flag=True, help="Print the final 16 lines of the tube.")
-@click.option("--registers", is_flag=True, help="Print J1 to J6 at the end.")
-@click.option("--pose", is_flag=True, help="Print x y z pitch roll opening at the end.")
-@click.option("--json", "as_json", is_flag=True, help="Print the whole run as one JSON object.")
-@click.option("--trace", type=A_PATH, help="Latch writes to a .csv, .npz or .vcd file.")
-@click.option("--trace-pose", type=A_PATH, help="Angles, pose, grip and loads to .csv or .npz.")
-@click.option(
-    "--trace-rate",
-    type=Finite(min=0, max=100_000, min_open=True),
-    help="Poses a virtual second; one after each step unless given.",
-)
+@telling_options
 @click.option("--jobs", type=click.IntRange(1, 1024), help="How many programs run at once.")
 @click.option("--junit", type=A_PATH, help="Write JUnit XML to a file, and print a table.")
 @machine_options
@@ -64,6 +83,25 @@ def run(programs: tuple[Path, ...], jobs: int | None, junit: Path | None, **give
     from trs80arm.several import run_programs
 
     sys.exit(run_programs(programs, options, perf_counter, jobs=jobs, junit=junit))
+
+
+@click.command()
+@click.argument("recording", type=A_PATH)
+@click.option("--script", type=A_PATH, help="What is expected: a TOML file with [expect].")
+@telling_options
+def replay(recording: Path, **given: Any) -> None:
+    """Play a recorded session again without a screen, as fast as the computer can.
+
+    RECORDING is what `trs80arm --record FILE` or the terminal has saved; it brings its machine and
+    bench along. What was typed and printed goes to standard output. A script NAME.run.toml beside
+    the recording says what it is to come to.
+    """
+    from time import perf_counter
+
+    from trs80arm.batch import BatchOptions
+    from trs80arm.replay import replay_session
+
+    sys.exit(replay_session(BatchOptions(recording, **given), stopwatch=perf_counter))
 
 
 @click.command()
