@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+WORKFLOW = ".github/workflows/arm.yml"
 PAGE = Path(__file__).parents[2] / "docs/testing.md"
 _FILE = re.compile(r"^`([\w./-]+)`:\n\n```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
@@ -20,6 +21,14 @@ def settle(folder: Path) -> None:
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
+
+
+def steps() -> list[str]:
+    """What the page's workflow does when trs80arm is installed."""
+    commands: list[str] = re.findall(r"^ +- run: (.*)$", files()[WORKFLOW], re.MULTILINE)
+    install, *others = commands
+    assert install.startswith("pip install")
+    return others
 
 
 def hurry(folder: Path) -> None:
