@@ -51,8 +51,26 @@ class Course:
     def heights(self, piece: int) -> list[Floats]:
         """How high they are: places x corners."""
         link, solids = self._solids(piece)
-        place, along, across, up = (each[2, :, None] for each in self._frame(link))
+        place, along, across, up = (each[:, None] for each in self._risen(link))
         return [place + along * x + across * y + up * z for x, y, z in solids]
+
+    def _risen(self, link: Link) -> tuple[Floats, Floats, Floats, Floats]:
+        """What of `_frame` is upwards."""
+        model, (_, c2, c3, cp, cr), (_, s2, s3, sp, sr) = (
+            self._linkage.model,
+            self._cosines,
+            self._sines,
+        )
+        nought = np.zeros_like(s2)
+        if link is Link.UPPER_ARM:
+            return nought + model.shoulder_height, s2, nought, c2
+        if link is Link.FOREARM:
+            return model.shoulder_height + model.link * s2, s3, nought, c3
+        place, across = model.shoulder_height + model.link * (s2 + s3), sr * cp
+        if link is not Link.HAND:
+            side = 0.5 if link is FINGERS[0] else -0.5
+            place = place + model.hand_length * sp + side * self._opening * across
+        return place, sp, across, cp * cr
 
     def _solids(self, piece: int) -> tuple[Link, list[Floats]]:
         """The link of a piece, and its solids' corners there: each 3 x corners."""

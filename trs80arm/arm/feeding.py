@@ -110,7 +110,7 @@ class Feeding:
         if near < 0.0:
             return False
         for feeder in self.vacant.values():
-            far = CLEARANCE + feeder.place.radius - SPARE
+            far = CLEARANCE + feeder.radius - SPARE
             way, bearing = math.hypot(feeder.x, feeder.y), math.atan2(feeder.y, feeder.x)
             aside = max(abs(ranges.base[0] - bearing), abs(ranges.base[1] - bearing))
             across = 2 * way * math.cos(min(aside, math.pi))
@@ -127,7 +127,7 @@ class Feeding:
         x, y = fingertips(self._linkage.model, joints)
         count = len(x)
         for number, feeder in self.vacant.items():
-            far = CLEARANCE + feeder.place.radius - SPARE
+            far = CLEARANCE + feeder.radius - SPARE
             unfed = (x - feeder.x) ** 2 + (y - feeder.y) ** 2 < far * far
             if number in self._barred:
                 stood, by = self._barred[number]
@@ -138,12 +138,12 @@ class Feeding:
     def _near(self, feeder: Feeder, joints: Sequence[float]) -> bool:
         """Whether the fingertip is too near to a feeder for its next part."""
         x, y, _ = forward(self._linkage.model, JointAngles.of_gears(*joints[:5])).fingertip
-        return length(x - feeder.x, y - feeder.y) < CLEARANCE + feeder.place.radius
+        return length(x - feeder.x, y - feeder.y) < CLEARANCE + feeder.radius
 
     def _surely_near(self, feeder: Feeder, joints: Sequence[float]) -> bool:
         """Whether it is for sure; the sines are the C library's, and leave a little room."""
         x, y = fingertip(self._linkage.model, joints)
-        return length(x - feeder.x, y - feeder.y) < CLEARANCE + feeder.place.radius - SPARE
+        return length(x - feeder.x, y - feeder.y) < CLEARANCE + feeder.radius - SPARE
 
     def _touches(self, solids: Sequence[Placed], depth: float = SKIN) -> bool:
         """Whether a link or finger is in some solids by more than a depth, inches."""

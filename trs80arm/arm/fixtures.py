@@ -121,6 +121,12 @@ class Feeder:
         return {each.name: getattr(self, each.name) for each in fields(self)} | {"_placed": None}
 
     @property
+    def radius(self) -> float:
+        """Of the sphere around the next part's box, inches."""
+        a, b, c = self.size[0] / 2, self.size[1] / 2, self.size[2] / 2
+        return math.sqrt(a * a + b * b + c * c)
+
+    @property
     def place(self) -> Box:
         """Where the next part will stand."""
         return upright(self.x, self.y, self.bottom, self.size, self.turn)

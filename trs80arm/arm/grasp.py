@@ -67,9 +67,9 @@ class Grasp:
         Args:
             loaded: whether anything rests in the hand.
         """
-        parts = self._bench.parts
+        parts, contacts = self._bench.parts, self._bench.scene.contacts
         left, right = self._linkage.fingers
-        looked_at = {name for contact in self._bench.scene.contacts for name in contact.key[:2]}
+        looked_at = {name for contact in contacts for name in contact.key[:2]}
         # What sleeps in the grip stays there.
         if not any(
             part.asleep

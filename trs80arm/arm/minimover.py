@@ -413,7 +413,12 @@ class MiniMover:
         if not (self._bears or world.grip.squeeze):
             return None
         turns = self.motor_kinds[latch]
-        if resistance(self, latch, step, rotors)[0] <= self.strength.curves[turns].stall:
+        stall = self.strength.curves[turns].stall
+        most = self._most_weight()[turns] + abs(world.torque(turns))
+        if most <= stall and self._pull is None and turns is not BASE:
+            # However the arm stands, it is no more than that.
+            return None
+        if resistance(self, latch, step, rotors)[0] <= stall:
             return None
         rotors[latch] -= step
         world.moved(rotors, latch)

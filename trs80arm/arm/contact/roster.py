@@ -76,15 +76,22 @@ class Roster:
         found: dict[str, Body] = {}
         if not self._squares:
             return []
-        for square in _squares(low[0], low[1], high[0], high[1]):
-            here = self._squares.get(square)
-            if here:
-                found.update(here)
+        left, right = math.floor(low[0] / SQUARE), math.floor(high[0] / SQUARE)
+        front, back = math.floor(low[1] / SQUARE), math.floor(high[1] / SQUARE)
+        if len(self._squares) <= (right - left + 1) * (back - front + 1):
+            # There are fewer squares with anything in them than there are in the box.
+            for (column, row), here in self._squares.items():
+                if left <= column <= right and front <= row <= back:
+                    found.update(here)
+        else:
+            for square in _squares(low[0], low[1], high[0], high[1]):
+                found.update(self._squares.get(square, {}))
         return self.ordered(found.values())
 
     def ordered(self, bodies: Iterable[Body]) -> list[Body]:
         """Bodies as they came to the scene."""
-        return sorted(bodies, key=lambda body: self._numbers[body.name])
+        found = list(bodies)
+        return found if len(found) < 2 else sorted(found, key=lambda body: self._numbers[body.name])
 
 
 def _squares(left: float, front: float, right: float, back: float) -> list[Square]:
