@@ -47,6 +47,9 @@ class Burst(Protocol):
     def split(self, count: int) -> tuple[Burst, Burst]:
         """So many writes, and the rest of them."""
 
+    def first(self, count: int) -> tuple[Columns, Burst]:
+        """So many writes one by one, and the rest of them."""
+
     def until(self, time: int) -> tuple[Burst, Burst]:
         """The writes that come before a T-state, and the rest of them."""
 
@@ -102,6 +105,10 @@ class Columns:
             Columns(times[count:], latches[count:], nibbles[count:]),
         )
 
+    def first(self, count: int) -> tuple[Columns, Columns]:
+        """As in `Burst`."""
+        return self.split(count)
+
     def until(self, time: int) -> tuple[Columns, Columns]:
         """As in `Burst`."""
         return self.split(int(np.searchsorted(self.times, time)))
@@ -153,6 +160,10 @@ class Train:
     def __len__(self) -> int:
         return self.end - self.begin
 
+    def steps(self, count: int) -> range:
+        """The first steps, so many at most."""
+        return range(self.begin, min(self.end, self.begin + count))
+
     def tick(self, step: int) -> int:
         """The tick of a step i."""
         return (self.phase + step * self.over) // self.under
@@ -180,6 +191,11 @@ class Train:
         """How many of its steps come before each of some ticks."""
         steps = -((self.phase - ticks * self.under) // self.over)
         return np.minimum(np.maximum(steps, self.begin), self.end) - self.begin
+
+    def rest(self, count: int) -> Train:
+        """It without so many of its steps."""
+        begin = self.begin + count
+        return Train(self.motor, self.direction, begin, self.end, self.phase, self.over, self.under)
 
     def cut(self, count: int) -> tuple[Train, Train]:
         """So many of its steps, and the rest of them."""
@@ -257,12 +273,23 @@ class Pulses:
 
     def _plain_columns(self) -> Columns:
         """`columns` for a few writes."""
-        ring, round_it = self.ring, len(self.ring)
-        writes = sorted(
-            (tick, order, self.rows[train.motor] + train.direction * number)
+        return self._columns_of(self._first(len(self)))
+
+    def _first(self, count: int) -> list[tuple[int, int, int]]:
+        """The first writes: the tick, which train's, and the place in the ring that is written."""
+        writes = [
+            (train.tick(step), order, self.rows[train.motor] + train.direction * number)
             for order, train in enumerate(self.trains)
-            for number, tick in enumerate(train.ticks(), start=1)
-        )
+            for number, step in enumerate(
+                range(train.begin, min(train.end, train.begin + count)), 1
+            )
+        ]
+        writes.sort()
+        return writes[:count]
+
+    def _columns_of(self, writes: Sequence[tuple[int, int, int]]) -> Columns:
+        """Some of its writes, as `_first` has them."""
+        ring, round_it = self.ring, len(self.ring)
         return Columns(
             [self.time(tick) for tick, _, _ in writes],
             [self.trains[order].motor for _, order, _ in writes],
@@ -274,12 +301,7 @@ class Pulses:
         if len(self.trains) == 1:
             return self._cut([count])
         if count <= _FEW:
-            ticks = sorted(
-                (train.tick(step), order)
-                for order, train in enumerate(self.trains)
-                for step in range(train.begin, min(train.end, train.begin + count))
-            )
-            first = [order for _, order in ticks[:count]]
+            first = [order for _, order, _ in self._first(count)]
             return self._cut([first.count(order) for order in range(len(self.trains))])
         # The tick of the last write that belongs to the first part, and what comes before it.
         low, high = 0, max([train.tick(train.end - 1) for train in self.trains if train], default=0)
@@ -295,6 +317,18 @@ class Pulses:
                 done[order] += 1
         return self._cut(done)
 
+    def first(self, count: int) -> tuple[Columns, Pulses]:
+        """As in `Burst`."""
+        if count > _FEW:
+            near, rest = self.split(count)
+            return near.columns(), rest
+        writes = self._first(count)
+        done = [0] * len(self.trains)
+        for _, order, _ in writes:
+            done[order] += 1
+        trains = [train.rest(steps) for train, steps in zip(self.trains, done, strict=True)]
+        return self._columns_of(writes), self._with(trains, self._rows_after(done))
+
     def until(self, time: int) -> tuple[Pulses, Pulses]:
         """As in `Burst`."""
         tick = self.first_tick_from(time)
@@ -303,13 +337,17 @@ class Pulses:
     def _cut(self, done: Sequence[int]) -> tuple[Pulses, Pulses]:
         """So many writes of each train, and the rest of them."""
         pieces = [train.cut(count) for train, count in zip(self.trains, done, strict=True)]
+        return (
+            self._with([first for first, _ in pieces], self.rows),
+            self._with([rest for _, rest in pieces], self._rows_after(done)),
+        )
+
+    def _rows_after(self, done: Sequence[int]) -> list[int]:
+        """`rows` after so many writes of each train."""
         rows = list(self.rows)
         for train, count in zip(self.trains, done, strict=True):
             rows[train.motor] += train.direction * count
-        return (
-            self._with([first for first, _ in pieces], self.rows),
-            self._with([rest for _, rest in pieces], rows),
-        )
+        return rows
 
     def _with(self, trains: Sequence[Train], rows: Sequence[int]) -> Pulses:
         return Pulses(self.start, self.over, self.under, tuple(trains), rows, self.ring)

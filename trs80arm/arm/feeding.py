@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.rotations import Quaternion
+from trs80arm.arm.contact.solids import Solid
 from trs80arm.arm.course import Floats, fingertip, fingertips, in_a_row
-from trs80arm.arm.fixtures import Feeder
+from trs80arm.arm.fixtures import Feeder, Part
 from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.linkage import ArmLinkage
-from trs80arm.arm.shapes import SKIN, length
+from trs80arm.arm.shapes import SKIN, Vector, length
 from trs80arm.arm.surroundings import SPARE, Surroundings
 from trs80arm.arm.sweep import Ranges, fingertip_out
 
@@ -20,6 +22,50 @@ DEPTHS = (2.0, 1.0, 0.5, 0.2, 0.1)
 """Inches by which a link may be in a feeder's place: how far it has to go at least to be out."""
 CLEARANCE = 2.5
 """A feeder gives its next part when the fingertip is this far from its middle, inches."""
+
+
+class _Given(NamedTuple):
+    """A part as a feeder gave it.
+
+    Attributes:
+        name: of the part.
+        place: where it stood.
+        turn: how.
+        thick: inches that any point of it has to go at least until it may be off its place.
+        radius: of the sphere around it, inches.
+    """
+
+    name: str
+    place: Vector
+    turn: Quaternion
+    thick: float
+    radius: float
+
+    @classmethod
+    def of(cls, part: Part) -> _Given:
+        """A part that was given just now."""
+        solids = part.shape.solids
+        thick = max([_depth(solid) for solid in solids]) / 2
+        return cls(part.name, part.place, part.turn, thick, part.shape.radius)
+
+    def still(self, parts: Mapping[str, Part]) -> bool:
+        """Whether it is sure that it is in its place, and not in the hand."""
+        part = parts.get(self.name)
+        if part is None or part.held:
+            return False
+        gone = math.dist(part.place, self.place)
+        # A turn takes no point farther than twice the way of its quaternion, times its distance.
+        return gone + 2 * math.dist(part.turn, self.turn) * self.radius < self.thick
+
+
+def _depth(solid: Solid) -> float:
+    """How far the middle of a solid is from its faces, at least."""
+    x, y, z = solid.middle
+    depths = []
+    for (u, v, w), face in zip(solid.normals, solid.faces, strict=True):
+        a, b, c = solid.vertices[face[0]]
+        depths.append(u * (a - x) + v * (b - y) + w * (c - z))
+    return min(depths)
 
 
 class Feeding:
@@ -35,11 +81,12 @@ class Feeding:
         self._linkage = linkage
         self._around = around
         self._standing: dict[int, tuple[object, ...]] = {}
+        self._given: dict[int, _Given] = {}
         self._barred: dict[int, tuple[list[float], float]] = {}
 
     def __getstate__(self) -> dict[str, Any]:
         # What stands at the feeders' places is found anew.
-        return {**self.__dict__, "_standing": {}, "_barred": {}}
+        return {**self.__dict__, "_standing": {}, "_given": {}, "_barred": {}}
 
     def begin(self) -> None:
         """Give the first parts, but where the arm is."""
@@ -60,6 +107,8 @@ class Feeding:
                 or (part is not None and not part.held and [part.place, part.turn] == stood)
             ):
                 # What stood at its place still does.
+                continue
+            if number in self._given and self._given[number].still(bench.parts):
                 continue
             found = bench.found_at(feeder.placed)
             if found is None:
@@ -85,7 +134,7 @@ class Feeding:
                 by = next((by for by in DEPTHS if self._touches(placed, SKIN + by)), 0.0)
                 self._barred[number] = list(self._bench.scene.joints), by
                 continue
-            self._bench.feed(feeder)
+            self._given[number] = _Given.of(self._bench.feed(feeder))
             given = True
         return given
 

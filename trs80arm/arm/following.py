@@ -39,7 +39,7 @@ def follow_burst(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> 
             rest = left if beyond is None else rest.split(done)[1]
             if not rest:
                 break
-        few, rest = rest.split(min(len(rest), patience if arm.free else FEW))
+        few, rest = rest.first(min(len(rest), patience if arm.free else FEW))
         done, ended = _follow_singly(arm, few, rest.begins if rest else None, stop)
         if ended:
             return count - len(rest) - len(few) + done
