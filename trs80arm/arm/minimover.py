@@ -38,13 +38,9 @@ GIVEN_WAY = 4
 """Half-steps by which a motor without current is turned in a tick, at most."""
 
 KNOWN = 1024
-"""Bursts, and motors' parts in them, that are remembered."""
+"""Bursts that are remembered."""
 
 AUXILIARY = 6
-
-
-def _unknown() -> dict[str, Any]:
-    return {"known_uses": Recurrence(KNOWN), "known_passages": Recurrence(KNOWN)}
 
 
 class MiniMover:
@@ -61,7 +57,6 @@ class MiniMover:
         log: of what happened.
         peaks: the greatest share of what each motor has that any half-step took
             since `forget_peaks`, whole per cent, rounded up.
-        known_uses: what was worked out of motors' parts in strides lately.
         known_passages: what was found of bursts lately, whenever they began.
     """
 
@@ -85,7 +80,12 @@ class MiniMover:
         # What is on the bench is seen before the world is: all of it has to be where it is.
         self._world.show()
         # The distance to the stops is found anew; how it was counted hangs on how a run is cut.
-        return {**self.__dict__, "_stops_off": 0, "_heaviest": None, **_unknown()}
+        return {
+            **self.__dict__,
+            "_stops_off": 0,
+            "_heaviest": None,
+            "known_passages": Recurrence(KNOWN),
+        }
 
     def prepare(self, bench: Bench) -> World:
         """A bench laid out for this arm, everything on it at rest; the arm is not at it yet.
@@ -122,7 +122,6 @@ class MiniMover:
         self._world, self.bench, self.drive = world, world.bench, world.drive
         self._rotors = [0] * 6
         self._stops_off = 0
-        self.known_uses: Recurrence[int] = Recurrence(KNOWN)
         self.known_passages: Recurrence[Passage] = Recurrence(KNOWN)
 
     def refill(self) -> None:

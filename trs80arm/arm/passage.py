@@ -7,14 +7,16 @@ burst, place and load, and remembered.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field
+from itertools import starmap
+from typing import TYPE_CHECKING, NamedTuple
 
 from trs80arm.arm.ahead import Ahead
 from trs80arm.arm.bearing import period_at
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.forces import BY_THEMSELVES, nearest_and_farthest
+from trs80arm.arm.loads import per_cent
 from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER
 from trs80arm.arm.motors import RING
 
@@ -27,26 +29,38 @@ PER_RING = RING * T_STATES_PER_SECOND
 Span = tuple[float, float]
 
 
+class Uses(NamedTuple):
+    """What the half-steps of a motor take of what it has, however long ago the last was before.
+
+    Attributes:
+        within: the greatest share at any of them that comes after a ring of others; per cent,
+            rounded up.
+        began: torques that those before turn against.
+    """
+
+    within: int
+    began: Sequence[float]
+
+
 @dataclass(slots=True)
 class Passage:
     """What a burst asks of an arm.
 
     Attributes:
         pitched: the least and the greatest sum of half-steps by which the hand is pitched.
-        tilted: angles to which upper arm, forearm and hand come to the horizontal, at most.
         torques: by latch, the most that motors turn against, at most; None where it is not sure
             that they keep up, that no joint comes to its end, and that the hand neither opens
             nor closes as far as it can.
-        shares: by latch, the greatest share of what it has that any ring of a motor's half-steps
-            takes, at most, as long as none before belongs to it; per cent.
+        shares: by latch, what `Uses.within` is at most.
+        uses: by latch, of those that were asked for.
         periods: T-states that each turning motor needs for its last half-step; None as long as
             nobody has asked.
     """
 
     pitched: tuple[int, int]
-    tilted: tuple[Span, Span, Span]
     torques: Mapping[int, float] | None
-    shares: Mapping[int, float]
+    shares: Mapping[int, int]
+    uses: dict[int, Uses] = field(default_factory=dict)
     periods: list[int] | None = None
 
 
@@ -78,16 +92,26 @@ def _passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) -> Pass
     paid = ahead.together(arm.model.pays_out)
     pitched = ahead.together(arm.model.gears(1))
     spans = _spans(arm, low, high)
-    torques, shares = None, {}
+    torques: dict[int, float] | None = None
     if _hand_stays(arm, paid, stop) and _within_stops(arm, spans, pitched):
         torques = _torques(arm, ahead, spans, paid[0])
-    if torques is not None:
-        margin = arm.settings.speed_margin
-        for turning in ahead.turnings:
-            curve = arm.strength.curves[arm.motor_kinds[turning.latch]]
-            rate = PER_RING / max(1, RING * turning.gap) / margin
-            shares[turning.latch] = 100 * curve.used(torques[turning.latch], rate)
-    return Passage(pitched, (spans[1], spans[2], _pitches(arm, pitched)), torques, shares)
+    if torques is None:
+        return Passage(pitched, None, {})
+    shares = {}
+    margin, burdens = arm.settings.speed_margin, arm.world.burdens()
+    ends = starmap(nearest_and_farthest, (*spans[1:3], _pitches(arm, pitched)))
+    upper, fore, hand = (max(a, -b) for a, b in ends)
+    for order, turning in enumerate(ahead.turnings):
+        latch, kind, torque = turning.latch, arm.motor_kinds[turning.latch], torques[turning.latch]
+        if kind is HAND:
+            torque = 0.0 if turning.way > 0 else torque
+        else:
+            torque = min(torque, arm.strength.most(kind, burdens, (upper, fore, hand)))
+        torques[latch], shares[latch] = torque, 0
+        if turning.steps > RING:
+            rate = PER_RING / max(1, ahead.closest(order)) / margin
+            shares[latch] = per_cent(arm.strength.curves[kind].used(torque, rate))
+    return Passage(pitched, torques, shares)
 
 
 def last_periods(arm: MiniMover, ahead: Ahead) -> list[int]:

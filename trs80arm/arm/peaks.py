@@ -2,24 +2,23 @@
 
 A stride does not look at single half-steps. What each can be at most follows from the stride's own
 bounds; only where that is more than the greatest so far is it worked out for every one of them, so
-that a peak is the same however a motion is cut.
+that a peak is the same however a motion is cut. What came before matters to the first ring of
+half-steps alone; the rest is the same whenever a burst begins.
 """
 
 from __future__ import annotations
 
-from itertools import starmap
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from trs80arm.arm.ahead import Ahead
-from trs80arm.arm.contact.recurrence import question
-from trs80arm.arm.forces import BY_THEMSELVES, Vector, cosines, nearest_and_farthest
+from trs80arm.arm.forces import BY_THEMSELVES, cosines
 from trs80arm.arm.loads import per_cent
 from trs80arm.arm.model import BASE, HAND
 from trs80arm.arm.motors import RING
-from trs80arm.arm.passage import PER_RING, Passage
+from trs80arm.arm.passage import PER_RING, Passage, Uses
 
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
@@ -27,65 +26,48 @@ if TYPE_CHECKING:
 Array = npt.NDArray[np.int64]
 
 
-def note_stride(
-    arm: MiniMover,
-    ahead: Ahead,
-    passage: Passage,
-) -> None:
+def note_stride(arm: MiniMover, ahead: Ahead, burst: Ahead, passage: Passage) -> None:
     """Keep the greatest use of each motor in a stride that is about to be done.
 
     Args:
         arm: the arm.
         ahead: the stride.
-        passage: of it, or of a burst of which it is the beginning.
+        burst: that it is, or of which it is the beginning.
+        passage: of the burst.
     """
-    margin, torques = arm.settings.speed_margin, passage.torques
+    torques = passage.torques
     assert torques is not None
-    level: Vector | None = None
+    margin = arm.settings.speed_margin
     for order, turning in enumerate(ahead.turnings):
-        latch = turning.latch
-        kind, motor, peak = arm.motor_kinds[latch], arm.motors[latch], arm.peaks[latch]
-        gap, steps, pulses = turning.gap, turning.steps, motor.pulses
-        if passage.shares[latch] <= peak and turning.first - pulses[-1] >= RING * gap:
+        latch, gap, pulses = turning.latch, turning.gap, arm.motors[turning.latch].pulses
+        curve = arm.strength.curves[arm.motor_kinds[latch]]
+        # Rings of pulses that the stride begins and ends, and those that end in it.
+        if passage.shares[latch] > arm.peaks[latch]:
+            used = _known(arm, burst, passage, latch).within
+            if used > arm.peaks[latch] and ahead is not burst:
+                used = _worked_out(arm, ahead, order).within
+            arm.note_use(latch, used)
+        spans = [turning.first + k * gap - pulses[k + 1] for k in range(min(RING, turning.steps))]
+        rate = PER_RING / max(1, min(spans)) / margin
+        if per_cent(curve.used(torques[latch], rate)) <= arm.peaks[latch]:
             continue
-        curve, torque = arm.strength.curves[kind], torques[latch]
-        # Rings of pulses that begin before the stride, and those that do not.
-        begin = [turning.first + k * gap - pulses[k + 1] for k in range(min(RING, steps))]
-        span = max(1, min(RING * gap, *begin))
-        if 100 * curve.used(torque, PER_RING / span / margin) <= peak:
-            continue
-        first = zip(ahead.moments(order, 0, RING), pulses[1:], strict=False)
-        span = max(1, min(ahead.closest(order), *(now - before for now, before in first)))
-        if kind is HAND:
-            torque = 0.0 if turning.way > 0 else torque
-        else:
-            if level is None:
-                upper, fore, hand = (
-                    max(a, -b) for a, b in starmap(nearest_and_farthest, passage.tilted)
-                )
-                level = upper, fore, hand
-            torque = min(torque, arm.strength.most(kind, arm.world.burdens(), level))
-        if per_cent(curve.used(torque, PER_RING / span / margin)) <= peak:
-            continue
-        arm.note_use(latch, _known(arm, ahead, order))
+        moments = ahead.moments(order, 0, RING)
+        began = _known(arm, burst, passage, latch).began
+        for now, before, torque in zip(moments, pulses[1:], began, strict=False):
+            rate = PER_RING / max(1, now - before) / margin
+            arm.note_use(latch, per_cent(curve.used(torque, rate)))
 
 
-def _known(arm: MiniMover, ahead: Ahead, order: int) -> int:
-    """The greatest share that one motor's half-steps take; a program that goes round repeats it."""
-    turning, repeats = ahead.turnings[order], ahead.repeats
-    if repeats is None:
-        return _worked_out(arm, ahead, order)
-    motor = arm.motors[turning.latch]
-    since = tuple([turning.first - pulse for pulse in motor.pulses])
-    asked = question(turning.latch, repeats, arm.rotors, since, *arm.world.bearing)
-    used = arm.known_uses.get(asked)
-    if used is None:
-        used = arm.known_uses.keep(asked, _worked_out(arm, ahead, order))
-    return used
+def _known(arm: MiniMover, burst: Ahead, passage: Passage, latch: int) -> Uses:
+    """What one motor's half-steps take in a burst; a program that goes round repeats it."""
+    if latch not in passage.uses:
+        order = [turning.latch for turning in burst.turnings].index(latch)
+        passage.uses[latch] = _worked_out(arm, burst, order)
+    return passage.uses[latch]
 
 
-def _worked_out(arm: MiniMover, ahead: Ahead, order: int) -> int:
-    """The greatest share that one motor's half-steps take, per cent, rounded up."""
+def _worked_out(arm: MiniMover, ahead: Ahead, order: int) -> Uses:
+    """The same, found anew."""
     latch = ahead.turnings[order].latch
     times, turns = ahead.half_steps(order)
     rotors = np.empty((6, len(times)), dtype=np.int64)
@@ -95,8 +77,14 @@ def _worked_out(arm: MiniMover, ahead: Ahead, order: int) -> int:
         rotors[:] = np.array(arm.rotors)[:, None]
         for other, by in zip(ahead.turnings, ahead.before_each(order), strict=True):
             rotors[other.latch] += by
-    bearing = against(arm, latch, turns, rotors)
-    return greatest(arm, latch, times, np.abs(turns), bearing)
+    torques = against(arm, latch, turns, rotors)
+    within = 0
+    if len(times) > RING:
+        curve = arm.strength.curves[arm.motor_kinds[latch]]
+        spans = np.maximum(1, times[RING:] - times[:-RING])
+        shares = curve.uses(torques[RING:], PER_RING / spans / arm.settings.speed_margin)
+        within = per_cent(float(shares.max()))
+    return Uses(within, torques[:RING].tolist())
 
 
 def against(

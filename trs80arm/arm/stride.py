@@ -53,6 +53,7 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
     if not _load_stays(arm, ahead, passage.pitched):
         return None
     rest: Burst = NOTHING
+    whole = ahead
     look = arm.world.first_look(ahead)
     if look is not None:
         before, rest = burst.until(look)
@@ -65,7 +66,7 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
     else:
         periods = passage.periods or last_periods(arm, ahead)
         passage.periods = periods
-    note_stride(arm, ahead, passage)
+    note_stride(arm, ahead, whole, passage)
     _arrive(arm, ahead, periods)
     return rest
 
