@@ -4,6 +4,9 @@ A motion of a stepper motor is a train of pulses, evenly spread over ticks, and 
 much of it as thousands of writes. So software sends bursts as trains, the card hands them on as
 they are, and who must see the single writes has them as columns. This is all that card and arm
 know of each other.
+
+None of these is changed once it is made, though nothing forbids it: frozen ones take four times as
+long to make, and one is made for each write that is sent alone.
 """
 
 from __future__ import annotations
@@ -60,7 +63,7 @@ class Burst(Protocol):
         """
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Columns:
     """A burst as its single writes.
 
@@ -135,7 +138,7 @@ NOTHING = Columns((), (), ())
 """No writes."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Train:
     """Some steps of one motor in one direction: step i comes at tick `(phase + i * over) // under`.
 
@@ -206,7 +209,7 @@ class Train:
         )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Pulses:
     """A burst as trains of pulses: tick k is at the T-state `start + k * over // under`.
 
