@@ -22,6 +22,11 @@ class Watched(RegistersPanel):
     def __init__(self) -> None:
         super().__init__()
         self.asked: list[tuple[Region, ...]] = []
+        self.found: set[str] = set()
+
+    def get_component_rich_style(self, *names: str, **options: Any) -> Any:
+        self.found.update(names)
+        return super().get_component_rich_style(*names, **options)
 
     def refresh(self, *regions: Region, **options: Any) -> Any:
         self.asked.append(regions)
@@ -62,6 +67,17 @@ async def test_however_many_lines_differ_the_others_stand() -> None:
         moved = (7, 7, 7, 7, 7, 7)
         desk.panel.show(samples.readings(registers=moved, joints=moved))
         assert desk.panel.asked == [tuple(Region(20, y, 8, 1) for y in range(1, 7))]
+
+
+@piloted
+async def test_styles_are_found_of_those_inks_only_that_are_on_the_panel() -> None:
+    desk = Desk()
+    async with desk.run_test(size=(60, 12)) as pilot:
+        desk.panel.show(samples.readings())
+        await pilot.pause()
+        rows = desk.panel.draw(samples.readings(), 40, 9)
+        inks = {ink for row in rows for _, ink in row} - {Ink.PLAIN}
+        assert desk.panel.found == {f"panel--{ink.value}" for ink in inks}
 
 
 class Saying(Panel):

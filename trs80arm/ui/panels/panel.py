@@ -24,7 +24,7 @@ from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import DARKEST, LEVELS, LIGHT, Ink, Paint, Row, changed_part, fitted
 from trs80arm.ui.terminal.changes import Change
 from trs80arm.ui.terminal.components import LateComponents
-from trs80arm.ui.terminal.filters import needed
+from trs80arm.ui.terminal.filters import in_true_colours, needed
 from trs80arm.ui.terminal.layers import Layer
 from trs80arm.ui.terminal.no_codes import printable
 
@@ -113,6 +113,7 @@ class Panel(LateComponents, can_focus=False):
         rows = self._rows
         if len(rows) != height:
             self._rows = [fitted(row, width) for row in drawn]
+            self._true_colours = None
             self.refresh()
             return
         changed: dict[int, Row] = {}
@@ -170,7 +171,10 @@ class Panel(LateComponents, can_focus=False):
     def get_line_filters(self) -> Sequence[LineFilter]:
         """The program's filters, but for those that would change nothing in lines made here."""
         if self._true_colours is None:
-            self._true_colours = self.colours is not None
+            # Of the inks that are on the panel only: to find one takes a while.
+            inks = {ink for row in self._rows for _, ink in row}
+            styles = [self.rich_style, *map(self._style, inks)]
+            self._true_colours = all(map(in_true_colours, styles))
         return needed(super().get_line_filters(), true_colours=self._true_colours)
 
     @property
@@ -188,6 +192,7 @@ class Panel(LateComponents, can_focus=False):
         if style is None:
             style = self._shaded(ink) if isinstance(ink, Paint) else self._plain(ink)
             self._known_styles[ink] = style
+            self._true_colours = None
         return style
 
     def _plain(self, ink: Ink) -> Style:

@@ -18,7 +18,7 @@ from trs80arm.drawing.glyphs import GLYPHS
 from trs80arm.machine.video import COLUMNS, ROWS
 from trs80arm.options import GlyphSet
 from trs80arm.ui.terminal.changes import Change
-from trs80arm.ui.terminal.filters import needed
+from trs80arm.ui.terminal.filters import in_true_colours, needed
 from trs80arm.ui.terminal.layers import Layer
 
 _GRAPHICS = 128
@@ -138,12 +138,7 @@ class Tube(Widget):
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         """The program's filters, but for those that would change nothing on the tube."""
-        style = self.rich_style
-        known = all(
-            colour is not None and colour.triplet is not None
-            for colour in (style.color, style.bgcolor)
-        )
-        return needed(super().get_line_filters(), true_colours=known)
+        return needed(super().get_line_filters(), true_colours=in_true_colours(self.rich_style))
 
     def _look_at(self, cursor: int | None) -> bool:
         """Where it has not the room for all, show its last lines, and the columns of the cursor.

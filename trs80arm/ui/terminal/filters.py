@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rich.style import Style
 from textual.filter import ANSIToTruecolor, LineFilter
 
 from trs80arm.ui.terminal.no_codes import NoControlCodes
@@ -18,3 +19,10 @@ def needed(filters: Sequence[LineFilter], *, true_colours: bool) -> Sequence[Lin
     """
     idle = (NoControlCodes, ANSIToTruecolor) if true_colours else NoControlCodes
     return [one for one in filters if not isinstance(one, idle)]
+
+
+def in_true_colours(style: Style) -> bool:
+    """Whether neither colour of a style is one of the terminal's own, which nobody knows."""
+    return all(
+        colour is not None and colour.triplet is not None for colour in (style.color, style.bgcolor)
+    )
