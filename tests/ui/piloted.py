@@ -8,7 +8,10 @@ from functools import wraps
 from typing import Any, ParamSpec
 from unittest.mock import patch
 
+from textual.css.stylesheet import Stylesheet
+
 from tests.ui.all_done import all_done
+from tests.ui.parsed_once import parse_once
 
 Arguments = ParamSpec("Arguments")
 
@@ -23,6 +26,7 @@ def piloted(
         with (
             patch("textual.pilot.wait_for_idle", all_done),
             patch("textual.app.wait_for_idle", all_done),
+            patch.object(Stylesheet, "_parse_rules", parse_once),
         ):
             asyncio.run(test(*args, **kwargs))
 
