@@ -24,9 +24,9 @@ MOST_POINTS = 8
 _PREFERENCE = 1e-3
 """By how much an edge or the second solid's face must be the better axis, inches."""
 _ALONGSIDE = 0.95
-"""Cosine of the angle between an edges' normal and a face's up to which the face is taken: of two
-faces that all but lie on each other one crossing of edges says too little, for what is pushed out
-there dives in elsewhere."""
+"""Cosine of the angle between an edges' normal and a face's from which on two faces all but lie on
+each other: then the crossing of edges alone says too little, for what is pushed out there dives in
+elsewhere."""
 _TILTS = (0.003, 0.03, 0.3)
 """Slopes by which what lies on something may be tilted to lie on other points."""
 _PARALLEL = 1e-6
@@ -204,12 +204,16 @@ def between(a: Placed, b: Placed, margin: float) -> Manifold | None:
     # if they have a point in common.
     if not points or max(min(gap for _, gap in points), 0.0) > least:
         found = _best_edges(a, b, margin, least)
-        if found is not None and (not points or dot(found[1], outwards) <= _ALONGSIDE):
+        if found is not None:
             apart, normal, one, other = found
             if apart > margin:
                 return None
-            return Manifold(normal, [(_crossing(a, b, normal, one, other), apart)], apart)
-        if found is None and not points:
+            along = dot(normal, outwards)
+            lying = _fewer(points, outwards) if along > _ALONGSIDE else []
+            touching = [(_crossing(a, b, normal, one, other), apart)]
+            touching += [(point, gap / along) for point, gap in lying]
+            return Manifold(normal, touching, apart)
+        if not points:
             return None
     return Manifold(outwards, _fewer(points, outwards), of_b if second else of_a)
 
