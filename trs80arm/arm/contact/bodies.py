@@ -20,6 +20,7 @@ from trs80arm.arm.contact.rotations import (
     apply,
     inverted,
     matrix,
+    spun,
     times,
     transposed,
 )
@@ -81,6 +82,11 @@ class Shape:
             (min(us), min(vs), min(ws)),
             (max(us), max(vs), max(ws)),
         )
+
+    def at(self, place: Vector, turn: Quaternion) -> list[Placed]:
+        """Its solids where a body of this form stands."""
+        m = matrix(turn)
+        return [Placed(solid, place, m) for solid in self.solids]
 
 
 class Watcher(Protocol):
@@ -174,8 +180,7 @@ class Body:
     def placed(self) -> list[Placed]:
         """Its solids where they stand."""
         if self._solids is None:
-            m = matrix(self.turn)
-            self._solids = [Placed(solid, self.place, m) for solid in self.shape.solids]
+            self._solids = self.shape.at(self.place, self.turn)
         return self._solids
 
     @property
@@ -189,6 +194,14 @@ class Body:
         self.place, self.turn, self._solids = place, turn, None
         if self._asleep and self._carried is None:
             self._tell()
+
+    def led(self, speed: Sequence[float], seconds: float) -> tuple[Vector, Quaternion, Vector]:
+        """Where it is after a while at a velocity and a spin: place, turn, and the spin by then."""
+        vx, vy, vz, wx, wy, wz = speed
+        turn, spin = self.turn, (wx, wy, wz)
+        if wx or wy or wz:
+            turn, spin = spun(turn, spin, self.shape.inertia, self.shape.ease, seconds)
+        return plus(self.place, (vx, vy, vz), seconds), turn, spin
 
     def inertia(self) -> Matrix:
         """About the centre of mass, in the world's frame."""

@@ -33,6 +33,12 @@ def met(first: Placed, second: Placed, margin: float) -> Manifold | None:
     return between(first, second, margin) if first.near(second, margin) else None
 
 
+def overlap(first: Placed, second: Placed) -> float:
+    """How deep two solids are in each other, inches; 0 if they are not."""
+    found = met(first, second, 0.0)
+    return 0.0 if found is None else max(0.0, -min(gap for _, gap in found.points))
+
+
 def box_around(solids: Sequence[Placed], margin: float) -> tuple[Vector, Vector]:
     """The upright box around some solids, wider by a margin: least and greatest x, y, z."""
     xs, ys, zs = zip(*(solid.low for solid in solids), strict=True)

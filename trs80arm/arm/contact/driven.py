@@ -279,7 +279,7 @@ class DrivenArm:
         """How far any point of each link moves at most for a unit of each coordinate, inches."""
         return self._there.reaches
 
-    def speeds(self, rates: Six) -> list[float]:
+    def speeds(self, rates: Sequence[float]) -> list[float]:
         """Bounds on the speed of any point of each link, inches a second."""
         a, b, c, d, e, f = (abs(rate) for rate in rates)
         return [u * a + v * b + w * c + x * d + y * e + z * f for u, v, w, x, y, z in self.reaches]
@@ -298,6 +298,16 @@ class DrivenArm:
             and (contact.first.mobile is mobile or contact.second.mobile is mobile)
             for contact in contacts
         )
+
+    def led(self, mobile: Mobile, seconds: float) -> Sequence[Placed]:
+        """The links as solids, where a step leads them.
+
+        Args:
+            mobile: the arm as solved.
+            seconds: length of the step.
+        """
+        moved = [at + rate * seconds for at, rate in zip(self.joints, mobile.speed, strict=True)]
+        return Standing(self.linkage, tuple(moved)).solids
 
     def move(self, mobile: Mobile, seconds: float, *, touched: bool, loaded: bool) -> None:
         """Move for a step; find what contact does to the motors.

@@ -18,6 +18,7 @@ from trs80arm.arm.contact.carrying import Carrying, carry
 from trs80arm.arm.contact.clock import TICK, TICK_STATES
 from trs80arm.arm.contact.coasting import Coast
 from trs80arm.arm.contact.contacts import Contact, Key, Mobile
+from trs80arm.arm.contact.diving import Ending
 from trs80arm.arm.contact.driven import GRAVITY, DrivenArm
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.meeting import MARGIN, TOUCH, Meeting, islands, presses
@@ -27,7 +28,7 @@ from trs80arm.arm.contact.prospect import Prospect
 from trs80arm.arm.contact.recurrence import Recurrence
 from trs80arm.arm.contact.rest import CALM_TICKS, Group, calm, groups, leaning
 from trs80arm.arm.contact.roster import Roster
-from trs80arm.arm.contact.rotations import matrix, spun, times, transposed, turned
+from trs80arm.arm.contact.rotations import matrix, times, transposed, turned
 from trs80arm.arm.contact.sixes import Six
 from trs80arm.arm.contact.solver import Problem
 from trs80arm.arm.contact.table import TABLE, Plate
@@ -42,7 +43,7 @@ STRIDES = ((4, 3.0), (2, 6.0))
 inches a second in its outermost point."""
 STEADY, UNEVEN = 0.25, 0.5
 """Inches a second by which a velocity may change in a step, or part of it: motors go in steps."""
-FINEST = 8
+FINEST = 16
 """Steps of a tick at most."""
 OUTCOMES = 512
 """Ticks of which it is known what comes of them."""
@@ -417,7 +418,10 @@ class Scene:
         for problem in problems:
             self.solved += 1
             self.steps += problem.solve()
-        if may_halve and any(_turns_far(mobile, h) for mobile in beside):
+        if may_halve and (
+            any(_turns_far(mobile, h) for mobile in beside)
+            or self._ending(arm_mobile, reach, mobiles).dives
+        ):
             return False
         self.contacts, self.met_at = contacts, list(arm.joints)
         self._memory.keep(contacts, h, self.bodies)
@@ -466,6 +470,21 @@ class Scene:
             mobiles,
             self.wake,
             self._mobile,
+        )
+
+    def _ending(
+        self, arm: Mobile | None, reach: Sequence[float], mobiles: dict[str, Mobile]
+    ) -> Ending:
+        """Where this step leads, as solved."""
+        return Ending(
+            self._seconds,
+            self.bodies,
+            self._roster,
+            self.fixed,
+            mobiles,
+            self.driven,
+            arm,
+            reach,
         )
 
     @property
@@ -573,12 +592,10 @@ class Scene:
         self._fastest = max(self._fastest, speed)
         if greatest_speed(change, radius) > max(STEADY, UNEVEN * speed):
             self._steady = False
-        h = self._seconds
-        body.velocity, body.spin, turn = (vx, vy, vz), (wx, wy, wz), body.turn
-        if wx or wy or wz:
-            turn, body.spin = spun(turn, body.spin, body.shape.inertia, body.shape.ease, h)
+        body.velocity, body.spin = (vx, vy, vz), (wx, wy, wz)
         if vx or vy or vz or wx or wy or wz:
-            body.put(plus(body.place, body.velocity, h), turn)
+            place, turn, body.spin = body.led(mobile.speed, self._seconds)
+            body.put(place, turn)
 
     def _move_arm(self, mobile: Mobile, contacts: list[Contact], moved: bool) -> None:
         """Move the arm for a step, if anything moves it."""
