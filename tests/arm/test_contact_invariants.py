@@ -15,8 +15,8 @@ from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.fixtures import Part
 
 FRAME = 1 / 60
-RESTING, MOVING = 0.03, 0.15
-"""Inches to which parts may be found in each other at rest, and when something tumbles or jams."""
+DEPTH = 0.03
+"""Inches to which parts may be found in each other, or in the arm, also when something tumbles."""
 
 SHAPES = (
     "size = [{a}, {b}, {c}]",
@@ -88,11 +88,10 @@ def assert_possible(rig: Rig) -> None:
     links = rig.arm.world.bench.scene.link_solids
     for k, part in enumerate(found):
         assert all(math.isfinite(value) and abs(value) < 100 for value in part.place)
-        assert part.bottom > -MOVING
-        assert not any(deep(a, b, MOVING) for a in part.placed for b in links)
+        assert part.bottom > -DEPTH
+        assert not any(deep(a, b, DEPTH) for a in part.placed for b in links)
         for other in found[:k]:
-            depth = RESTING if part.asleep and other.asleep else MOVING
-            assert not any(deep(a, b, depth) for a in part.placed for b in other.placed)
+            assert not any(deep(a, b, DEPTH) for a in part.placed for b in other.placed)
     assert rig.pose.z > -0.2
 
 

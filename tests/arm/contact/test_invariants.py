@@ -20,8 +20,8 @@ from trs80arm.arm.contact.solids import Solid, box, cylinder, prism
 
 SKIN = 0.01
 """Depth to which things may be found in each other, inches."""
-MOVING_SKIN = 0.15
-"""Depth at which what tumbles fast may be found for a moment, inches."""
+MOVING_SKIN = 0.03
+"""Depth at which what tumbles fast may be found on a tick, inches; it goes 0.3 in one tick."""
 
 
 def overlap(one: Body | Fixed, other: Body | Fixed) -> float:
@@ -83,6 +83,7 @@ def random_scene(chance: random.Random, count: int, arm: bool = False) -> Scene:
 @given(st.integers(0, 10**9))
 @example(730573909)
 @example(847283415)
+@example(44)
 def test_whatever_falls_comes_to_rest_on_something_and_wins_no_energy(seed: int) -> None:
     chance = random.Random(seed)
     scene = random_scene(chance, chance.randrange(1, 6))
@@ -92,14 +93,13 @@ def test_whatever_falls_comes_to_rest_on_something_and_wins_no_energy(seed: int)
     weights = sorted(body.shape.mass for body in scene.bodies.values())
     stacked = sum(number * weight for number, weight in enumerate(weights, 1))
     lift = 1.1 * stacked * FASTEST_RECOVERY / T_STATES_PER_SECOND
-    for tick in range(round(6 / TICK)):
+    for _ in range(round(6 / TICK)):
         since = scene.time
         scene.tick()
         now = energy(scene)
         assert now <= before + lift * (scene.time - since)
         before = now
-        if tick % 40 == 0:
-            assert_possible(scene, MOVING_SKIN)
+        assert_possible(scene, MOVING_SKIN)
         if scene.quiet:
             break
     assert scene.quiet
@@ -108,6 +108,26 @@ def test_whatever_falls_comes_to_rest_on_something_and_wins_no_energy(seed: int)
     placed = [(body.place, body.turn) for body in scene.bodies.values()]
     scene.advance(scene.time + 1000 * TICK_STATES)
     assert [(body.place, body.turn) for body in scene.bodies.values()] == placed
+
+
+@settings(max_examples=6, deadline=None)
+@given(st.integers(0, 10**9))
+@example(57)
+@example(25)
+def test_what_falls_past_a_slanted_bar_is_never_in_it(seed: int) -> None:
+    chance = random.Random(seed)
+    scene = Scene(0.5)
+    turn = oriented(chance.uniform(0, 90), chance.uniform(10, 70), chance.uniform(0, 45))
+    bar = box((7.0, 0.5, 0.7)).moved((7.0, 0.0, 3.0), turn)
+    scene.stand(Fixed("bar", (bar,), 0.5))
+    for k in range(2):
+        place = (chance.uniform(5, 9), chance.uniform(-1, 1), 8.0 + 4 * k)
+        turn = oriented(*(chance.choice([0.0, chance.uniform(-90, 90)]) for _ in range(3)))
+        shape = Shape.of([random_solid(chance)], chance.choice([0.5, 2.0, 10.0]))
+        scene.add(Body(str(k), shape, 0.5, place, turn))
+    for _ in range(80):
+        scene.tick()
+        assert_possible(scene, MOVING_SKIN)
 
 
 @settings(max_examples=3, deadline=None)
@@ -128,8 +148,8 @@ def test_a_hand_that_rummages_leaves_everything_where_it_can_be(seed: int) -> No
             scene.command([a + (b - a) * k / 100 for a, b in zip(at, to, strict=True)])
             clock += TICK_STATES
             scene.advance(clock)
+            assert_possible(scene, MOVING_SKIN)
         at = to
-        assert_possible(scene, MOVING_SKIN)
         assert all(math.isfinite(value) for value in (*scene.joints, *scene.torques))
 
 

@@ -11,7 +11,7 @@ from trs80arm.arm.contact.forms import holed, peg_board, standing, tray
 from trs80arm.arm.contact.manifold import Placed, between, on_table
 from trs80arm.arm.contact.rotations import IDENTITY, STRAIGHT, about, apply, matrix, oriented
 from trs80arm.arm.contact.solids import box, cylinder, moments, prism
-from trs80arm.arm.shapes import Vector
+from trs80arm.arm.shapes import Vector, dot
 
 ORIGIN: Vector = (0.0, 0.0, 0.0)
 
@@ -124,3 +124,16 @@ def test_a_body_is_stood_by_its_lowest_point_and_its_middle() -> None:
     assert low == pytest.approx(0.5)
     assert place[:2] == pytest.approx((8, 1))
     assert turn == STRAIGHT
+
+
+def test_where_faces_all_but_lie_on_each_other_their_edges_say_which_way_they_press() -> None:
+    wall = Placed(box((1.0, 4.0, 4.0)), ORIGIN, IDENTITY)
+    board = Placed(box((0.2, 3.0, 3.0)), (0.95, 1.8, 2.9), matrix(oriented(10.0, 10.0, 0.0)))
+    met = between(wall, board, 0.1)
+    assert met is not None
+    assert 0.98 < met.normal[0] < 0.99
+    assert len(met.points) > 1
+    beyond = [min(dot(met.normal, v) for v in board.vertices)]
+    beyond += [-max(dot(met.normal, v) for v in wall.vertices)]
+    assert met.apart == pytest.approx(sum(beyond))
+    assert min(gap for _, gap in met.points) == met.apart
