@@ -300,4 +300,4 @@ def test_the_score_is_told_when_a_program_ends_and_on_demand(tmp_path: Path) -> 
     assert said.count(f"* {headline}. .score says more.") == 1
     assert said.index(" 2") < said.index(f"* {headline}") < said.index(" 3")
     assert f"NOT  block at (8, 0.5)   0.500 in\n{headline}" in said
-    assert "This bench asks for nothing." in talk("10 PRINT 2", "RUN", ".score")
+    assert "This bench has no goals." in talk("10 PRINT 2", "RUN", ".score")

@@ -138,7 +138,7 @@ def test_the_table_and_the_headline_are_to_be_read() -> None:
         "met  block at (8.03, 2.04) turned 30   0.050 in    0.0 deg",
         "1 of 1 goal met; error 0.050 in on average, 0.050 in at most",
     ]
-    assert Rig().score().text() == "This bench asks for nothing."
+    assert Rig().score().text() == "This bench has no goals."
 
 
 def test_json_has_the_same() -> None:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from textual.events import MouseMove
+from textual.events import MouseMove, MouseScrollDown, MouseScrollUp
 
 from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
+from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.scope import LABEL
+from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.scope_panel import ScopePanel
 from trs80arm.ui.panels.space_view import SpaceView
 
@@ -90,6 +92,21 @@ async def test_the_mouse_turns_the_arm_in_space(sit_down: Opener) -> None:
         space.post_message(MouseMove(space, 5, 5, 3, 0, 0, False, False, False))
         await sitting.settle()
         assert space.picture.orbit == turned
+
+
+@pytest.mark.parametrize("name", ["side", "top", "space"])
+@piloted
+async def test_the_wheel_brings_the_picture_closer_over_which_it_is_turned(
+    sit_down: Opener, name: str
+) -> None:
+    async with sit_down(200, 60) as sitting:
+        view = sitting.app.desk.panels[name]
+        assert isinstance(view, ArmView)
+        shown = view.picture.draw(Readings(), 40, 12)
+        for wheel, same in ((MouseScrollUp, False), (MouseScrollDown, True)):
+            view.post_message(wheel(view, 5, 5, 0, 0, 0, False, False, False))
+            await sitting.settle()
+            assert (view.picture.draw(Readings(), 40, 12) == shown) is same
 
 
 @pytest.mark.parametrize(

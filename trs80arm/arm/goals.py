@@ -104,7 +104,7 @@ class Score:
     def headline(self) -> str:
         """All of it in one line."""
         if not self.marks:
-            return "This bench asks for nothing."
+            return "This bench has no goals."
         line = f"{self.met} of {self.total} goal{'' if self.total == 1 else 's'} met"
         errors = self.errors
         if errors:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 from textual.app import ComposeResult
+from textual.events import MouseScrollDown, MouseScrollUp
 from textual.geometry import Size
 
 from trs80arm.drawing.picture import Picture, Subject, seen
@@ -61,6 +62,18 @@ class ArmView(Panel):
         size = Size(width, height - 1 if caption else height)
         self._sheet.show(self.pixels, self.picture, readings, size, colours, moves=self._moves)
         return [*[()] * size.height, ((caption, Ink.LABEL),)]
+
+    def on_mouse_scroll_up(self, event: MouseScrollUp) -> None:
+        """Closer."""
+        self.picture.zoom_in()
+        self.redraw()
+        event.stop()
+
+    def on_mouse_scroll_down(self, event: MouseScrollDown) -> None:
+        """Farther."""
+        self.picture.zoom_out()
+        self.redraw()
+        event.stop()
 
     @property
     def _in_pixels(self) -> bool:

@@ -29,7 +29,8 @@ When a motor has slipped, a dim twin, in bare lines dots `::`, shows where the a
 had not, as far as that is elsewhere in the picture.
 
 On request `+` outlines where the fingertip can reach with the hand straight, and `,` marks where it
-has been. A closer look follows the hand.
+has been. The wheel, or Ctrl+Up and Ctrl+Down, goes closer and farther; a closer look follows the
+hand.
 
 The angles below are those of the article: upper arm, forearm and hand to the horizontal, the roll
 with the base's turn taken out.

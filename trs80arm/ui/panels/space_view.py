@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import radians
 
-from textual.events import MouseDown, MouseMove, MouseScrollDown, MouseScrollUp, MouseUp
+from textual.events import MouseDown, MouseMove, MouseUp
 
 from trs80arm.drawing.picture import IN_SPACE
 from trs80arm.ui.panels.arm_view import ArmView
@@ -49,15 +49,3 @@ on it is the shadow. The hand is as it is rolled.
             self.picture.turn(-event.delta_x * A_COLUMN, event.delta_y * A_ROW)
             self.redraw()
             event.stop()
-
-    def on_mouse_scroll_up(self, event: MouseScrollUp) -> None:
-        """Closer."""
-        self.picture.zoom_in()
-        self.redraw()
-        event.stop()
-
-    def on_mouse_scroll_down(self, event: MouseScrollDown) -> None:
-        """Farther."""
-        self.picture.zoom_out()
-        self.redraw()
-        event.stop()

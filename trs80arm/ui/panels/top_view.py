@@ -15,7 +15,8 @@ class TopView(ArmView):
 
 The arm's front, the article's x, is to the right, and its left side, y, is up. The dots on the
 table are inches, the figures count them from the axis of the base. The fingers lie as the roll
-turns them. (The caption counts the roll as Table 4 does, with the base's turn taken out.)
+turns them. (The caption counts the roll as Table 4 does, with the base's turn taken out.) The wheel
+goes closer and farther, and a closer look follows the hand.
 
 In bare lines `O` is the axis of the base, the two bars at the fingertips are the fingers, and,
 small as they are, one of `|` `/` `-` `\\` shows how they lie; `[#]` is a part, `=` a feeder, `_` or
