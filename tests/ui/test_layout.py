@@ -7,6 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from textual.geometry import Region
 
+from trs80arm.drawing.readings import Readings
+from trs80arm.drawing.rows import text_of
 from trs80arm.ui.layout import (
     ARM,
     FURNITURE,
@@ -21,6 +23,7 @@ from trs80arm.ui.layout import (
     bottoms,
     plan,
 )
+from trs80arm.ui.panels.pose import PosePanel
 from trs80arm.ui.panels.registry import PANELS, groups
 
 GROUPS = groups(PANELS)
@@ -66,6 +69,17 @@ def test_a_large_terminal_shows_everything() -> None:
         "events",
     }
     assert "matrix" in plan(GROUPS, 120, 40, KEYBOARD)
+
+
+@pytest.mark.parametrize("size", [(100, 30), (120, 40), (200, 60)])
+def test_no_number_of_the_pose_is_left_out_whatever_is_switched_in(size: tuple[int, int]) -> None:
+    plans = [plan(GROUPS, *size, bottom) for bottom in bottoms(GROUPS, *size)]
+    regions = [places["pose"] for places in plans if "pose" in places]
+    assert regions
+    for region in regions:
+        rows = PosePanel().draw(Readings(), region.width - 2, region.height - 2)
+        seen = " ".join(text_of(row) for row in rows[: region.height - 2])
+        assert all(name in seen for name in ("roll", "hand", "force", "T1", "T2", "T3"))
 
 
 def test_a_huge_terminal_shows_memory_and_paper_too() -> None:

@@ -32,6 +32,8 @@ _NUMBERS = 10
 """Rows of a panel of six joints with its heading and frame."""
 _POSE = 12
 """Rows of the pose in one column, with its frame."""
+_POSE_WIDE = 34
+"""Columns in which the pose has two columns, with its frame."""
 _JOINTS = 36
 """Columns of a panel of six joints with their names, with its frame."""
 _LISTING = 46
@@ -273,8 +275,10 @@ def _large(groups: Groups, room: Region, bottom: str) -> Plan:
         return regions | _numbers_and_motors(groups, lower, LOG)
     if bottom in LARGE_ONES:
         return regions | _abreast(groups, bottom, lower)
-    registers, rest = _rows(lower, _NUMBERS)
-    return regions | _abreast(groups, NUMBERS, registers) | _abreast(groups, bottom, rest)
+    numbers, rest = _rows(lower, _NUMBERS)
+    sides = _columns(numbers, numbers.width - _POSE_WIDE)
+    regions |= dict(zip(groups[NUMBERS], sides, strict=True))
+    return regions | _abreast(groups, bottom, rest)
 
 
 def _huge(groups: Groups, room: Region, bottom: str) -> Plan:
