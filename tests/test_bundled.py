@@ -105,6 +105,17 @@ def test_a_word_that_is_neither_command_nor_program_is_told_as_that(
     assert "argument" not in said
 
 
+@pytest.mark.parametrize("words", [("--speed", "5", "demo"), ("--run", "run", "a.bas")])
+def test_a_command_behind_options_is_told_where_it_belongs(
+    words: tuple[str, ...], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.argv", ["trs80arm", *words])
+    with pytest.raises(SystemExit) as ending:
+        main()
+    assert ending.value.code == 2
+    assert "is a command: it comes first" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("answer", ["99999", "1", "words", "-5"])
 def test_an_answer_that_memory_size_does_not_take_ends_a_run(
     answer: str, elsewhere: Path, capsys: pytest.CaptureFixture[str]

@@ -24,6 +24,7 @@ class ProgramFirst(click.Group):
             not args or args[0] not in self.commands
         ):
             self._refuse_odd_words(ctx, args)
+            self._refuse_options_first(ctx, args)
             args = [self.default, *args]
         return super().parse_args(ctx, args)
 
@@ -40,3 +41,16 @@ class ProgramFirst(click.Group):
             close = difflib.get_close_matches(word, self.commands, 1, CLOSE)
             hint = f"; is {close[0]} meant?" if close else "; `trs80arm programs` lists some"
             raise click.UsageError(f"there is no command and no program {word!r}{hint}", ctx)
+
+    def _refuse_options_first(self, ctx: click.Context, args: list[str]) -> None:
+        """A command behind options would be taken for the terminal's program."""
+        if not args or not args[0].startswith("-"):
+            return
+        try:
+            found, _, _ = self.commands[self.default].make_parser(ctx).parse_args(list(args))
+        except click.UsageError:
+            return
+        word = str(found.get("program"))
+        if word in self.commands and not Path(word).exists():
+            told = f"{word} is a command: it comes first, and its options behind it"
+            raise click.UsageError(told, ctx)
