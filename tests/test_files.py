@@ -224,3 +224,10 @@ def test_convert_writes_the_kind_of_the_target(tmp_path: Path) -> None:
     assert files.kind_of(target.read_bytes()) is Kind.CRUNCHED
     files.convert(target, tmp_path / "b.txt")
     assert (tmp_path / "b.txt").read_text() == "10 PRINT 1\n20 END\n"
+
+
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+def test_a_listing_in_utf_16_is_told_as_what_it_is(encoding: str) -> None:
+    # One of its marks is also that of a crunched program.
+    with pytest.raises(FileFormatError, match="text in UTF-16"):
+        files.parse_program('\ufeff10 PRINT "HELLO"\r\n'.encode(encoding))

@@ -10,14 +10,13 @@ from pathlib import Path
 
 from trs80arm.arm import benchfile
 from trs80arm.arm.bench import Bench
-from trs80arm.paths import is_file
+from trs80arm.paths import beside, is_file
 from trs80arm.script import SUFFIX
 
 
 def bench_beside(program: Path) -> Path | None:
     """The bench file that is named like a program and stands beside it, if there is one."""
-    path = program.with_suffix(".toml")
-    return path if is_file(path) else None
+    return beside(program, ".toml")
 
 
 def bench_files(folder: Path) -> list[Path]:

@@ -7,6 +7,7 @@ machine holds it.
 
 from __future__ import annotations
 
+import codecs
 from collections.abc import Iterable
 from enum import Enum
 from pathlib import Path
@@ -37,6 +38,9 @@ CRUNCHED_MARK = 0xFF
 _CASSETTE_HEAD = bytes((cassette.SYNC,)) + cassette.PROGRAM_MARK
 _HEAD_WITHIN = 4096
 """How far into a file a cassette's first program may begin, behind a leader that is not clean."""
+_WIDE = ((codecs.BOM_UTF16_LE, 3), (codecs.BOM_UTF16_BE, 2))
+"""How text in UTF-16 begins, one way with the mark of a crunched program, and where the first of
+those bytes is that are zeros in any listing. No crunched program has zeros so close."""
 
 
 class Kind(Enum):
@@ -53,6 +57,8 @@ def kind_of(data: bytes) -> Kind:
     Raises:
         FileFormatError: it is none of them.
     """
+    if any(data.startswith(mark) and not any(data[high:20:2]) for mark, high in _WIDE):
+        raise FileFormatError("text in UTF-16; a program is plain text: save it as UTF-8")
     if data[:1] == bytes((CRUNCHED_MARK,)):
         return Kind.CRUNCHED
     if data.lstrip(b"\0")[:1] == _CASSETTE_HEAD[:1] or _CASSETTE_HEAD in data[:_HEAD_WITHIN]:

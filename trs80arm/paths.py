@@ -56,6 +56,12 @@ def is_folder(path: Path) -> bool:
     return stat.S_ISDIR(_mode(path))
 
 
+def beside(path: Path, suffix: str) -> Path | None:
+    """The file that is named like another one and stands beside it, if there is one."""
+    there = path.with_suffix(suffix) if path.name else path
+    return there if is_file(there) else None
+
+
 def refusal(path: Path) -> str:
     """Why the system takes no file of that name; empty if it does, or if there just is none."""
     try:

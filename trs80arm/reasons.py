@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trs80arm.shown import shown
+from trs80arm.shown import message
 
 
 def reason(error: OSError) -> str:
@@ -13,5 +13,5 @@ def reason(error: OSError) -> str:
 def one_line(error: Exception) -> str:
     """What went wrong in one line, with the file's name before what the system says of it."""
     if isinstance(error, OSError) and error.filename:
-        return shown(f"{error.filename}: {reason(error)}")
-    return shown(str(error).splitlines()[0] if str(error) else type(error).__name__)
+        return message(f"{error.filename}: {reason(error)}")
+    return message(str(error).splitlines()[0] if str(error) else type(error).__name__)

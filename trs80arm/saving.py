@@ -52,9 +52,7 @@ def whole_file(path: Path) -> Iterator[BinaryIO]:
         if there is not None and not stat.S_ISREG(there.st_mode):
             yield opened.enter_context(open_to_write(path))
             return
-        target = Path(os.path.realpath(path))
-        if there is not None and not _is_writable(target):
-            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        target = _target(path, there)
         temporary, file = _begin(target.parent)
         opened.enter_context(file)
         try:
@@ -71,6 +69,22 @@ def whole_file(path: Path) -> Iterator[BinaryIO]:
                 os.unlink(temporary)
             raise
         _bring_to_disk(target.parent)
+
+
+def expect_to_write(path: Path) -> None:
+    """Find out whether a file can be written, before the work that it is to hold is done.
+
+    Raises:
+        OSError: it cannot. What it would be for a device or a pipe is only known when it is opened.
+    """
+    with _called(path):
+        there = _look(path)
+        if there is not None and stat.S_ISDIR(there.st_mode):
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if there is None or stat.S_ISREG(there.st_mode):
+            temporary, file = _begin(_target(path, there).parent)
+            file.close()
+            os.unlink(temporary)
 
 
 @contextmanager
@@ -93,6 +107,18 @@ def _look(path: Path) -> os.stat_result | None:
     except ValueError:
         # A zero in the name.
         raise OSError(errno.EINVAL, os.strerror(errno.EINVAL)) from None
+
+
+def _target(path: Path, there: os.stat_result | None) -> Path:
+    """The regular file that is to be written, links followed.
+
+    Raises:
+        PermissionError: there is one, which may not be.
+    """
+    target = Path(os.path.realpath(path))
+    if there is not None and not _is_writable(target):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    return target
 
 
 def _is_writable(path: Path) -> bool:

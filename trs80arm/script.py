@@ -6,18 +6,17 @@ one line that names file and key.
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
 
 from trs80arm.operator import HAND_PAUSE, Hold, ScriptError, parse_holds
-from trs80arm.paths import is_file, read_beginning
+from trs80arm.paths import beside
 from trs80arm.plain_values import Range, SettingsError, Table
+from trs80arm.toml_files import TomlError, read_text, tables_of
 
 SUFFIX = ".run.toml"
 """With what the name of a script beside a program ends."""
-LARGEST = 1024 * 1024
 LONGEST = 1e9
 """Virtual seconds of a run at most, 31 years."""
 _FAR = 1e6
@@ -93,8 +92,7 @@ class RunScript:
 
 def script_beside(program: Path) -> Path | None:
     """The script that is named like a program and stands beside it, `NAME.run.toml`."""
-    path = program.with_suffix(SUFFIX) if program.name else program
-    return path if is_file(path) else None
+    return beside(program, SUFFIX)
 
 
 def read_script(path: Path) -> RunScript:
@@ -104,21 +102,12 @@ def read_script(path: Path) -> RunScript:
         ScriptError: it is no script; one line that names the file and the key.
         OSError: it cannot be read.
     """
-    data = read_beginning(path, LARGEST + 1)
-    if len(data) > LARGEST:
-        raise ScriptError(f"{path}: longer than 1 MB, which no script is")
     try:
-        table = Table(str(path), "", tomllib.loads(data.decode("utf-8")))
-        return _script(table)
-    except UnicodeDecodeError:
-        raise ScriptError(f"{path}: not UTF-8") from None
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        return _script(Table(str(path), "", tables_of(read_text(path, "script"))))
+    except TomlError as error:
         raise ScriptError(f"{path}: {error}") from None
-    except (SettingsError, ScriptError) as error:
+    except SettingsError as error:
         raise ScriptError(str(error)) from None
-    except ValueError as error:
-        # A number with more digits than Python reads.
-        raise ScriptError(f"{path}: {error}") from None
 
 
 def _script(table: Table) -> RunScript:

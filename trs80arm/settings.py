@@ -8,7 +8,6 @@ the terminal program both come here; nothing of it knows Textual.
 from __future__ import annotations
 
 import os
-import tomllib
 import typing
 from collections.abc import Callable, Iterable, Mapping, MutableMapping
 from dataclasses import dataclass, fields
@@ -20,11 +19,11 @@ from platformdirs import user_config_path
 
 from trs80arm.machine.typist import check_answer
 from trs80arm.options import TerminalOptions, TerminalSettings
-from trs80arm.paths import open_to_read
 from trs80arm.plain_values import SettingsError as SettingsError
 from trs80arm.plain_values import fit, keys_of
 from trs80arm.reasons import reason
 from trs80arm.saving import write_whole
+from trs80arm.toml_files import TomlError, read_text, tables_of, what_is_wrong, with_plain_ends
 
 if TYPE_CHECKING:
     from trs80arm.rig import RigSettings
@@ -35,6 +34,9 @@ PREFIX = "TRS80ARM"
 SHORT = ("terminal", "machine")
 """The tables whose keys need not name their table in the environment and in `--option`."""
 FILE_NAME = "settings.toml"
+_KIND = "settings file"
+_SEARCHED = 10_000_000
+"""Characters of a file times its lines up to which a key's line is looked for, half a second."""
 Source = Callable[[], str]
 """Says where a value came from; asked only when it cannot be, for finding the line takes time."""
 
@@ -148,14 +150,14 @@ def load(
     values: dict[str, dict[str, Any]] = {name: {} for name in tables()}
     sources: dict[tuple[str, str], Source] = {}
     for name, key, text, source in _from_flags(defaults):
-        values[name][key] = plain_value(text)
+        values[name][key] = plain_value(text, name, key)
         sources[name, key] = partial(str, source)
     for name, table in _tables_of(content, where).items():
         for key, value in table.items():
             values[name][key] = value
             sources[name, key] = partial(_place, where, content, name, key)
     for name, key, text, source in (*_from_environment(environment), *_from_flags(options)):
-        values[name][key] = plain_value(text)
+        values[name][key] = plain_value(text, name, key)
         sources[name, key] = partial(str, source)
     made = {name: _checked(name, cls, values[name], sources) for name, cls in tables().items()}
     return Settings(**made)
@@ -164,26 +166,22 @@ def load(
 def _read(path: Path | None) -> tuple[str, Path]:
     where = path or default_path()
     try:
-        with open_to_read(where) as file:
-            text = file.read().decode("utf-8")
-        return text.replace("\r\n", "\n").replace("\r", "\n"), where
+        return with_plain_ends(read_text(where, _KIND)), where
     except FileNotFoundError:
         if path is None:
             return "", where
         raise SettingsError(f"{where}: no such file") from None
-    except UnicodeDecodeError:
-        raise SettingsError(f"{where}: not a text file") from None
+    except TomlError as error:
+        raise SettingsError(f"{where}: {error}") from None
     except OSError as error:
         raise SettingsError(f"{where}: {reason(error)}") from None
-    except ValueError:
-        raise SettingsError(f"{where}: no file can be called that") from None
 
 
 def _tables_of(content: str, where: Path) -> dict[str, dict[str, Any]]:
     try:
-        parsed = tomllib.loads(content)
-    except (ValueError, RecursionError) as error:
-        raise SettingsError(f"{where}: {_one_line(error)}") from None
+        parsed = tables_of(content)
+    except TomlError as error:
+        raise SettingsError(f"{where}: {error}") from None
     for name, table in parsed.items():
         if name not in tables():
             place = _place(where, content, None, name)
@@ -229,19 +227,19 @@ def _from_flags(options: Iterable[str]) -> list[tuple[str, str, str, str]]:
     return found
 
 
-def plain_value(text: str) -> Any:
-    """What a flag or variable says: a TOML value if it is one, else the text itself."""
+def plain_value(text: str, table: str, key: str) -> Any:
+    """What a flag or variable says: a TOML value if it is one, else the text itself.
+
+    Of a key that wants a text or a path it is the text, whatever else it may look like: a folder
+    can be called `1980`.
+    """
     try:
-        return tomllib.loads(f"value = {text}")["value"]
-    except (ValueError, RecursionError):
+        value = tables_of(f"value = {text}")["value"]
+    except TomlError:
         return text
-
-
-def _one_line(error: Exception) -> str:
-    """What is wrong with a TOML text; a line of it may be quoted in the message."""
-    if isinstance(error, RecursionError):
-        return "nested too deeply"
-    return " ".join(str(error).split())
+    hint = _hints(tables()[table]).get(key)
+    wants_text = not {str, Path}.isdisjoint((hint, *typing.get_args(hint)))
+    return text if wants_text and not isinstance(value, str) else value
 
 
 _hints = cache(typing.get_type_hints)
@@ -270,10 +268,12 @@ def _place(where: Path, content: str, table: str | None, key: str) -> str:
     named = f"{table}.{key}" if table else key
     begin = 1
     lines = content.splitlines(keepends=True)
+    if len(content) * len(lines) > _SEARCHED:
+        return f"{where}: {named}"
     for end in range(1, len(lines) + 1):
         try:
-            sofar: Any = tomllib.loads("".join(lines[:end]))
-        except (ValueError, RecursionError):
+            sofar: Any = tables_of("".join(lines[:end]))
+        except TomlError:
             continue  # In the middle of a value of several lines.
         if table is not None:
             sofar = sofar.get(table)
@@ -314,13 +314,11 @@ def forget(path: Path, key: str, table: str = "terminal") -> None:
 
 def _content(path: Path) -> str:
     try:
-        # Bytes, for the line ends of the file are to stay.
-        with open_to_read(path) as file:
-            return file.read().decode("utf-8")
+        return read_text(path, _KIND)
     except FileNotFoundError:
         return ""
-    except UnicodeDecodeError:
-        raise SettingsError(f"{path}: not a text file") from None
+    except TomlError as error:
+        raise SettingsError(f"{path}: {error}") from None
 
 
 def _with_entry(path: Path, content: str, table: str, key: str, value: Any) -> str:
@@ -342,7 +340,7 @@ def _with_entry(path: Path, content: str, table: str, key: str, value: Any) -> s
             cast(MutableMapping[str, Any], document[table])[key] = value
         changed = tomlkit.dumps(document)
     except (TOMLKitError, ValueError, RecursionError) as error:
-        raise SettingsError(f"{path}: {_one_line(error)}") from None
+        raise SettingsError(f"{path}: {what_is_wrong(error)}") from None
     if "\r\n" in content and "\n" not in content.replace("\r\n", ""):
         changed = changed.replace("\r\n", "\n").replace("\n", "\r\n")
     return changed

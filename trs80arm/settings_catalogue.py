@@ -50,7 +50,7 @@ class Setting:
             SettingsError: it cannot have it; one line that says what was expected.
         """
         cls = tables()[self.table]
-        value = plain_value(text)
+        value = plain_value(text, self.table, self.key)
         fitted = fit(typing.get_type_hints(cls)[self.key], value)
         try:
             cls(**{self.key: fitted})

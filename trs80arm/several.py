@@ -8,14 +8,10 @@ from __future__ import annotations
 
 import io
 import json
-import os
-import signal
 import sys
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, replace
-from multiprocessing import get_context
+from functools import partial
 from pathlib import Path
 from typing import Any, TextIO
 from xml.etree import ElementTree
@@ -35,9 +31,10 @@ from trs80arm.batch import (
     faults,
     script_of,
 )
+from trs80arm.cores import EndedFromOutsideError, on_all_cores
 from trs80arm.expectations import unmet
 from trs80arm.reasons import one_line
-from trs80arm.saving import write_whole
+from trs80arm.saving import expect_to_write, write_whole
 from trs80arm.shown import shown
 
 _PIPE_WIDTH = 160
@@ -114,10 +111,13 @@ def run_programs(
     """
     try:
         _refuse_what_is_for_one(options, len(programs))
-        runs = _run_all([replace(options, program=each) for each in programs], stopwatch, jobs)
+        if junit is not None:
+            expect_to_write(junit)
+        every = [replace(options, program=each) for each in programs]
+        runs = _run_all(every, stopwatch, jobs)
         if junit is not None:
             write_whole(junit, junit_xml(runs))
-    except (UnusableError, *UNUSABLE) as error:
+    except (UnusableError, EndedFromOutsideError, *UNUSABLE) as error:
         if isinstance(error, OSError) and error.filename is None:
             raise
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
@@ -155,36 +155,12 @@ def _refuse_what_is_for_one(options: BatchOptions, count: int) -> None:
 
 def _run_all(every: list[BatchOptions], stopwatch: Stopwatch, jobs: int | None) -> list[Run]:
     """All runs in the order of the programs."""
-    workers = min(jobs or os.cpu_count() or 1, len(every))
-    runs: list[Run | None] = [None] * len(every)
+    runs: dict[int, Run] = {}
     with counting("programs", len(every)) as advance:
-        if workers == 1:
-            for place, options in enumerate(every):
-                runs[place] = run_one(options, stopwatch)
-                advance()
-        else:
-            # Not forked: the bar has a thread.
-            pool = ProcessPoolExecutor(workers, get_context("spawn"), initializer=_die_of_ctrl_c)
-            with pool:
-                places = {
-                    pool.submit(run_one, options, stopwatch): place
-                    for place, options in enumerate(every)
-                }
-                try:
-                    for future in as_completed(places):
-                        runs[places[future]] = future.result()
-                        advance()
-                except BrokenProcessPool:
-                    raise UnusableError("a run was ended from outside; none is told of") from None
-                except KeyboardInterrupt:
-                    pool.shutdown(wait=False, cancel_futures=True)
-                    raise
-    return [run for run in runs if run is not None]
-
-
-def _die_of_ctrl_c() -> None:
-    """A worker says nothing when the user ends the whole; the parent has the last word."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
+        for place, run in on_all_cores(partial(run_one, stopwatch=stopwatch), every, jobs):
+            runs[place] = run
+            advance()
+    return [runs[place] for place in range(len(every))]
 
 
 # -- what is told ----------------------------------------------------------------------------------
@@ -196,7 +172,11 @@ def _print_table(runs: list[Run], stream: TextIO) -> None:
         table.add_column(name, justify="right" if name.endswith((" s", "Slips")) else "left")
     for run in runs:
         table.add_row(*(Text(shown(cell)) for cell in _cells(run)))
-    Console(file=stream, width=None if stream.isatty() else _PIPE_WIDTH).print(table)
+    console = Console(file=stream, width=None if stream.isatty() else _PIPE_WIDTH)
+    with console.capture() as drawn:
+        console.print(table)
+    # Not printed by the console, which has its own way with a broken pipe.
+    stream.write(drawn.get())
     passed = sum(run.passed for run in runs)
     print(f"{passed} of {len(runs)} passed", file=stream)
 

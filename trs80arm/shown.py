@@ -7,6 +7,9 @@ character. Every line that the program prints or shows of such things goes throu
 
 from __future__ import annotations
 
+LONGEST = 1000
+"""Characters of a message; more of it nobody reads."""
+
 
 def shown(text: object) -> str:
     r"""A text as one line without control codes; what cannot be shown stands as `\x1b` or so."""
@@ -14,6 +17,15 @@ def shown(text: object) -> str:
     if line.isprintable():
         return line
     return "".join(sign if sign.isprintable() else _escaped(sign) for sign in line)
+
+
+def message(text: object) -> str:
+    """What a person is told: `shown`, and of what is longer than any message its two ends."""
+    line = shown(text)
+    if len(line) <= LONGEST:
+        return line
+    half = LONGEST // 2
+    return f"{line[:half]} ... {line[-half:]}"
 
 
 def _escaped(sign: str) -> str:

@@ -152,7 +152,7 @@ def test_a_wrong_script_is_one_line_that_names_file_and_key(
 def test_a_script_that_is_no_text_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "p.run.toml"
     path.write_bytes(b"\xff\xfe")
-    with pytest.raises(ScriptError, match="not UTF-8"):
+    with pytest.raises(ScriptError, match="not a text file in UTF-8"):
         read_script(path)
 
 

@@ -68,7 +68,7 @@ def test_without_the_extra_it_says_what_to_install(monkeypatch: pytest.MonkeyPat
 
 
 def test_a_program_that_is_not_there_is_told_before_serving() -> None:
-    with pytest.raises(ServeError, match=r"nowhere.bas: no such file"):
+    with pytest.raises(ServeError, match=r"nowhere.bas: No such file"):
         serve_terminal("127.0.0.1", 8000, Path("nowhere.bas"))
 
 

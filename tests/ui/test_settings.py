@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -187,6 +188,39 @@ def test_the_line_of_a_mistake_is_found_behind_strings_of_several_lines(tmp_path
     text = '[machine]\nmemory_size = """\n[terminal]\nfps = 1\n"""\n[terminal]\nfps = 600\n'
     with pytest.raises(SettingsError, match=r"line 7: terminal\.fps"):
         load(write(tmp_path / "s.toml", text), environment={})
+
+
+def test_what_is_a_text_may_look_like_a_number() -> None:
+    flags = ["tapes=1980", "printer=1979-05-27", "memory_size=20000"]
+    machine = load(Path(os.devnull), flags, {}).machine
+    assert machine.tapes == Path("1980")
+    assert machine.printer == Path("1979-05-27")
+    assert machine.memory_size == "20000"
+
+
+def test_a_file_may_begin_with_the_mark_of_utf_8(tmp_path: Path) -> None:
+    path = tmp_path / "settings.toml"
+    path.write_text("[machine]\nram = 32\n", encoding="utf-8-sig")
+    assert load(path, (), {}).machine.ram == 32
+
+
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        ("[terminal]\n" + "# no end\n" * 50_000 + "nonsense = 1\n", "terminal.nonsense: unknown"),
+        ("[machine]\nram = " + "9" * 5000, "a number has too many digits"),
+        ("# no end\n" * 200_000, "longer than 1 MB, which no settings file is"),
+    ],
+    ids=["lines", "digits", "length"],
+)
+def test_a_file_that_is_too_long_is_told_of_at_once(
+    tmp_path: Path, content: str, told: str
+) -> None:
+    path = tmp_path / "settings.toml"
+    path.write_text(content)
+    with pytest.raises(SettingsError, match=told) as error:
+        load(path, (), {})
+    assert str(error.value).startswith(f"{path}: ")
 
 
 @pytest.mark.parametrize("text", ["9" * 5000, "[" * 5000, "nan", "inf", "1e999"])

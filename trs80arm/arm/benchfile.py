@@ -7,7 +7,6 @@ The reference of the format is in `docs/arm.md`.
 from __future__ import annotations
 
 import math
-import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -31,9 +30,8 @@ from trs80arm.arm.limits import beyond_any_stop
 from trs80arm.arm.model import ArmModel, Pose
 from trs80arm.arm.world import World
 from trs80arm.plain_values import SettingsError, Table
-
-LARGEST = 1024 * 1024
-"""Bytes of a bench file that is read."""
+from trs80arm.reasons import reason
+from trs80arm.toml_files import TomlError, read_text, tables_of, with_plain_ends
 
 
 def load(path: str | Path) -> Bench:
@@ -51,18 +49,12 @@ def read(path: str | Path) -> str:
     Raises:
         BenchError: one line, if the file cannot be read or is no text.
     """
-    name = str(path)
     try:
-        with Path(path).open("rb") as file:
-            data = file.read(LARGEST + 1)
-        if len(data) > LARGEST:
-            raise BenchError(f"{name}: longer than {LARGEST >> 10}K, which no bench is")
-        return data.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
-    except UnicodeDecodeError:
-        raise BenchError(f"{name}: expected a text file in UTF-8") from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or "no such file"
-        raise BenchError(f"{name}: cannot be read: {reason}") from None
+        return with_plain_ends(read_text(Path(path), "bench"))
+    except TomlError as error:
+        raise BenchError(f"{path}: {error}") from None
+    except OSError as error:
+        raise BenchError(f"{path}: cannot be read: {reason(error)}") from None
 
 
 def parse(text: str, name: str = "bench") -> Bench:
@@ -76,10 +68,9 @@ def parse(text: str, name: str = "bench") -> Bench:
         BenchError: one line, if the text is not a bench.
     """
     try:
-        data = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
-        line = " ".join(str(error).split())
-        raise BenchError(f"{name}: expected TOML: {line}") from None
+        data = tables_of(text)
+    except TomlError as error:
+        raise BenchError(f"{name}: expected TOML: {error}") from None
     return build(data, name)
 
 

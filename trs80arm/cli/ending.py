@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import sys
+from contextlib import suppress
 from typing import NoReturn
 
 import click
 
-from trs80arm.shown import shown
+from trs80arm import shown
 
 USAGE_ERROR = 2
 BROKEN_PIPE = 128 + 13
@@ -15,7 +16,13 @@ BROKEN_PIPE = 128 + 13
 INTERRUPTED = 128 + 2
 
 
-def fail(message: object) -> NoReturn:
+def fail(why: object) -> NoReturn:
     """Say one clear line on standard error and leave with the code for bad usage."""
-    click.echo(f"trs80arm: {shown(message)}", err=True)
+    tell(shown.message(why))
     sys.exit(USAGE_ERROR)
+
+
+def tell(line: str) -> None:
+    """Say a line on standard error; where nothing can be written the exit code has to do."""
+    with suppress(OSError):
+        click.echo(f"trs80arm: {line}", err=True)

@@ -7,7 +7,7 @@ import sys
 import click
 
 from trs80arm.cli.commands import cli
-from trs80arm.cli.ending import BROKEN_PIPE, INTERRUPTED, fail
+from trs80arm.cli.ending import BROKEN_PIPE, INTERRUPTED, fail, tell
 from trs80arm.cli.streams import give_up_output, open_streams
 
 
@@ -30,13 +30,15 @@ def main() -> None:
         give_up_output()
         sys.exit(BROKEN_PIPE)
     except OSError as error:
-        from trs80arm.reasons import reason
+        from trs80arm.reasons import one_line, reason
 
+        if error.filename:
+            fail(one_line(error))
         give_up_output()
-        fail(f"{error.filename or 'standard output'}: {reason(error)}")
+        fail(f"standard output: {reason(error)}")
     except Exception as error:
         from trs80arm.desk.last_resort import FAULT, last_words
         from trs80arm.desk.places import state_folder
 
-        click.echo(f"trs80arm: {last_words(error, state_folder())}", err=True)
+        tell(last_words(error, state_folder()))
         sys.exit(FAULT)

@@ -64,14 +64,11 @@ def check(
 def convert(source: Path, target: Path, keep_good: bool) -> None:
     """Convert a program file: text, crunched (.bas) or cassette (.cas), by TARGET's suffix."""
     from trs80arm import files
-    from trs80arm.reasons import reason
 
     try:
         count = files.convert(source, target, keep_good=keep_good)
     except files.FileFormatError as error:
         fail(error)
-    except OSError as error:
-        fail(f"{error.filename}: {reason(error)}")
     click.echo(f"{target}: {count} line{'' if count == 1 else 's'}")
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
-from trs80arm.cli.arguments import A_PATH, A_PROGRAM, Finite
+from trs80arm.cli.arguments import A_PATH, A_PROGRAM, Finite, WholeNumber
 from trs80arm.cli.ending import fail
 from trs80arm.cli.options import (
     SCREEN_FLAGS,
@@ -151,10 +151,10 @@ def _refuse_what_is_of_runs(context: click.Context, output: Path) -> None:
 @click.command()
 @click.argument("name")
 @click.option("-o", "--output", type=A_PATH, help="An .svg or .png file instead of text.")
-@click.option("--width", type=click.IntRange(40, 400), help="Columns of the text.")
+@click.option("--width", type=WholeNumber(40, 400), help="Columns of the text.")
 @click.option("--config", type=A_PATH, help="The settings file instead of the usual one.")
 @click.option("--option", multiple=True, help="Any setting: TABLE.KEY=VALUE (repeatable).")
-@click.option("--arm", metavar="VALUE", help=SETTING_FLAGS["arm"][1])
+@settings_options({"arm": SETTING_FLAGS["arm"]})
 def figure(name: str, output: Path | None, width: int | None, **given: Any) -> None:
     """Draw the article's figure NAME from the running model: 1 to 12 or table1.
 
@@ -164,7 +164,6 @@ def figure(name: str, output: Path | None, width: int | None, **given: Any) -> N
 
     from trs80arm.arm.figures import FigureError
     from trs80arm.article import draw
-    from trs80arm.reasons import reason
 
     settings = take_settings({"break_now": None, **given})
     try:
@@ -175,5 +174,3 @@ def figure(name: str, output: Path | None, width: int | None, **given: Any) -> N
             drawn.save(output)
     except FigureError as error:
         fail(error)
-    except OSError as error:
-        fail(f"{output}: {reason(error)}")

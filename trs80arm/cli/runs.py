@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from trs80arm.cli.arguments import A_PATH, A_PROGRAM, Finite
+from trs80arm.cli.arguments import A_PATH, A_PROGRAM, Finite, WholeNumber
 from trs80arm.cli.ending import fail
 from trs80arm.cli.options import (
     SETTING_FLAGS,
@@ -61,7 +61,7 @@ def telling_options(command: Command) -> Command:
     "--script", type=A_PATH, help="What the operator does and what is expected: a TOML file."
 )
 @telling_options
-@click.option("--jobs", type=click.IntRange(1, 1024), help="How many programs run at once.")
+@click.option("--jobs", type=WholeNumber(1, 1024), help="How many programs run at once.")
 @click.option("--junit", type=A_PATH, help="Write JUnit XML to a file, and print a table.")
 @machine_options
 def run(programs: tuple[Path, ...], jobs: int | None, junit: Path | None, **given: Any) -> None:
@@ -119,7 +119,7 @@ def replay(recording: Path, **given: Any) -> None:
     default=0.0,
     help="Parts are placed with an error of so many inches, along x and along y.",
 )
-@click.option("--runs", type=click.IntRange(1, 100_000), default=1, help="Runs of each cell.")
+@click.option("--runs", type=WholeNumber(1, 100_000), default=1, help="Runs of each cell.")
 @click.option("--seed", type=int, default=1, help="What the errors are drawn from.")
 @click.option(
     "--seconds",
@@ -133,7 +133,7 @@ def replay(recording: Path, **given: Any) -> None:
 @click.option("--expect", default="", metavar="TEXT", help="What a run has to print.")
 @click.option("-o", "--output", type=A_PATH, help="All runs as CSV.")
 @click.option("--plot", type=A_PATH, help="Success as a .svg, .png or .pdf (extra `plot`).")
-@click.option("--jobs", type=click.IntRange(1, 256), help="Processes; one a core unless given.")
+@click.option("--jobs", type=WholeNumber(1, 256), help="Processes; one a core unless given.")
 @machine_options
 def sweep(**given: Any) -> None:
     """Run PROGRAM over a grid of values and tell how often it succeeds.

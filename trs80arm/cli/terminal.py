@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
-from trs80arm.cli.arguments import A_PATH, A_PROGRAM
+from trs80arm.cli.arguments import A_PATH, A_PROGRAM, Folder, WholeNumber
 from trs80arm.cli.ending import fail
 from trs80arm.cli.options import SCREEN_FLAGS, machine_options, settings_options, take_settings
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 @click.option("--plain", is_flag=True, help="Line by line, for screen readers and pipes.")
 @click.option(
     "--own-folder",
-    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    type=Folder(),
     help="Open and save in this folder only; programs that come along can be opened.",
 )
 @settings_options(SCREEN_FLAGS)
@@ -80,7 +80,7 @@ def terminal_options(given: dict[str, Any], **more: Any) -> TerminalOptions:
 
 @click.command()
 @click.option("--host", default="127.0.0.1", show_default=True, help="The address to listen at.")
-@click.option("--port", default=8000, show_default=True, type=click.IntRange(1, 65535))
+@click.option("--port", default=8000, show_default=True, type=WholeNumber(1, 65535))
 @click.option(
     "--allow-files", is_flag=True, help="Let visitors open and save files as you can yourself."
 )

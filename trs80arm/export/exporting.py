@@ -17,7 +17,7 @@ from trs80arm.files import FileFormatError, load_program
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.reasons import one_line
 from trs80arm.rig import Rig, RigSettings, Waiting
-from trs80arm.saving import write_whole
+from trs80arm.saving import expect_to_write, write_whole
 
 
 class ExportError(Exception):
@@ -59,6 +59,7 @@ def export(asked: Export) -> None:
         if suffix in STANDING:
             STANDING[suffix](asked)
         elif suffix in _RUNS:
+            expect_to_write(asked.path)
             rig, run = _run(asked)
             write_whole(asked.path, _RUNS[suffix](rig, run))
         else:

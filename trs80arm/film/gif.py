@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import io
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trs80arm.film.blocks import blocks_of
 from trs80arm.film.frames import Film, Line
+from trs80arm.paths import read_beginning
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -21,6 +23,8 @@ FONTS = (
     *("Consolas.ttf", "UbuntuMono-R.ttf", "NotoSansMono-Regular.ttf", "cour.ttf"),
 )
 """Monospaced fonts by the names of their files; Pillow looks where the system keeps fonts."""
+LARGEST_FONT = 64 * 1024 * 1024
+"""Bytes of a font that are read."""
 _COLOURS = 256
 _PAUSE = 1500
 """Milliseconds for which the last picture stays before the film begins again."""
@@ -40,11 +44,9 @@ def gif(film: Film, font: Path | None = None) -> bytes:
     Raises:
         GifError: Pillow is not installed, or there is no font.
     """
-    try:
-        from PIL import Image, ImageDraw
-    except ModuleNotFoundError:
-        raise GifError("a GIF needs Pillow: pip install 'trs80arm[film]'") from None
-    letters = _font(font)
+    letters = find_letters(font)
+    from PIL import Image, ImageDraw
+
     width, height = round(letters.getlength("M")), sum(letters.getmetrics())
     sheet = Image.new("RGB", (film.width * width, film.height * height))
     pen = ImageDraw.Draw(sheet)
@@ -89,18 +91,34 @@ def _palette(film: Film) -> Image:
     return palette
 
 
-def _font(path: Path | None) -> FreeTypeFont:
+def find_letters(path: Path | None) -> FreeTypeFont:
+    """The letters that a film is to be drawn with, from a font's file or one of the system's.
+
+    Raises:
+        GifError: Pillow is not installed, or there is no font.
+    """
+    try:
+        from PIL import ImageFont
+    except ModuleNotFoundError:
+        raise GifError("a GIF needs Pillow: pip install 'trs80arm[film]'") from None
+    if path is not None:
+        return _letters_in(path)
+    for name in FONTS:
+        with suppress(OSError):
+            return ImageFont.truetype(name, SIZE)
+    raise GifError("no monospaced font is found here; --font FILE names one")
+
+
+def _letters_in(path: Path) -> FreeTypeFont:
+    """The letters of a font's file, or of a font that the system has under that name."""
     from PIL import ImageFont
 
-    names = FONTS if path is None else (str(path),)
-    for name in names:
-        try:
-            return ImageFont.truetype(name, SIZE)
-        except OSError:
-            continue
-    if path is not None:
-        raise GifError(f"{path}: this is no font that can be read")
-    raise GifError("no monospaced font is found here; --font FILE names one")
+    try:
+        # Read here: a pipe would be waited for, and a file without end be read to it.
+        source = io.BytesIO(read_beginning(path, LARGEST_FONT)) if path.exists() else path
+        return ImageFont.truetype(source, SIZE)
+    except OSError:
+        raise GifError(f"{path}: this is no font that can be read") from None
 
 
 def _draw(

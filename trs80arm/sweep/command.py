@@ -19,7 +19,7 @@ from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.paths import is_file
 from trs80arm.reasons import reason
 from trs80arm.rig import RigSettings
-from trs80arm.saving import whole_file
+from trs80arm.saving import expect_to_write, whole_file
 from trs80arm.sweep.axes import NOISE, SweepError, grid, parse_axis
 from trs80arm.sweep.journal import Journal, mark
 from trs80arm.sweep.placing import read_bench
@@ -83,8 +83,7 @@ def _run(options: SweepOptions, settings_of: Callable[[Mapping[str, float]], Rig
             raise SweepError(f"{options.plot}: a plot is saved as one of {', '.join(SUFFIXES)}")
         if find_spec("matplotlib") is None:
             raise SweepError("--plot needs matplotlib: pip install 'trs80arm[plot]'")
-        if not options.plot.resolve().parent.is_dir():
-            raise SweepError(f"{options.plot}: there is no such folder")
+        expect_to_write(options.plot)
     path = options.bench or bench_beside(options.program)
     lines = load_program(options.program)
     source, bench = read_bench(path)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import copy
 import random
-import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -17,6 +16,7 @@ from typing import Any
 from trs80arm.arm import benchfile
 from trs80arm.arm.bench import Bench, BenchError
 from trs80arm.sweep.axes import SweepError
+from trs80arm.toml_files import tables_of
 
 MOST_DRAWS = 100
 """Draws for one run, if parts would stand in something as they were drawn first."""
@@ -42,7 +42,7 @@ def read_bench(path: Path | None) -> tuple[str, dict[str, Any]]:
         return "the bench", STANDARD
     text = benchfile.read(path)
     benchfile.parse(text, str(path))
-    return str(path), tomllib.loads(text)
+    return str(path), tables_of(text)
 
 
 def changed(data: dict[str, Any], changes: Changes) -> dict[str, Any]:

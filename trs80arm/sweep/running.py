@@ -6,20 +6,14 @@ before it begins; the run itself is the same every time.
 
 from __future__ import annotations
 
-import multiprocessing
-import os
-import signal
-from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from functools import partial
-from itertools import islice
 from typing import Any
 
 from trs80arm.arm.events import EventKind
 from trs80arm.basic.activity import Waiting
+from trs80arm.cores import EndedFromOutsideError, on_all_cores
 from trs80arm.operator import Hold, Operator
 from trs80arm.report import ended
 from trs80arm.rig import Rig, RigSettings
@@ -29,8 +23,6 @@ from trs80arm.sweep.placing import changed, placed
 
 ENDINGS = ("end", "stop", "limit")
 """How a run may have ended to succeed: not by an error, or at a question that nobody answered."""
-_IN_HAND = 4
-"""Runs that wait for each process."""
 
 
 @dataclass(frozen=True)
@@ -217,22 +209,13 @@ def run_all(
         SweepError: a run cannot be, or a process was ended from outside.
         BenchError: its bench cannot be.
     """
-    do = partial(run_case, plan, axes)
-    jobs = min(jobs or os.cpu_count() or 1, len(each))
-    if jobs <= 1:
-        yield from map(do, each)
-        return
-    # A new process has none of this one's threads, as that of a progress bar. Ctrl+C ends it
-    # without a word: the one that waits for it says what is to be said.
-    context = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(jobs, context, signal.signal, (signal.SIGINT, signal.SIG_DFL))
+    early: dict[int, Result] = {}
+    awaited = 0
     try:
-        ahead = iter(each)
-        under_way = deque(pool.submit(do, case) for case in islice(ahead, jobs * _IN_HAND))
-        while under_way:
-            yield under_way.popleft().result()
-            under_way.extend(pool.submit(do, case) for case in islice(ahead, 1))
-    except BrokenProcessPool:
-        raise SweepError("one of the processes that did the runs was ended from outside") from None
-    finally:
-        pool.shutdown(cancel_futures=True)
+        for number, result in on_all_cores(partial(run_case, plan, axes), each, jobs):
+            early[number] = result
+            while awaited in early:
+                yield early.pop(awaited)
+                awaited += 1
+    except EndedFromOutsideError as error:
+        raise SweepError(str(error)) from None

@@ -22,13 +22,13 @@ from trs80arm.desk.opening import UNUSABLE, open_session
 from trs80arm.desk.session import Session
 from trs80arm.film.cast import cast
 from trs80arm.film.frames import Film, Line, Look
-from trs80arm.film.gif import GifError, gif
+from trs80arm.film.gif import GifError, find_letters, gif
 from trs80arm.film.svg import svg
 from trs80arm.operator import Operator, ScriptError, parse_holds
 from trs80arm.options import ArmStyle, Speed, TerminalOptions
 from trs80arm.reasons import one_line
-from trs80arm.saving import write_whole
-from trs80arm.ui import layout
+from trs80arm.saving import expect_to_write, write_whole
+from trs80arm.ui import layout, themes
 from trs80arm.ui.app import Trs80Arm
 from trs80arm.ui.commands.table import COMMANDS
 from trs80arm.ui.terminal.picture import on_screen
@@ -111,23 +111,23 @@ def make_film(options: TerminalOptions, shooting: Shooting, path: Path) -> None:
         )
     if shooting.font is not None and path.suffix.lower() != ".gif":
         raise FilmError("--font is for a GIF")
+    expect_to_write(path)
     try:
+        if path.suffix.lower() == ".gif":
+            find_letters(shooting.font)  # Before the run, which may take its time.
         sets = [parse_holds(holds) for holds in shooting.sets]
         # A film is made of characters.
         arm = ArmStyle.HALF if options.arm is ArmStyle.PIXELS else options.arm
         chosen = replace(options, speed=Speed.ONE, arm=arm, settings_file=None)
         session = open_session(chosen)
-    except (*UNUSABLE, ScriptError) as error:
+    except (*UNUSABLE, ScriptError, GifError) as error:
         raise FilmError(one_line(error)) from None
     operator = Operator(session.rig, shooting.inputs, sets)
     try:
         made = asyncio.run(_shoot(session, chosen, shooting, operator))
-        content = _KINDS[path.suffix.lower()](made, shooting.font)
-    except GifError as error:
-        raise FilmError(str(error)) from None
     finally:
         session.close()
-    write_whole(path, content)
+    write_whole(path, _KINDS[path.suffix.lower()](made, shooting.font))
 
 
 async def _shoot(
@@ -138,6 +138,8 @@ async def _shoot(
     made = Film(shooting.columns, shooting.rows, f"{name} on a TRS-80 with a MiniMover 5")
     with tempfile.TemporaryDirectory() as state:
         app = Trs80Arm(session, options, Path(state), wall=wall, ticking=False)
+        if why := themes.refusal(options.theme, app.available_themes):
+            raise FilmError(why)
         app.animation_level = "none"
         async with app.run_test(size=(shooting.columns, shooting.rows)) as pilot:
             for command in shooting.do:

@@ -10,6 +10,9 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from trs80arm.files import FileFormatError, load_program
+from trs80arm.reasons import one_line
+
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
 LIMITS = """\
 Serving on {address}  (Ctrl+C ends it)
@@ -41,7 +44,7 @@ def serve_terminal(
             cassettes of whoever serves; otherwise each has a folder of his own.
 
     Raises:
-        ServeError: the extra is not installed, or the port cannot be had.
+        ServeError: the extra is not installed, the program is none, or the port cannot be had.
     """
     try:
         import textual_serve.server  # type: ignore[import-not-found, unused-ignore]  # noqa: F401
@@ -51,8 +54,10 @@ def serve_terminal(
         raise ServeError("serve needs the extra: pip install 'trs80arm[web]'") from None
     words = [sys.executable, "-m", "trs80arm", "terminal", "--keys", "repeat"]
     if program is not None:
-        if not program.is_file():
-            raise ServeError(f"{program}: no such file")
+        try:
+            load_program(program)
+        except (FileFormatError, OSError) as error:
+            raise ServeError(one_line(error)) from None
         words.append(str(program.resolve()))
     server = Visitors(words, host, port, allow_files=allow_files)
     files = ALL_FILES if allow_files else OWN_FILES

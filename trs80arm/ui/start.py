@@ -15,6 +15,8 @@ from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.places import state_folder
 from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.reasons import one_line
+from trs80arm.shown import message
+from trs80arm.ui import themes
 from trs80arm.ui.app import Trs80Arm
 from trs80arm.ui.terminal.pixels import (
     NOT_ASKED,
@@ -23,7 +25,6 @@ from trs80arm.ui.terminal.pixels import (
     find_pixels,
     may_have_pixels,
 )
-from trs80arm.ui.themes import THEMES
 
 SERVER = "TRS80ARM_SERVER"
 """The environment variable with the number of the process that serves this one to a browser."""
@@ -48,13 +49,8 @@ def run_terminal(options: TerminalOptions) -> int:
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
     app = Trs80Arm(session, options, state_folder())
-    if options.theme not in app.available_themes:
-        own = ", ".join(theme.name for theme in THEMES)
-        print(
-            f"trs80arm: theme: there is no theme {options.theme!r}; there are {own} "
-            "and those of Textual",
-            file=sys.stderr,
-        )
+    if why := themes.refusal(options.theme, app.available_themes):
+        print(f"trs80arm: {message(why)}", file=sys.stderr)
         return USAGE_ERROR
     _end_with_server()
     app.desk.use_pixels(_pixels(app, options))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from typing import TypeVar
 
 from textual.app import App
@@ -109,3 +110,11 @@ class Themed(App[Result]):
         """The theme's variables, those changed that could not be read."""
         variables = super().get_css_variables()
         return variables | readable(variables)
+
+
+def refusal(name: str, available: Container[str]) -> str:
+    """Why there is no theme of a name; empty if there is."""
+    if name in available:
+        return ""
+    own = ", ".join(theme.name for theme in THEMES)
+    return f"theme: there is no theme {name!r}; there are {own} and those of Textual"
