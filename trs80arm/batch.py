@@ -20,9 +20,8 @@ from trs80arm.arm.bench import BenchError
 from trs80arm.bars import running
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.outcome import Ending
-from trs80arm.benches import BenchFile, bench_beside
 from trs80arm.expectations import unmet
-from trs80arm.files import FileFormatError, load_program
+from trs80arm.files import FileFormatError
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.operator import Operator, ScriptError, parse_holds
 from trs80arm.reasons import one_line
@@ -32,6 +31,7 @@ from trs80arm.script import Expected, RunScript, read_script, script_beside
 from trs80arm.shown import shown
 from trs80arm.teletype import ENTER, Teletype
 from trs80arm.trace import PoseTrace, Trace, TraceError
+from trs80arm.unattended import NotReadyError, ready_with
 
 DEFAULT_SECONDS = 3600.0
 """Virtual seconds after which an unattended run ends when no limit is given."""
@@ -116,7 +116,7 @@ class Task:
     perform: Callable[[TextIO, Look | None], Done]
 
 
-UNUSABLE = (ScriptError, FileFormatError, BenchError, TraceError, OSError)
+UNUSABLE = (NotReadyError, ScriptError, FileFormatError, BenchError, TraceError, OSError)
 """What is raised for what cannot be used, beside `UnusableError`."""
 
 
@@ -249,18 +249,10 @@ def carry_out(
         look: called with the rig now and then.
 
     Raises:
-        UnusableError: the memory size cannot be.
+        NotReadyError: the memory size cannot be.
         FileFormatError, BenchError, TraceError, OSError: a file cannot be used.
     """
-    lines = load_program(options.program)
-    bench = options.bench or bench_beside(options.program)
-    rig = Rig(options.rig, BenchFile.read(bench).bench if bench else None)
-    if rig.waiting is Waiting.MEMORY_SIZE:
-        raise UnusableError(
-            f"MEMORY SIZE? does not take {options.rig.memory_size!r}: an address from 17430 to "
-            f"{0x4000 + 1024 * options.rig.ram_kib - 1}, or nothing"
-        )
-    rig.load_lines(lines)
+    rig = ready_with(options.rig, options.program, options.bench)
     begun = stopwatch() if stopwatch else 0.0
     with traced(rig, options):
         waiting, spent = _from_run_to_end(rig, script, stream, look)

@@ -19,6 +19,13 @@ def bench_beside(program: Path) -> Path | None:
     return beside(program, ".toml")
 
 
+def bench_for(program: Path | None, named: Path | None) -> Path | None:
+    """The bench file that is named, or else the one beside the program, if there is one."""
+    if named is not None or program is None:
+        return named
+    return bench_beside(program)
+
+
 def bench_files(folder: Path) -> list[Path]:
     """The bench files of a folder and of the folder `benches` in it."""
     try:

@@ -93,7 +93,7 @@ class Rig:
     def _use(self, works: Works) -> None:
         self._works = works
         self._keys = KeyEvents(works)
-        self._running = Running(works, self._keys, self._observers.stops)
+        self._running = Running(works, self._keys, self._observers)
         self._observers.connect(works)
 
     @property
@@ -169,21 +169,7 @@ class Rig:
             Whether it got there. A program that has ended, waits for its operator, or has no such
             line uses up the time.
         """
-        standing = self._works.basic.next_address
-        begun = self.clock.now
-
-        def reached(address: int) -> bool:
-            if address == standing and self.clock.now == begun:
-                return False
-            program = self._works.basic.program
-            link = program.find(line)
-            return link is not None and address == link - 1
-
-        stop = self.stop_before(reached)
-        try:
-            return not self.run_to(self.clock.now + round(seconds * T_STATES_PER_SECOND))
-        finally:
-            stop()
+        return self._running.run_until_line(line, seconds)
 
     def run_until_text(self, text: str, seconds: float = 60.0) -> bool:
         r"""Run until the machine has printed a text since this call, or what was typed shows it.
@@ -198,13 +184,7 @@ class Rig:
         Returns:
             Whether it was printed.
         """
-        printed = bytearray()
-        wanted = text.replace("\n", "\r").encode("latin-1", errors="replace")
-        stop = self.listen(lambda code, is_echo: printed.append(code))
-        try:
-            return self.run_until(lambda _: wanted in printed, seconds)
-        finally:
-            stop()
+        return self._running.run_until_text(text, seconds)
 
     def run_until_waiting(self, seconds: float = 60.0) -> Waiting:
         """Run until everything typed is in and the machine waits for the operator again.

@@ -281,6 +281,17 @@ def test_wrong_options_are_one_line_and_code_2(command: str, option: str, tell: 
     assert code == 2
 
 
+@pytest.mark.parametrize("command", ["run", "sweep", "export"])
+def test_a_memory_size_that_the_machine_does_not_take_is_told_by_every_run(
+    command: str, tell: Tell
+) -> None:
+    code, said = tell([command, *GOOD[command], "--memory-size", "99"])
+    assert code == 2
+    assert said == (
+        "trs80arm: MEMORY SIZE? does not take '99': an address from 17430 to 32767, or nothing\n"
+    )
+
+
 PRINTING = [*sorted({*GOOD} - {"demo", "export", "film", "check"}), "--help", "--version"]
 """Commands that print something when all is well."""
 

@@ -6,7 +6,7 @@ The screen and the line mode both begin here, and say in the same line why they 
 from __future__ import annotations
 
 from trs80arm.arm.bench import BenchError
-from trs80arm.benches import bench_beside
+from trs80arm.benches import bench_for
 from trs80arm.desk import recording
 from trs80arm.desk.session import Session
 from trs80arm.files import FileFormatError
@@ -28,9 +28,7 @@ def open_session(options: TerminalOptions) -> Session:
         RecordingError: the recording is none.
         ValueError: a fitting of the machine cannot be.
     """
-    program, bench = options.program, options.bench
-    if bench is None and program is not None:
-        bench = bench_beside(program)
+    program, bench = options.program, bench_for(options.program, options.bench)
     started_with = (program, options.replay, options.demo or None, options.plain or None)
     greeting = all(choice is None for choice in started_with)
     session = Session(options.rig, bench, options.record, greeting=greeting)

@@ -7,17 +7,17 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from trs80arm.arm.bench import BenchError
-from trs80arm.benches import BenchFile, bench_beside
 from trs80arm.export.gltf import glb, gltf
 from trs80arm.export.mjcf import mjcf
 from trs80arm.export.recording import Recording, record
 from trs80arm.export.table import csv_table, npz_table
 from trs80arm.export.urdf import urdf
-from trs80arm.files import FileFormatError, load_program
+from trs80arm.files import FileFormatError
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.reasons import one_line
-from trs80arm.rig import Rig, RigSettings, Waiting
+from trs80arm.rig import Rig, RigSettings
 from trs80arm.saving import expect_to_write, write_whole
+from trs80arm.unattended import NotReadyError, ready_with
 
 
 class ExportError(Exception):
@@ -64,7 +64,7 @@ def export(asked: Export) -> None:
             write_whole(asked.path, _RUNS[suffix](rig, run))
         else:
             raise ExportError(f"{asked.path}: an export is a {', '.join(SUFFIXES)} file")
-    except (FileFormatError, BenchError, ScriptError, OSError) as error:
+    except (NotReadyError, FileFormatError, BenchError, ScriptError, OSError) as error:
         raise ExportError(one_line(error)) from None
 
 
@@ -88,18 +88,12 @@ def _run(asked: Export) -> tuple[Rig, Recording]:
         raise ExportError(f"{asked.path}: a {asked.path.suffix} file is of a run: name a program")
     sets = [parse_holds(holds) for holds in asked.sets]
     rig = _rig(asked)
-    if rig.waiting is Waiting.MEMORY_SIZE:
-        raise ExportError(f"MEMORY SIZE? does not take {asked.rig.memory_size!r}")
     return rig, record(rig, asked.fps, asked.seconds, asked.inputs, sets)
 
 
 def _rig(asked: Export) -> Rig:
     """A machine with the arm on its bench, and the program in memory."""
-    lines = load_program(asked.program) if asked.program else []
-    bench = asked.bench or (bench_beside(asked.program) if asked.program else None)
-    rig = Rig(asked.rig, BenchFile.read(bench).bench if bench else None)
-    rig.load_lines(lines)
-    return rig
+    return ready_with(asked.rig, asked.program, asked.bench)
 
 
 STANDING: dict[str, Callable[[Export], None]] = {

@@ -13,7 +13,7 @@ from trs80arm.arm.bench import BenchError
 from trs80arm.arm.figures import FigureError
 from trs80arm.arm.figures.chart import SUFFIXES
 from trs80arm.bars import counting
-from trs80arm.benches import bench_beside
+from trs80arm.benches import bench_for
 from trs80arm.files import FileFormatError, load_program
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.paths import is_file
@@ -25,6 +25,7 @@ from trs80arm.sweep.journal import Journal, mark
 from trs80arm.sweep.placing import read_bench
 from trs80arm.sweep.running import Plan, Result, cases, check, run_all
 from trs80arm.sweep.telling import chart, csv_text, table
+from trs80arm.unattended import NotReadyError
 
 MOST_RUNS = 1_000_000
 
@@ -63,7 +64,7 @@ def run_sweep(
     """
     try:
         _run(options, settings_of)
-    except (FileFormatError, ScriptError, BenchError, FigureError) as error:
+    except (NotReadyError, FileFormatError, ScriptError, BenchError, FigureError) as error:
         raise SweepError(str(error)) from None
     except OSError as error:
         if error.filename is None:
@@ -84,7 +85,7 @@ def _run(options: SweepOptions, settings_of: Callable[[Mapping[str, float]], Rig
         if find_spec("matplotlib") is None:
             raise SweepError("--plot needs matplotlib: pip install 'trs80arm[plot]'")
         expect_to_write(options.plot)
-    path = options.bench or bench_beside(options.program)
+    path = bench_for(options.program, options.bench)
     lines = load_program(options.program)
     source, bench = read_bench(path)
     plan = Plan(

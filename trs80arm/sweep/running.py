@@ -12,7 +12,6 @@ from functools import partial
 from typing import Any
 
 from trs80arm.arm.events import EventKind
-from trs80arm.basic.activity import Waiting
 from trs80arm.cores import EndedFromOutsideError, on_all_cores
 from trs80arm.operator import Hold, Operator
 from trs80arm.report import ended
@@ -20,6 +19,7 @@ from trs80arm.rig import Rig, RigSettings
 from trs80arm.sweep.axes import NOISE, Axis, SweepError
 from trs80arm.sweep.constants import Constant, Line, find, replaced
 from trs80arm.sweep.placing import changed, placed
+from trs80arm.unattended import ready
 
 ENDINGS = ("end", "stop", "limit")
 """How a run may have ended to succeed: not by an error, or at a question that nobody answered."""
@@ -127,6 +127,7 @@ def run_case(plan: Plan, axes: Sequence[Axis], case: Case) -> Result:
     """Do one run.
 
     Raises:
+        NotReadyError: it is given a memory size that it does not take.
         SweepError: it has nothing of an axis' name.
         BenchError: its bench cannot be.
     """
@@ -174,17 +175,14 @@ def _rig(plan: Plan, axes: Sequence[Axis], case: Case) -> Rig:
         elif axis.of_parts:
             keys[axis.of_parts] = value
     bench = placed(plan.source, changed(plan.bench, keys), noise, plan.seed, case.run)
-    rig = Rig(case.settings, bench)
-    if rig.waiting is Waiting.MEMORY_SIZE:
-        raise SweepError(f"MEMORY SIZE? does not take {case.settings.memory_size!r}")
-    rig.load_lines(replaced(plan.lines, constants))
-    return rig
+    return ready(case.settings, bench, replaced(plan.lines, constants))
 
 
 def check(plan: Plan, axes: Sequence[Axis], each: Sequence[Case]) -> None:
     """See that every cell can be run, on a bench without errors, before any is.
 
     Raises:
+        NotReadyError: one is given a memory size that it does not take.
         SweepError: one cannot.
         BenchError: its bench cannot be.
     """

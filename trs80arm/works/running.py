@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from trs80arm.basic.activity import Waiting
-from trs80arm.basic.state import Stops
 from trs80arm.machine.clock import END_OF_TIME, T_STATES_PER_SECOND
 from trs80arm.machine.driver import Mode
 from trs80arm.works.devices import Works
 from trs80arm.works.key_events import KeyEvents
+from trs80arm.works.observers import Observers, attach
 
 _FRAME = T_STATES_PER_SECOND // 60
 """T-states after which whoever waits for something looks again."""
@@ -21,13 +21,13 @@ class Running:
     Args:
         works: the devices.
         keys: what is about to happen to their keys.
-        stops: before which statements `run_to` is to stop.
+        observers: who looks at them, and before which statements `run_to` is to stop.
     """
 
-    def __init__(self, works: Works, keys: KeyEvents, stops: Stops) -> None:
+    def __init__(self, works: Works, keys: KeyEvents, observers: Observers) -> None:
         self._works = works
         self._keys = keys
-        self._stops = stops
+        self._observers = observers
 
     def run_for(self, seconds: float) -> bool:
         """Let `seconds` of virtual time pass, counted from where the last run was to end.
@@ -55,7 +55,7 @@ class Running:
             raise ValueError("the clock does not go that far")
         works = self._works
         works.asked = max(works.asked, target)
-        stops = self._stops
+        stops = self._observers.stops
         stops.heeded, stops.reached = True, False
         try:
             while works.clock.now < target:
@@ -81,6 +81,41 @@ class Running:
             self._turn(min(end, works.clock.now + _FRAME), until_waiting=True)
             works.asked = works.clock.now
         return True
+
+    def run_until_line(self, line: int, seconds: float) -> bool:
+        """Run until the program is about to execute the first statement of a line.
+
+        Returns:
+            Whether it got there, after at most `seconds` of virtual time.
+        """
+        works = self._works
+        standing, begun = works.basic.next_address, works.clock.now
+
+        def reached(address: int) -> bool:
+            if address == standing and works.clock.now == begun:
+                return False
+            link = works.basic.program.find(line)
+            return link is not None and address == link - 1
+
+        end = attach(self._observers.stops.conditions, reached)
+        try:
+            return not self.run_to(begun + round(seconds * T_STATES_PER_SECOND))
+        finally:
+            end()
+
+    def run_until_text(self, text: str, seconds: float) -> bool:
+        """Run until a text has been sent to the display since now.
+
+        Returns:
+            Whether it was, after at most `seconds` of virtual time.
+        """
+        printed = bytearray()
+        wanted = text.replace("\n", "\r").encode("latin-1", errors="replace")
+        end = attach(self._observers.codes, lambda code, is_echo: printed.append(code))
+        try:
+            return self.run_until(lambda: wanted in printed, seconds)
+        finally:
+            end()
 
     def run_until_waiting(self, seconds: float) -> Waiting:
         """Run until everything typed is in and the machine waits for the operator again.

@@ -28,7 +28,7 @@ def try_out(works: Works) -> None:
     observers = Observers()
     observers.connect(works)
     keys = KeyEvents(works)
-    running = Running(works, keys, observers.stops)
+    running = Running(works, keys, observers)
 
     def pass_time(seconds: float) -> None:
         # From now: the last statement may have taken it far beyond the time that was asked for.
