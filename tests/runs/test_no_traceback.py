@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import errno
 import io
+import json
 import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from xml.etree import ElementTree
 
 import click
 import pytest
@@ -55,6 +57,8 @@ WRITTEN = {
 PATIENCE = 300
 """Seconds that no command takes, however busy the computer is."""
 OF_FOLDERS = ("own_folder",)
+TAKEN = {"own_folder": ("", "folder", "/"), "programs": ("", "-")}
+"""Names of no files that are right all the same: folders, and standard input."""
 ANY_NUMBER = ("seed",)
 """Parameters that take a number below nought."""
 
@@ -119,7 +123,7 @@ def settled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("TRS80ARM_CONFIG", os.devnull)
     monkeypatch.setenv("TRS80ARM_STATE", str(tmp_path / "state"))
     monkeypatch.setattr(Visitors, "serve", lambda self: None)
-    monkeypatch.setattr(sys, "stdin", io.StringIO())
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO()))
     monkeypatch.chdir(tmp_path)
 
 
@@ -188,16 +192,14 @@ def no_such_files(folder: Path) -> Iterator[str]:
 
 @pytest.mark.parametrize("wrong", FILES, ids=str)
 def test_what_is_no_such_file_is_told_in_one_line(wrong: Wrong, tmp_path: Path, tell: Tell) -> None:
-    good = ("", "folder", "/") if wrong.name in OF_FOLDERS else ()
+    taken = TAKEN.get(wrong.name, ()) if wrong.command != "run" else ()
     for name in no_such_files(tmp_path):
+        if name == "/" and wrong.command == "check":
+            continue  # All programs of the computer would be read.
         code, said = tell(wrong.words(name))
-        if name in good:
-            continue
-        if wrong.command == "check":
-            # What is read is held to be a program with lines that are wrong.
-            assert code in (1, 2), name
-        else:
-            assert code == 2, (name, said)
+        if name not in taken:
+            # What is checked may be held to be a program with lines that are wrong.
+            assert code == 2 or (code == 1 and wrong.command == "check"), (name, said)
 
 
 @pytest.mark.parametrize("wrong", FILES, ids=str)
@@ -334,3 +336,28 @@ def test_an_exit_code_says_what_cannot_be_told(
     with pytest.raises(SystemExit) as ended:
         main()
     assert ended.value.code == 2
+
+
+def test_many_wrong_files_at_once_are_told_in_a_line_each(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    names = [name for name in no_such_files(tmp_path) if name not in ("", "/", "-", "folder")]
+    forms = {
+        ("run", "--jobs", "1", "--junit", "j.xml"): "",
+        ("run", "--jobs", "1", "--json"): "runs",
+        ("check", "--format", "json"): "findings",
+        ("check", "--format", "sarif"): "runs",
+    }
+    for words, key in forms.items():
+        monkeypatch.setattr(sys, "argv", ["trs80arm", *words, "good.bas", *names])
+        with pytest.raises(SystemExit) as ended:
+            main()
+        assert ended.value.code == 2
+        out, err = capfd.readouterr()
+        lines = err.splitlines()
+        assert all(line.startswith("trs80arm: ") and line.isprintable() for line in lines)
+        if words[0] == "run":
+            assert len(lines) == len(names)
+        if key:
+            assert key in json.loads(out)
+    assert len(ElementTree.parse("j.xml").getroot().findall("*/testcase")) == len(names) + 1
