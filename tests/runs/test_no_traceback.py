@@ -14,7 +14,9 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from xml.etree import ElementTree
 
 import click
@@ -22,10 +24,12 @@ import pytest
 
 from trs80arm.cli import cli, main
 from trs80arm.cli.ending import BROKEN_PIPE
+from trs80arm.desk.session import Session
 from trs80arm.shown import LONGEST
 
 GOOD = {
     "run": ["good.bas"],
+    "replay": ["good.jsonl"],
     "check": ["good.bas"],
     "convert": ["good.bas", "o.cas"],
     "figure": ["8"],
@@ -114,12 +118,25 @@ OUTPUTS = [wrong for wrong in EVERY if (wrong.command, wrong.name) in WRITTEN]
 TEXTS = [wrong for wrong in EVERY if wrong not in (*FILES, *NUMBERS, *OUTPUTS)]
 
 
+@cache
+def a_recording() -> bytes:
+    """A session in which something was typed."""
+    session = Session()
+    session.rig.type("PRINT 6*7\r")
+    session.rig.run_until_waiting()
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "good.jsonl"
+        session.save_recording(path)
+        return path.read_bytes()
+
+
 @pytest.fixture(autouse=True)
 def settled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A folder to be in, with nobody's settings and a good program; nothing is served or typed."""
     from trs80arm.ui.visitors import Visitors
 
     (tmp_path / "good.bas").write_text(LISTING)
+    (tmp_path / "good.jsonl").write_bytes(a_recording())
     monkeypatch.setenv("TRS80ARM_CONFIG", os.devnull)
     monkeypatch.setenv("TRS80ARM_STATE", str(tmp_path / "state"))
     monkeypatch.setattr(Visitors, "serve", lambda self: None)
@@ -188,6 +205,10 @@ def no_such_files(folder: Path) -> Iterator[str]:
     (folder / "broken link").symlink_to("nowhere")
     yield from ("huge", "folder", "loop", "broken link", "none", "none/x", "zeros/x", "/dev/zero")
     yield from ("", " ", "-", "/", "x" * 300, "\udcff\udcfe", "~nobody-of-that-name/x")
+
+
+def test_every_command_is_tried() -> None:
+    assert set(GOOD) == set(cli.commands)
 
 
 @pytest.mark.parametrize("wrong", FILES, ids=str)
