@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from textual.widgets import Input, Markdown
+from textual.widgets.markdown import MarkdownFence
 
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
@@ -95,6 +96,21 @@ async def test_after_a_slip_it_opens_at_that(sit_down: Opener) -> None:
     async with sit_down() as sitting:
         await sitting.type_line("@STEP 50,0,0,-3000")
         assert await first_topic(sitting) == AFTER_A_SLIP
+
+
+@piloted
+async def test_no_language_is_guessed_for_its_tables(
+    sit_down: Opener, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # For that every lexer there is would be loaded while one waits for the page.
+    guessed: list[str] = []
+    monkeypatch.setattr(
+        "textual.highlight.guess_language", lambda code, path: guessed.append(code) or "text"
+    )
+    async with sit_down() as sitting:
+        await first_topic(sitting)
+        assert sitting.app.screen.query(MarkdownFence)
+        assert guessed == []
 
 
 @piloted

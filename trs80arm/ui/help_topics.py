@@ -86,4 +86,4 @@ def topics_of(text: str) -> list[Topic]:
 def _listed(entries: Iterable[tuple[str, str]]) -> str:
     """Two columns as they stand, closer together than a table."""
     lines = (f"{left:<{LEFT_COLUMN}} {right}" for left, right in entries)
-    return "\n".join(["```", *lines, "```"])
+    return "\n".join(["```text", *lines, "```"])
