@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from trs80arm.cli import main
+
 LISTING = '10 FOR I=1 TO 3000:PRINT "LINE";I:NEXT:PRINT CHR$(191)\n'
 
 
@@ -98,25 +100,33 @@ def test_an_interrupt_ends_a_run_without_a_traceback(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("option", "told"),
+    ("options", "told"),
     [
-        ("--seconds inf", "--seconds"),
-        ("--seconds nan", "--seconds"),
-        ("--seconds 1e300", "--seconds"),
-        ("--trace-rate nan --trace-pose /tmp/never.csv", "--trace-rate"),
-        (f"--set 1:{'9' * 400}", "a key can be held for 86400 seconds"),
-        (f"--option speed={'[' * 5000}", "--option speed"),
-        (f"--option speed={'9' * 5000}", "--option speed"),
-        ("--bench $'n\\e]0;X\\a.toml'", "n\\x1b]0;X\\x07.toml: cannot be read"),
-        ("--tapes $'a\\eb' --option fps=$'\\e[2J'", "\\x1b[2J"),
+        (["--seconds", "inf"], "--seconds"),
+        (["--seconds", "nan"], "--seconds"),
+        (["--seconds", "1e300"], "--seconds"),
+        (["--trace-rate", "nan", "--trace-pose", "/tmp/never.csv"], "--trace-rate"),
+        (["--set", f"1:{'9' * 400}"], "a key can be held for 86400 seconds"),
+        (["--option", f"speed={'[' * 5000}"], "--option speed"),
+        (["--option", f"speed={'9' * 5000}"], "--option speed"),
+        (["--bench", "n\x1b]0;X\a.toml"], "n\\x1b]0;X\\x07.toml: cannot be read"),
+        (["--tapes", "a\x1bb", "--option", "fps=\x1b[2J"], "\\x1b[2J"),
     ],
+    ids=lambda value: None if isinstance(value, str) else " ".join(value)[:30],
 )
 def test_odd_options_are_told_in_one_line_without_control_codes(
-    program: Path, option: str, told: str
+    program: Path,
+    options: list[str],
+    told: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
 ) -> None:
-    done = shell(f"ARM run {program} {option}")
-    line = done.stderr.decode()
-    assert done.returncode == 2
+    monkeypatch.setenv("TRS80ARM_CONFIG", os.devnull)
+    monkeypatch.setattr(sys, "argv", ["trs80arm", "run", str(program), *options])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 2
+    line = capfd.readouterr().err
     assert line.startswith("trs80arm: ")
     assert told in line
     assert line.count("\n") == 1
