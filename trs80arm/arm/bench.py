@@ -146,7 +146,18 @@ class Bench:
             turn: how it lies.
             friction: coefficient of its surface; the table's unless given.
         """
-        shape = Shape.of(solids, weight)
+        return self._make(Shape.of(solids, weight), name, x, y, bottom, turn, friction)
+
+    def _make(
+        self,
+        shape: Shape,
+        name: str,
+        x: float,
+        y: float,
+        bottom: float,
+        turn: Quaternion,
+        friction: float | None,
+    ) -> Part:
         rough = self.settings.table_friction if friction is None else friction
         return Part(name, shape, rough, *standing(shape, x, y, bottom, turn))
 
@@ -269,10 +280,9 @@ class Bench:
         while name in self.parts:
             name += "'"
         self.news.append((EventKind.FED, f"{feeder.name} gives {name}"))
-        solids = feeder.solids or (box(feeder.size),)
         turn = oriented(math.degrees(feeder.turn))
         place = feeder.x, feeder.y, feeder.bottom
-        part = self.make(solids, name, feeder.weight, *place, turn, feeder.friction)
+        part = self._make(feeder.shape, name, *place, turn, feeder.friction)
         self.scene.add(part)
         if not feeder.bottom:
             part.asleep, part.touching = True, (TABLE,)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any
 
-from trs80arm.arm.contact.bodies import NOWHERE, Body
+from trs80arm.arm.contact.bodies import NOWHERE, Body, Shape
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import IDENTITY, about, apply, matrix, quaternion
 from trs80arm.arm.contact.solids import Solid, box
@@ -115,10 +115,12 @@ class Feeder:
     bottom: float = 0.0
     commanded: bool = False
     _placed: list[Placed] | None = field(default=None, init=False, repr=False, compare=False)
+    _shape: Shape | None = field(default=None, init=False, repr=False, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
-        # Where its part will stand follows from the rest.
-        return {each.name: getattr(self, each.name) for each in fields(self)} | {"_placed": None}
+        # Its part's form, and where it will stand, follow from the rest.
+        gone = {"_placed": None, "_shape": None}
+        return {each.name: getattr(self, each.name) for each in fields(self)} | gone
 
     @property
     def radius(self) -> float:
@@ -130,6 +132,13 @@ class Feeder:
     def place(self) -> Box:
         """Where the next part will stand."""
         return upright(self.x, self.y, self.bottom, self.size, self.turn)
+
+    @property
+    def shape(self) -> Shape:
+        """Of each part."""
+        if self._shape is None:
+            self._shape = Shape.of(self.solids or (box(self.size),), self.weight)
+        return self._shape
 
     @property
     def placed(self) -> list[Placed]:

@@ -69,14 +69,16 @@ class Grasp:
         """
         parts, contacts = self._bench.parts, self._bench.scene.contacts
         left, right = self._linkage.fingers
-        looked_at = {name for contact in contacts for name in contact.key[:2]}
         # What sleeps in the grip stays there.
-        if not any(
-            part.asleep
-            and (part.held or (left in part.touching and right in part.touching))
-            and name not in looked_at
+        sleeping = {
+            name
             for name, part in parts.items()
-        ):
+            if part.asleep and (part.held or (left in part.touching and right in part.touching))
+        }
+        if sleeping:
+            for contact in contacts:
+                sleeping.difference_update(contact.key[:2])
+        if not sleeping:
             self._measure()
             self._hold()
         self.weigh(loaded=loaded)
@@ -116,7 +118,7 @@ class Grasp:
         for one, other in self._leaning():
             leaning.setdefault(one, set()).add(other)
             leaning.setdefault(other, set()).add(one)
-        touched = {name for link in links for name in leaning.get(link, ())}
+        touched: set[str] = set().union(*[leaning[link] for link in links if link in leaning])
         self.leaned_on = any(name in parts for name in touched)
         loads = [load.name for load in scene.carried]
         waiting = [] if loads else [name for name, part in parts.items() if part.held]

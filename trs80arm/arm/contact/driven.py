@@ -13,11 +13,13 @@ from functools import cached_property
 from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
+from trs80arm.arm.contact.bounds import spheres_around
 from trs80arm.arm.contact.clock import TICK
 from trs80arm.arm.contact.contacts import Contact, Mobile
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.recurrence import Recurrence, question
 from trs80arm.arm.contact.sixes import Six
+from trs80arm.arm.shapes import Vector
 
 GRAVITY = 386.09
 """Inches per second squared."""
@@ -62,6 +64,11 @@ class Standing:
     def reaches(self) -> Sequence[Sequence[float]]:
         """How far any point of each link moves at most for a unit of each coordinate, inches."""
         return [_reach(link, solid) for link, solid in zip(self.links, self.solids, strict=True)]
+
+    @cached_property
+    def around(self) -> tuple[Vector, Vector]:
+        """An upright box around the spheres about all links."""
+        return spheres_around(self.solids, [0.0] * len(self.solids))
 
     @cached_property
     def fingers(self) -> tuple[str, ...]:
@@ -137,6 +144,11 @@ class DrivenArm:
     def solids(self) -> Sequence[Placed]:
         """The links as solids, where they stand."""
         return self._there.solids
+
+    @property
+    def around(self) -> tuple[Vector, Vector]:
+        """An upright box around the spheres about all links."""
+        return self._there.around
 
     @property
     def names(self) -> Sequence[str]:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from trs80arm.arm.contact.bodies import Body, Fixed
-from trs80arm.arm.contact.bounds import outside, spheres_around, spheres_within
+from trs80arm.arm.contact.bounds import outside, spheres_within
 from trs80arm.arm.contact.carrying import Carrying
 from trs80arm.arm.contact.contacts import Contact, Key
 from trs80arm.arm.contact.driven import DrivenArm
@@ -88,7 +88,8 @@ class Moment:
     ) -> None:
         self._bodies = concerned
         self._arm, self._carrying, self._memory = arm, carrying, memory
-        self._numbers: dict[str, int] = {body.name: k for k, body in enumerate(concerned)}
+        self._names = [body.name for body in concerned]
+        self._numbers: dict[str, int] = {name: k for k, name in enumerate(self._names)}
         self._rested = [self._resting(body) for body in concerned]
         self._places = [body.place for body in concerned]
 
@@ -170,11 +171,15 @@ class Moment:
         memory = self._memory
         memory.last = self._unpressed(outcome.last)
         for k, pressed in outcome.resting:
-            name = self._bodies[k].name
+            name = self._names[k]
             memory.resting.pop(name, None)
             if pressed is not None:
                 memory.resting[name] = self._unpressed(pressed)
-        return [replace(contact, key=self._unkey(key)) for key, contact in outcome.contacts]
+        contacts = []
+        for told, contact in outcome.contacts:
+            key = self._unkey(told)
+            contacts.append(contact if contact.key == key else replace(contact, key=key))
+        return contacts
 
     def farthest(self) -> float:
         """Inches by which any of the bodies has been moved since."""
@@ -188,16 +193,19 @@ class Moment:
         return [numbers.get(name, name) for name in names]
 
     def _named(self, told: Iterable[Name]) -> list[str]:
-        bodies = self._bodies
-        return [bodies[name].name if isinstance(name, int) else name for name in told]
+        return [self._names[name] if isinstance(name, int) else name for name in told]
 
     def _key(self, key: Key) -> tuple[Name, Name, int]:
         numbers, (one, other, solids) = self._numbers, key
         return numbers.get(one, one), numbers.get(other, other), solids
 
     def _unkey(self, key: tuple[Name, Name, int]) -> Key:
-        one, other = self._named(key[:2])
-        return one, other, key[2]
+        names, (one, other, solids) = self._names, key
+        return (
+            names[one] if isinstance(one, int) else one,
+            names[other] if isinstance(other, int) else other,
+            solids,
+        )
 
     def _pressed(self, pressures: Mapping[Key, Pressures]) -> Pressed:
         return [(self._key(key), pressed) for key, pressed in pressures.items()]
@@ -241,10 +249,12 @@ def concerned(
 
 def _beside(arm: DrivenArm, roster: Roster) -> list[Body]:
     """What sleeps near a link of an arm."""
-    around = spheres_around(arm.solids, [NEARBY] * len(arm.solids))
+    (a, b, c), (d, e, f) = arm.around
+    r = NEARBY
+    around = (a - r, b - r, c - r), (d + r, e + r, f + r)
     return [
         body
         for body in roster.near(*around)
         if not outside(body, around)
-        and any(link.near(solid, NEARBY) for solid in body.placed for link in arm.solids)
+        and any(link.near(solid, r) for solid in body.placed for link in arm.solids)
     ]

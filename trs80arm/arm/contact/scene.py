@@ -386,6 +386,8 @@ class Scene:
         self.driven.began = _between(before, after, start / whole)
         self.driven.commands = after if end == whole else _between(before, after, end / whole)
         if not self._step(moved, end - start > 1):
+            # What a step would have led to may be farther off than what has become of it.
+            self._far = True
             middle = (start + end) // 2
             self._part(before, after, start, middle, moved)
             self._part(before, after, middle, end, moved)
