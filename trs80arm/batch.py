@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from functools import partial
+from os.path import realpath
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -280,7 +281,7 @@ def _check_traces(options: BatchOptions) -> None:
     if options.trace_pose is None:
         if options.trace_rate is not None:
             raise UnusableError("--trace-rate is for --trace-pose FILE, which is not given")
-    elif options.trace and options.trace.resolve() == options.trace_pose.resolve():
+    elif options.trace and realpath(options.trace) == realpath(options.trace_pose):
         raise UnusableError(f"{options.trace}: --trace and --trace-pose need a file each")
 
 

@@ -253,6 +253,14 @@ def test_what_cannot_be_written_is_told_in_one_line(
     assert tell(wrong.words(""))[0] == 2
 
 
+def test_of_two_traces_one_may_be_a_loop_of_links(tmp_path: Path, tell: Tell) -> None:
+    (tmp_path / "loop.csv").symlink_to("loop.csv")
+    for one, other in (("loop.csv", "t.csv"), ("t.csv", "loop.csv")):
+        code, said = tell(["run", "good.bas", "--trace", one, "--trace-pose", other])
+        assert code == 2
+        assert "symbolic links" in said
+
+
 @pytest.mark.parametrize("wrong", NUMBERS, ids=str)
 def test_what_is_no_number_is_told_in_one_line(wrong: Wrong, tell: Tell) -> None:
     values = ["", "x", "nan", "inf", "-inf", "1e400", "1e308", "1,5", "9" * 5000, "\x1b[2J", "--"]

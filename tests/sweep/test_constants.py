@@ -62,8 +62,8 @@ def test_numbers_are_written_as_they_are_typed() -> None:
         ("D@20", "line 20 does not give"),
         ("70#1", "no line 70"),
         ("70-80#1", "no lines 70 to 80"),
-        ("10#2", "has 1 numbers"),
-        ("10-20#2", "line 10 has 1 numbers"),
+        ("10#2", "has 1 number$"),
+        ("10-20#2", "line 10 has 1 number$"),
         ("W", "no line gives"),
     ],
 )

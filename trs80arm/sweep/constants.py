@@ -100,7 +100,8 @@ def _in_lines(
     for number in numbers:
         found = list(_numbers(lines, number))
         if not 1 <= place <= len(found):
-            raise SweepError(f"--vary {name}: line {number} has {len(found)} numbers")
+            count = "1 number" if len(found) == 1 else f"{len(found) or 'no'} numbers"
+            raise SweepError(f"--vary {name}: line {number} has {count}")
         yield found[place - 1]
 
 
