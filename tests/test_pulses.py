@@ -70,6 +70,14 @@ def test_the_pieces_of_a_burst_are_the_burst(burst: Pulses, count: int) -> None:
     assert writes(rest) == as_said(burst)[count:]
 
 
+@given(bursts(), st.integers(0, 400))
+def test_the_first_writes_are_taken_off_a_burst_one_by_one(burst: Pulses, count: int) -> None:
+    count = min(count, len(burst))
+    first, rest = burst.first(count)
+    assert writes(first) == as_said(burst)[:count]
+    assert writes(rest) == as_said(burst)[count:]
+
+
 @given(bursts(), st.integers(0, 4000))
 def test_a_burst_is_cut_before_a_time(burst: Pulses, time: int) -> None:
     before, rest = burst.until(time)
@@ -120,6 +128,14 @@ def test_what_trains_do_ahead_is_what_their_writes_do(burst: Pulses, time: int) 
         ):
             assert getattr(mine, name) == getattr(theirs, name)
         assert one.turned_at_last(order) == other.turned_at_last(order)
+        assert one.closest(order) <= other.closest(order)
+        assert one.moments(order, 0, 9) == other.moments(order, 0, 9)
+        for all_mine, all_theirs in (
+            (one.half_steps(order), other.half_steps(order)),
+            (one.before_each(order), other.before_each(order)),
+        ):
+            each = zip(all_mine, all_theirs, strict=True)
+            assert all(of_one.tolist() == of_other.tolist() for of_one, of_other in each)
 
 
 @given(

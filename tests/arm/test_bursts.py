@@ -152,6 +152,27 @@ def test_a_burst_without_its_stop_is_done_to_the_end() -> None:
     assert arm.apply(times, [0] * 200, patterns, (1, 1)) == 1
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_what_is_known_of_a_burst_from_the_last_time_round_changes_nothing(seed: int) -> None:
+    chance = random.Random(seed)
+    ways = [tuple(chance.randrange(-200, 200) for _ in range(5)) for _ in range(3)]
+    round_trip = [*ways, *(tuple(-count for count in way) for way in ways)]
+    arms = []
+    for forgets in (False, True):
+        generator = PulseGenerator(MiniMover(bench=benchfile.parse("")))
+        generator.step((0, 0, 0, 0, 0, 300), delay_period(50))
+        for lap in range(3):
+            for number, way in enumerate(round_trip):
+                # What goes on at once and what begins after a while asks other things of a motor.
+                generator.time += 1000 * number * lap
+                generator.step(way, delay_period(60))
+                if forgets:
+                    generator.arm = pickle.loads(pickle.dumps(generator.arm))
+        arms.append(generator.arm)
+    assert signature(arms[0]) == signature(arms[1])
+    assert all(arms[0].peaks[:5])
+
+
 def test_an_arm_goes_on_after_pickling_as_if_nothing_had_happened() -> None:
     writes = motions(3)
     half = len(writes) // 2

@@ -24,7 +24,7 @@ CLEARANCE = 2.5
 """A feeder gives its next part when the fingertip is this far from its middle, inches."""
 
 
-class _Given(NamedTuple):
+class Given(NamedTuple):
     """A part as a feeder gave it.
 
     Attributes:
@@ -42,7 +42,7 @@ class _Given(NamedTuple):
     radius: float
 
     @classmethod
-    def of(cls, part: Part) -> _Given:
+    def of(cls, part: Part) -> Given:
         """A part that was given just now."""
         solids = part.shape.solids
         thick = max([_depth(solid) for solid in solids]) / 2
@@ -81,7 +81,7 @@ class Feeding:
         self._linkage = linkage
         self._around = around
         self._standing: dict[int, tuple[object, ...]] = {}
-        self._given: dict[int, _Given] = {}
+        self._given: dict[int, Given] = {}
         self._barred: dict[int, tuple[list[float], float]] = {}
 
     def __getstate__(self) -> dict[str, Any]:
@@ -134,7 +134,7 @@ class Feeding:
                 by = next((by for by in DEPTHS if self._touches(placed, SKIN + by)), 0.0)
                 self._barred[number] = list(self._bench.scene.joints), by
                 continue
-            self._given[number] = _Given.of(self._bench.feed(feeder))
+            self._given[number] = Given.of(self._bench.feed(feeder))
             given = True
         return given
 

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import pickle
+import random
 from dataclasses import replace
+
+import pytest
 
 from tests.arm.contact.hand import SlidingHand
 from trs80arm.arm.contact.bodies import Body, Shape
@@ -29,6 +32,25 @@ def test_only_what_is_near_is_found_as_it_came() -> None:
     assert {"92", "137"} <= {body.name for body in found}
     assert len(found) <= 12
     assert [int(body.name) for body in found] == sorted(int(body.name) for body in found)
+
+
+@pytest.mark.parametrize("wide", [0.5, 3.0, 40.0])
+@pytest.mark.parametrize("count", [1, 4, 60])
+def test_who_reaches_into_a_box_is_found_however_wide_it_is(count: int, wide: float) -> None:
+    chance, scene = random.Random(count), Scene()
+    for number in range(count):
+        place = chance.uniform(-20, 20), chance.uniform(-20, 20), 0.5
+        scene.add(Body(str(number), CUBE, 0.5, place)).asleep = True
+    for _ in range(30):
+        x, y, r = chance.uniform(-20, 20), chance.uniform(-20, 20), CUBE.radius
+        found = [body.name for body in scene._roster.near((x, y, 0.0), (x + wide, y + wide, 1.0))]
+        reaching = {
+            body.name
+            for body in scene.bodies.values()
+            if x - r <= body.place[0] <= x + wide + r and y - r <= body.place[1] <= y + wide + r
+        }
+        assert reaching <= set(found)
+        assert found == sorted(found, key=int)
 
 
 def test_what_is_woken_moved_or_taken_away_is_found_where_it_is() -> None:
