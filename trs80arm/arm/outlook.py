@@ -20,7 +20,7 @@ from trs80arm.arm.feeding import Feeding
 from trs80arm.arm.geometry import CableDrive
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.model import HAND, LEFT_WRIST
-from trs80arm.arm.surroundings import HAIR, SPARE, Near, Room, Surroundings
+from trs80arm.arm.surroundings import FINGER, HAIR, SPARE, Near, Room, Surroundings
 from trs80arm.arm.sweep import Ranges
 
 ABOUT = 0.05
@@ -90,6 +90,7 @@ class Outlook:
         return (
             any(each.hold(joints) for each in self._swept)
             or self._surely_clear(joints)
+            or not self._near_about(joints)
             or self._look(joints).enough
         )
 
@@ -114,12 +115,16 @@ class Outlook:
 
     def _look(self, joints: list[float]) -> Room:
         """What room there is somewhere, by what is about there; remembered for bounds."""
+        room = self._around.measured(joints, self._near_about(joints))
+        self._looked = joints, room
+        return room
+
+    def _near_about(self, joints: list[float]) -> list[Near]:
+        """What the arm may come near to about some place."""
         if self._about is None or not self._about[0].hold(joints):
             about = Ranges.about(joints, ABOUT)
             self._about = about, self._near(about)
-        room = self._around.measured(joints, self._about[1])
-        self._looked = joints, room
-        return room
+        return self._about[1]
 
     def _near(self, ranges: Ranges) -> list[Near]:
         """What the arm may come near to while the joints are in some ranges: nothing, or what."""
@@ -149,17 +154,85 @@ class Outlook:
         ticks = range(self._bench.scene.due, ahead.ends + 1, TICK_STATES)
         if not ticks:
             return None
-        if here.gripped and self._grips_on(here, ahead):
-            return None
-        if here.gripped or here.strained:
+        if here.gripped:
+            if self._grips_on(here, ahead):
+                return None
             clear = self.ticks_clear(here, _on_ticks(here, ahead, ticks))
         else:
-            # Where the burst ends the arm will be on the next tick.
-            ranges = self._ranges(here, ahead, ticks[0], ahead.ends + 1)
-            clear = self._unfed(here, ahead, ticks, ranges)
-            if clear and (near := self._near(ranges)):
-                clear = self._swept_clear(here, ahead, ticks[:clear], near)
+            eased = self._eases_clear(here, ahead, ticks) if here.strained else 0
+            if eased is None:
+                clear = self.ticks_clear(here, _on_ticks(here, ahead, ticks))
+            else:
+                rest = ticks[eased:]
+                clear = eased + (self._goes_clear(here, ahead, rest) if rest else 0)
         return ticks[clear] if clear < len(ticks) else None
+
+    def _eases_clear(self, here: Standing, ahead: Ahead, ticks: range) -> int | None:
+        """On how many ticks the arm's cables ease off, and it has room; None if that is not sure.
+
+        Args:
+            here: where the arm is.
+            ahead: the burst.
+            ticks: on which what is written before is done.
+        """
+        driven = self._bench.scene.driven
+        now, before = driven.joints, driven.reached
+        self._easing = []
+        for tick in ticks:
+            rotors = list(here.rotors)
+            turned = ahead.turned_before(tick)
+            for turning, by in zip(ahead.turnings, turned, strict=True):
+                rotors[turning.latch] += by
+            commands = self._wanted_at(rotors)
+            now = driven.eased(now, before, commands, loaded=here.loaded)
+            self._easing.append(now)
+            before = commands
+            if now[:5] == commands[:5] and (here.loaded or now[5] == commands[5]):
+                break
+        ranges = Ranges.among(self._easing)
+        if not self._feeding.surely_unfed(ranges) or self._near(ranges):
+            return None
+        return len(self._easing)
+
+    def _goes_clear(self, here: Standing, ahead: Ahead, ticks: range) -> int:
+        """On how many ticks in a row an arm that nothing strains has room, and feeds nothing.
+
+        Args:
+            here: where the arm is.
+            ahead: the burst.
+            ticks: up to its end, on which what is written before is done.
+        """
+        # Where the burst ends the arm will be on the next tick.
+        ranges = self._ranges(here, ahead, ticks[0], ahead.ends + 1)
+        clear = self._unfed(here, ahead, ticks, ranges)
+        if clear and (near := self._near(ranges)):
+            closes = self._closes_clear(here, ahead, ticks, near)
+            return min(clear, closes or self._swept_clear(here, ahead, ticks[:clear], near))
+        return clear
+
+    def _closes_clear(
+        self, here: Standing, ahead: Ahead, ticks: range, near: Sequence[Near]
+    ) -> int:
+        """On how many ticks in a row an arm has room of which the hand alone moves, at least.
+
+        Args:
+            here: where the arm is.
+            ahead: the burst.
+            ticks: on which what is written before is done.
+            near: what it may come near to on all its way.
+        """
+        (turning, *others), model = ahead.turnings, self._model
+        if others or turning.latch != model.latch(HAND) or not turning.way or here.loaded:
+            return 0
+        room = self._around.measured(self._wanted_at(here.rotors), near)
+        spare = min(room.beside, room.low) - SPARE
+        if spare <= 0.0:
+            return 0
+        steps = int(spare / FINGER * model.hand_steps)
+        if steps >= turning.steps:
+            return len(ticks)
+        (until,) = ahead.moments(0, steps, steps + 1)
+        return len(range(ticks[0], until + 1, TICK_STATES))
 
     def _unfed(self, here: Standing, ahead: Ahead, ticks: range, ranges: Ranges) -> int:
         """On how many ticks in a row no feeder can give its next part."""
@@ -200,6 +273,12 @@ class Outlook:
         opening = drive.cable(rotors) / model.hand_steps
         opening = np.minimum(np.maximum(opening, 0.0), model.hand.range)
         return np.array((*drive.driven(rotors), opening))
+
+    def _wanted_at(self, rotors: Sequence[int]) -> list[float]:
+        """The same for one place."""
+        drive, model = self._drive, self._model
+        opening = min(max(drive.cable(rotors) / model.hand_steps, 0.0), model.hand.range)
+        return [*drive.driven(rotors), opening]
 
     def _unstrained(self, here: Standing, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
         """The same with nothing in the arm's way but what rests in its hand."""

@@ -32,6 +32,8 @@ HAIR = 1e-9
 """Inches below the table that are not below it."""
 SPARE = 1e-6
 """Inches by which bounds are taken too narrow."""
+FINGER = 0.5
+"""Inches that a finger goes for an inch of the opening."""
 GAP = NEAR + SPARE
 """Inches from which on something is surely not looked at."""
 SWEPT = 256
@@ -149,7 +151,7 @@ class Surroundings:
             # A gear turns pitch and roll by half as much.
             Motor.LEFT_WRIST: (out + aside) / 2,
             Motor.RIGHT_WRIST: (out + aside) / 2,
-            Motor.HAND: 0.5,
+            Motor.HAND: FINGER,
         }
         return tuple(levers[motor] for motor in Motor)
 

@@ -96,6 +96,21 @@ class Ranges:
         )
 
     @classmethod
+    def among(cls, places: Sequence[Sequence[float]]) -> Ranges:
+        """Some places, the arm's six coordinates each."""
+        base, shoulder, elbow, left, right, opening = zip(*places, strict=True)
+        pitch = [(a + b) / 2 for a, b in zip(left, right, strict=True)]
+        roll = [(a - b) / 2 for a, b in zip(left, right, strict=True)]
+        return cls(
+            (min(base), max(base)),
+            (min(shoulder), max(shoulder)),
+            (min(elbow), max(elbow)),
+            (min(pitch), max(pitch)),
+            (min(roll), max(roll)),
+            (min(opening), max(opening)),
+        )
+
+    @classmethod
     def of(cls, joints: npt.NDArray[np.float64]) -> Ranges:
         """Some places.
 
