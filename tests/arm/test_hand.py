@@ -76,6 +76,38 @@ def test_closing_on_a_part_measures_it(width: float) -> None:
     assert generator.arm.state().pose.opening == pytest.approx(width, abs=0.004)
 
 
+@pytest.mark.parametrize(
+    ("widths", "apart", "period"),
+    [
+        ((0.34, 0.32), 0.08, 50),
+        ((0.42, 0.46), 0.03, 50),
+        ((0.28, 0.47), 0.0, 50),
+        ((0.41, 0.31, 0.33), 0.06, 60),
+        ((0.3, 0.3, 0.3), 0.01, 100),
+    ],
+)
+def test_closing_on_parts_side_by_side_measures_all_of_them(
+    widths: tuple[float, ...], apart: float, period: int
+) -> None:
+    bench = Bench("side by side")
+    whole = sum(widths) + apart * (len(widths) - 1)
+    y = -whole / 2
+    for width in widths:
+        bench.add_part(f"{width} at {y:.2f}", (0.5, width, 0.8), 1.0, 8.0, y + width / 2)
+        y += width + apart
+    arm = MiniMover(bench=bench)
+    arm.move_to(Pose(8.0, 0.0, 0.2, -90.0, 0.0, whole + 0.4))
+    generator = PulseGenerator(arm)
+    generator.align()
+    generator.close(delay_period(period))
+    # The half-step on which the switch closes is that of one part as wide.
+    assert arm.world.grip.cable + 7 == round(618 * sum(widths))
+    generator.turn(5, -30, D50)
+    generator.step((0, -132, 36), delay_period(100))
+    assert all(part.held and part.bottom > 0.9 for part in bench.parts.values())
+    assert arm.world.grip.weight == len(widths)
+
+
 def test_the_empty_hand_closes_on_itself_and_gives_up_at_3_pounds() -> None:
     arm = MiniMover(bench=Bench("empty"))
     arm.move_joint("hand", 3.0)

@@ -11,6 +11,7 @@ import math
 from collections.abc import Sequence
 
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.contact.contacts import Contact
 from trs80arm.arm.contact.rotations import apply_back
 from trs80arm.arm.forces import Burden
 from trs80arm.arm.grip import Grip
@@ -145,42 +146,72 @@ class Grasp:
     def _measure(self) -> None:
         """Where the fingers meet what is between them, or with what strain it holds them up."""
         scene, grip, model = self._bench.scene, self.grip, self._linkage.model
-        fingers, across = self._linkage.fingers, self._across()
-        gaps: dict[str, dict[str, float]] = {}
-        for contact in scene.contacts:
-            one, other, _ = contact.key
-            if one not in fingers:
-                one, other = other, one
-            if one in fingers and _faces(contact.normal, across):
-                each = gaps.setdefault(other, {})
-                each[one] = min(contact.gap, each.get(one, contact.gap))
         steps, opening = model.hand_steps, scene.joints[5]
         pressed = scene.torques[5] > 0 and opening > 0
-        # Fingers that have met the same thing, or are about to: it is known where.
-        both = [scene.met_at[5] - sum(each.values()) for each in gaps.values() if len(each) == 2]
+        # Fingers that have met the same, or are about to: it is known where.
+        room = self._room
+        met = None if room is None else (scene.met_at[5] - room) * steps
         grip.strain = 0.0
-        if pressed and (both or self._between()):
+        if pressed and (met is not None or self._between()):
             before, self._met = self._met, (opening * steps, grip.cable)
             resists = before is not None and (
                 before[0] - self._met[0] <= YIELDING * max(0, before[1] - grip.cable) + HAIR / 3
             )
             if not resists:
                 scene.look_closely()
-            if resists or (before is None and both):
-                self._met_with(
-                    max(both) * steps if both else self._met[0], HAIR if both else BREATH
-                )
+            if met is not None and (resists or before is None):
+                self._met_with(met, HAIR)
+                return
+            if resists:
+                self._met_with(self._met[0], BREATH)
                 return
         else:
             self._met = None
-            if both:
+            if met is not None:
                 scene.look_closely()
-                self._met_with(max(both) * steps, HAIR)
+                self._met_with(met, HAIR)
                 return
         # What is pushed along or squared gives way: only what it resists with strains the cable.
         grip.contact = 0
-        if pressed and gaps:
+        if pressed and self._closes_on_something:
             grip.strain = scene.torques[5] / model.stiffness[5] * steps
+
+    @property
+    def _room(self) -> float | None:
+        """Inches by which the fingers can close on what they are about to squeeze.
+
+        That is one thing, or several that are about to touch one another, from the left finger to
+        the right; None where there is no such thing.
+        """
+        left, right = self._linkage.fingers
+        gaps: dict[tuple[str, str], float] = {}
+        for contact in self._bench.scene.contacts:
+            if pair := self._onward(contact):
+                gaps[pair] = min(contact.gap, gaps.get(pair, math.inf))
+        room = {left: 0.0}
+        for _ in gaps:
+            for (one, other), gap in gaps.items():
+                if one in room:
+                    room[other] = min(room[one] + gap, room.get(other, math.inf))
+        return room.get(right)
+
+    def _onward(self, contact: Contact) -> tuple[str, str] | None:
+        """Two things that the closing hand presses on each other, as from the left finger on."""
+        along = dot(contact.normal, self._across())
+        if abs(along) < FACING:
+            return None
+        one, other, _ = contact.key
+        return (one, other) if along < 0 else (other, one)
+
+    @property
+    def _closes_on_something(self) -> bool:
+        """Whether either finger has something before it in the way in which the hand closes."""
+        fingers, across = self._linkage.fingers, self._across()
+        return any(
+            (contact.key[0] in fingers or contact.key[1] in fingers)
+            and _faces(contact.normal, across)
+            for contact in self._bench.scene.contacts
+        )
 
     def _met_with(self, cable: float, give: float) -> None:
         """The fingers have met with so much cable paid out; what is rigid does not breathe."""
@@ -215,7 +246,11 @@ class Grasp:
             reached.add(name)
             waiting += [b if a == name else a for a, b in pairs if name in (a, b)]
         gripped = [name for name in reached if (right, name) in pairs]
-        return sorted(set(pressed) | set(gripped)) if pressed and gripped else []
+        if not (pressed and gripped):
+            return []
+        onward = {pair for contact in pressing if (pair := self._onward(contact))}
+        inside = _beyond(left, onward) & _beyond(right, {(b, a) for a, b in onward})
+        return sorted({*pressed, *gripped, *(inside & parts.keys())})
 
     def _hold(self) -> None:
         """What the fingers have in their grip, with all that is between them."""
@@ -270,6 +305,14 @@ class Grasp:
             if name is not None and contact.pressure > 0:
                 forces[name] = forces.get(name, 0.0) + contact.pressure
         return said(max(forces, key=lambda name: forces[name])) if forces else None
+
+
+def _beyond(start: str, pairs: set[tuple[str, str]]) -> set[str]:
+    """All that is reached from something by pairs of which the first is reached."""
+    found = {start}
+    while more := {other for one, other in pairs if one in found} - found:
+        found |= more
+    return found
 
 
 def _faces(normal: Vector, across: Vector) -> bool:
