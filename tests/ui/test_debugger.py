@@ -79,6 +79,18 @@ async def test_beside_the_tube_the_debugger_leaves_the_status_line_whole(
         assert status.endswith(notice)
 
 
+@piloted
+async def test_a_line_that_is_too_long_goes_on_below_its_statements(sit_down: Opener) -> None:
+    async with sit_down(80, 24) as sitting:
+        sitting.app.session.rig.load_text(f'100 PRINT "A":PRINT "{"LONG " * 9}"\n110 END\n')
+        await sitting.app.run_action("do('debugger')")
+        await sitting.pass_time(0.3)
+        lines = screen_text(sitting.app).splitlines()
+        [begin] = [line for line in lines if "100 PRINT" in line]
+        below = lines[lines.index(begin) + 1]
+        assert below.index("LONG") == begin.index("PRINT")
+
+
 @pytest.mark.parametrize(("width", "height"), [(80, 24), (120, 40)])
 def test_the_mistake_is_found_by_keys(sit_down: Opener, width: int, height: int) -> None:
     @piloted

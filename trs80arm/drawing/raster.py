@@ -108,7 +108,7 @@ class Raster:
     @property
     def gathered_seen(self) -> Seen:
         """The same gathered by cells, as `gathered` has it."""
-        return Seen(self.gathered(self._keys))
+        return Seen(self.gathered(self.seen.keys))
 
     def draw(self, solids: Solids, seen: Projected, chosen: Bits | None = None) -> None:
         """Draw solids, each where nothing nearer is.

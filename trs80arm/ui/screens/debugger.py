@@ -39,6 +39,12 @@ VIDEO = 0x3C00
 MEMORY_ROWS = 32
 """Rows of memory that are listed."""
 _TUBE_FRAME = 2
+_MARKS = 2
+"""Cells before a line's number: for a breakpoint, and for the line that is next."""
+_GUTTER = 2
+"""Cells that a list leaves free on both sides together."""
+_LEAST_ROOM = 10
+"""Cells below which statements do not stand beside their number."""
 
 
 class Leaving(Enum):
@@ -165,6 +171,7 @@ on standing.
     def on_resize(self, event: events.Resize) -> None:
         """Beside the tube where there is room for both."""
         self._arrange(event.size.width)
+        self.call_after_refresh(self._show_listing)
 
     def _arrange(self, width: int) -> None:
         beside = width >= BESIDE
@@ -253,7 +260,18 @@ on standing.
         mark = " "
         if number in breakpoints:
             mark = "*" if breakpoints[number] is None else "?"
-        return Text.assemble((mark, "bold red"), (">" if here else " ", "bold"), text)
+        marks = Text.assemble((mark, "bold red"), (">" if here else " ", "bold"))
+        return marks + self._hanging(text, len(str(number)) + 1)
+
+    def _hanging(self, text: Text, begin: int) -> Text:
+        """A line whose statements go on below themselves where they do not fit beside it."""
+        margin = begin + _MARKS
+        room = self._listing.scrollable_content_region.width - margin - _GUTTER
+        if room < _LEAST_ROOM:
+            return text
+        number, statements = text.divide([begin])
+        lines = statements.wrap(self.app.console, room)
+        return number + Text("\n" + " " * margin).join(lines)
 
     def _marked_line(self, lines: list[int]) -> int | None:
         place = self._listing.highlighted
