@@ -44,7 +44,9 @@ def importers(module: str) -> set[str]:
     """The files of the package that import a module."""
     found = set()
     for path in PACKAGE.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        text = path.read_text(encoding="utf-8")
+        # Few files have its name at all, and only these are read as Python.
+        for node in ast.walk(ast.parse(text)) if module in text else ():
             if isinstance(node, ast.ImportFrom) and node.module == module:
                 found.add(path.name)
     return found
