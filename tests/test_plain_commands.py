@@ -93,6 +93,13 @@ def test_parts_are_listed_and_put_back() -> None:
     assert "The parts are back" in said
 
 
+def test_the_program_is_checked_and_a_line_of_it_listed() -> None:
+    said = talk("10 GOTO 99", ".check", "1", "PRINT 1")
+    assert "1 error" in said
+    assert "10 error: there is no line 99 (?UL)" in said
+    assert "\n10 GOTO 99\n" in said
+
+
 def test_benches_are_chosen_by_name_or_from_a_list() -> None:
     said = talk(".bench tower", ".bench table", ".bench nowhere", ".bench", "1")
     assert "Bench: tower." in said

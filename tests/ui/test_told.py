@@ -123,3 +123,18 @@ async def test_the_score_is_told_when_a_program_ends_and_shown_on_demand(
         await sitting.app.run_action("do('score')")
         await sitting.pilot.pause()
         assert "NOT  block at (8, 0.5)   0.500 in" in screen_text(sitting.app)
+
+
+@piloted
+async def test_what_is_wrong_in_the_program_is_listed_and_the_line_chosen_is_shown(
+    sit_down: Opener,
+) -> None:
+    async with sit_down(100, 30) as sitting:
+        await sitting.type_line("10 PRINT 1")
+        await sitting.type_line("20 GOTO 99")
+        await sitting.app.run_action("do('check')")
+        await sitting.pilot.pause()
+        assert "20 error: there is no line 99 (?UL)" in screen_text(sitting.app)
+        await sitting.press("enter")
+        await sitting.pass_time(1.0)
+        assert "LIST 20\n20 GOTO 99" in sitting.tube

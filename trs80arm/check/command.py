@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 from typing import Final
 
+from trs80arm.arm.model import ArmModel
 from trs80arm.check.findings import Finding, Level, Rule
 from trs80arm.check.forms import FORMS, Report
 from trs80arm.check.program import check_bytes, check_program
@@ -28,6 +29,7 @@ def run_check(
     strict: bool = False,
     ignored: Collection[Rule] = (),
     armbasic: bool = True,
+    arm: ArmModel | None = None,
 ) -> int:
     """Read programs and print what is wrong in them.
 
@@ -38,6 +40,7 @@ def run_check(
         strict: whether warnings count as errors do. Notes never do.
         ignored: rules whose findings are left out.
         armbasic: whether ARMBASIC is loaded.
+        arm: the make of arm; None for that of a program's bench, or the MiniMover 5.
 
     Returns:
         The exit code: 0 no errors, 1 errors found, 2 a file that is no program, told in one line on
@@ -47,7 +50,7 @@ def run_check(
     for program in programs:
         try:
             for file in _files(program):
-                _read(file, report, armbasic)
+                _read(file, report, armbasic, arm)
         except (FileFormatError, OSError) as error:
             _unusable(error, report)
     report.findings[:] = [each for each in report.findings if each.rule not in ignored]
@@ -81,25 +84,25 @@ def _files(program: Path) -> Iterator[Path]:
     yield from found
 
 
-def _read(file: Path, report: Report, armbasic: bool) -> None:
+def _read(file: Path, report: Report, armbasic: bool, arm: ArmModel | None) -> None:
     """Take down what is wrong in one file."""
     try:
         if file == STANDARD_INPUT:
             file = _SHOWN_INPUT
-            report.findings += _of_input(armbasic)
+            report.findings += _of_input(armbasic, arm)
         else:
-            report.findings += check_program(file, armbasic=armbasic)
+            report.findings += check_program(file, armbasic=armbasic, arm=arm)
         report.files.append(file)
     except (FileFormatError, OSError) as error:
         _unusable(error, report)
 
 
-def _of_input(armbasic: bool) -> list[Finding]:
+def _of_input(armbasic: bool, arm: ArmModel | None) -> list[Finding]:
     data = sys.stdin.buffer.read(LARGEST + 1)
     try:
         if len(data) > LARGEST:
             raise FileFormatError("too large for a program")
-        return check_bytes(_SHOWN_INPUT, data, armbasic=armbasic)
+        return check_bytes(_SHOWN_INPUT, data, armbasic=armbasic, arm=arm)
     except FileFormatError as error:
         raise FileFormatError(f"{_SHOWN_INPUT}: {error}") from None
 

@@ -371,6 +371,7 @@ class Follower:
             path.next_item += 1
             item = self.items[number]
             path.read_in[number] = path.reads
+            path.read_into[number] = variable.name + variable.kind
             self.read_by[number] = statement, place
             held: Held | None = item.number
             if path.key(variable)[1] is STRING:

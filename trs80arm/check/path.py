@@ -96,6 +96,7 @@ class Path:
         registers: J1 to J6.
         next_item: of DATA.
         read_in: by item, which READ on this way took it.
+        read_into: by item, the name of the variable that took it.
         reads: how many there were.
         motions: how many there were.
         loaded: by item, after how many motions it was last looked at as it was read.
@@ -123,6 +124,7 @@ class Path:
     registers: list[Value] = field(default_factory=lambda: [ZERO] * 6)
     next_item: int = 0
     read_in: dict[int, int] = field(default_factory=dict)
+    read_into: dict[int, str] = field(default_factory=dict)
     reads: int = 0
     motions: int = 0
     loaded: dict[int, int] = field(default_factory=dict)
@@ -154,7 +156,10 @@ class Path:
         were looked at, as they were read, since the last motion.
         """
         last = max((self.loaded.get(each, -1) for each in items), default=-1)
-        return frozenset(each for each in items if self.loaded.get(each, -1) == last)
+        now = [each for each in items if self.loaded.get(each, -1) == last]
+        # A later READ of the same variable is another point.
+        now.sort(key=lambda each: self.read_in[each])
+        return frozenset({self.read_into[each]: each for each in now}.values())
 
     # -- values -------------------------------------------------------------------------------
 
@@ -319,7 +324,7 @@ _COPIES: Final[dict[str, Callable[[Any], Any]]] = {
     **dict.fromkeys(
         (
             *("reach", "variables", "blurred", "types", "frames", "registers"),
-            *("read_in", "loaded", "curved", "facts", "visits", "bad", "good"),
+            *("read_in", "read_into", "loaded", "curved", "facts", "visits", "bad", "good"),
         ),
         lambda value: value.copy(),
     ),

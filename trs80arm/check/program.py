@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 from trs80arm.arm.bench import Bench, BenchError
+from trs80arm.arm.model import ArmModel
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic.errors import Code
 from trs80arm.basic.proofreader import Misprint, misprints
@@ -60,12 +61,15 @@ class _Listing:
         return self.finding(rule, text, statement.line, statement.position)
 
 
-def check_program(path: Path, *, armbasic: bool = True) -> list[Finding]:
+def check_program(
+    path: Path, *, armbasic: bool = True, arm: ArmModel | None = None
+) -> list[Finding]:
     """What is wrong in a program, as far as reading it tells for certain.
 
     Args:
-        path: the program: text, crunched or a cassette.
+        path: the program: text, crunched or a cassette; a bench beside it has the arm's start.
         armbasic: whether ARMBASIC is loaded; without it its words are errors.
+        arm: the make of arm; None for the bench's, or the MiniMover 5.
 
     Returns:
         The findings in the order of the file, those left out that its remarks allow.
@@ -76,22 +80,27 @@ def check_program(path: Path, *, armbasic: bool = True) -> list[Finding]:
     """
     data = read_program(path)
     try:
-        return check_bytes(path, data, armbasic=armbasic, bench=_bench(path))
+        bench = bench_at(bench_beside(path))
+        return check_bytes(path, data, armbasic=armbasic, bench=bench, arm=arm)
     except FileFormatError as error:
         raise FileFormatError(f"{path}: {error}") from None
 
 
-def _bench(path: Path) -> Bench | None:
-    """The bench of a program, if there is one; one that cannot be read is a run's concern."""
-    beside = bench_beside(path)
+def bench_at(path: Path | None) -> Bench | None:
+    """The bench of a file, if it is one; what is wrong with it is a run's concern."""
     try:
-        return None if beside is None else BenchFile.read(beside).bench
+        return None if path is None else BenchFile.read(path).bench
     except BenchError:
         return None
 
 
 def check_bytes(
-    path: Path, data: bytes, *, armbasic: bool = True, bench: Bench | None = None
+    path: Path,
+    data: bytes,
+    *,
+    armbasic: bool = True,
+    bench: Bench | None = None,
+    arm: ArmModel | None = None,
 ) -> list[Finding]:
     """The same of what stands in a file.
 
@@ -100,6 +109,7 @@ def check_bytes(
         data: its content.
         armbasic: whether ARMBASIC is loaded.
         bench: on which the arm begins where the program wants it; without one that is not known.
+        arm: the make of arm; None for the bench's, or the MiniMover 5.
 
     Raises:
         FileFormatError: it is damaged or no program.
@@ -108,9 +118,36 @@ def check_bytes(
     if data and kind_of(data) is Kind.TEXT:
         listing = _of_text(path, list(written_lines(data)), findings)
     else:
-        lines = parse_program(data)
-        places = {number: place for place, (number, _) in enumerate(lines, start=1)}
-        listing = _Listing(path, dict(lines), places, {})
+        listing = _of_lines(path, parse_program(data))
+    return _of_listing(listing, findings, armbasic, bench, arm)
+
+
+def check_lines(
+    lines: Sequence[ProgramLine],
+    *,
+    armbasic: bool = True,
+    bench: Bench | None = None,
+    arm: ArmModel | None = None,
+) -> list[Finding]:
+    """The same of a program in memory.
+
+    Args:
+        lines: line numbers and crunched texts.
+        armbasic: whether ARMBASIC is loaded.
+        bench: on which the arm begins where the program wants it; without one that is not known.
+        arm: the make of arm; None for the bench's, or the MiniMover 5.
+    """
+    return _of_listing(_of_lines(Path("memory"), lines), [], armbasic, bench, arm)
+
+
+def _of_listing(
+    listing: _Listing,
+    findings: list[Finding],
+    armbasic: bool,
+    bench: Bench | None,
+    arm: ArmModel | None,
+) -> list[Finding]:
+    """The findings in a listing, and those that there are already, in its order."""
     lines = sorted(listing.lines.items())
     program = Statements.read(lines)
     allowed = Allowed.by(program.all)
@@ -120,9 +157,14 @@ def check_bytes(
     findings += _of_text_alone(listing, lines, armbasic)
     if Rule.MEMORY not in {each.rule for each in findings}:
         findings += _of_ways(listing, program, findings)
-        findings += _of_data(listing, program, bench)
+        findings += _of_data(listing, program, bench, arm)
     told = [each for each in findings if not allowed.has(each.rule, each.number)]
     return sorted(told, key=lambda each: (each.place, each.column or 0))
+
+
+def _of_lines(path: Path, lines: Sequence[ProgramLine]) -> _Listing:
+    places = {number: place for place, (number, _) in enumerate(lines, start=1)}
+    return _Listing(path, dict(lines), places, {})
 
 
 def _of_text(path: Path, written: list[WrittenLine], findings: list[Finding]) -> _Listing:
@@ -188,11 +230,13 @@ def _of_ways(listing: _Listing, program: Statements, findings: list[Finding]) ->
         yield listing.finding(Rule.NEVER_SET, text, statement.line, variable.position)
 
 
-def _of_data(listing: _Listing, program: Statements, bench: Bench | None) -> Iterator[Finding]:
+def _of_data(
+    listing: _Listing, program: Statements, bench: Bench | None, arm: ArmModel | None
+) -> Iterator[Finding]:
     """What READ makes of the DATA, and where they send the arm."""
-    settings = bench.settings if bench is not None else ArmSettings()
-    start = None if bench is None else bench.start or settings.arm_model.start
-    follower = Follower(program, settings.arm_model, start)
+    model = arm or (ArmSettings() if bench is None else bench.settings).arm_model
+    start = None if bench is None else bench.start or model.start
+    follower = Follower(program, model, start)
     follower.follow()
     for point, why in follower.out_of_reach.items():
         items = [follower.items[each] for each in sorted(point)]

@@ -10,6 +10,7 @@ import click
 
 from trs80arm.cli.arguments import A_PATH, A_PROGRAM
 from trs80arm.cli.ending import fail
+from trs80arm.cli.options import SETTING_FLAGS, settings_options
 
 
 @click.command()
@@ -30,19 +31,26 @@ from trs80arm.cli.ending import fail
     metavar="RULE",
     help="Leave out what a rule finds; may be given several times.",
 )
+@settings_options({"arm": SETTING_FLAGS["arm"]})
 @click.option("--no-armbasic", is_flag=True, help="The bare ROM: @ words are errors.")
 def check(
-    programs: tuple[Path, ...], form: str, strict: bool, ignored: tuple[str, ...], no_armbasic: bool
+    programs: tuple[Path, ...],
+    form: str,
+    strict: bool,
+    ignored: tuple[str, ...],
+    arm: str | None,
+    no_armbasic: bool,
 ) -> None:
     """Read PROGRAMS without running them, and tell what is wrong in them.
 
     Files, folders with programs in them, or - for standard input. Errors are what stops the machine
-    when it comes there: syntax, jumps to missing lines, too many values for @STEP. Warnings are
-    what is hardly meant: two names that are one variable, a FOR without NEXT. Notes are worth a
-    look: what nothing leads to, what nothing sets. The exit code is 1 when there are errors, 2 when
-    a file is no program. A remark REM CHECK: ALLOW RULE keeps a rule silent in its line, or, on a
-    line of its own, in its program.
+    when it comes there: syntax, jumps to missing lines, too many values for @STEP, points in DATA
+    that the arm does not reach. Warnings are what is hardly meant: two names that are one variable,
+    a FOR without NEXT. Notes are worth a look: what nothing leads to, what nothing sets. The exit
+    code is 1 when there are errors, 2 when a file is no program. A remark REM CHECK: ALLOW RULE
+    keeps a rule silent in its line, or, on a line of its own, in its program.
     """
+    from trs80arm.arm.models import model_named
     from trs80arm.check.command import run_check
     from trs80arm.check.findings import RULES
 
@@ -52,8 +60,18 @@ def check(
                 f"there is no rule {name!r}; the rules are {', '.join(RULES)}",
                 param_hint="--ignore",
             )
-    rules = [RULES[name] for name in ignored]
-    done = run_check(programs, form, strict=strict, ignored=rules, armbasic=not no_armbasic)
+    try:
+        model = model_named(arm) if arm is not None else None
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint="--arm") from None
+    done = run_check(
+        programs,
+        form,
+        strict=strict,
+        ignored=[RULES[name] for name in ignored],
+        armbasic=not no_armbasic,
+        arm=model,
+    )
     sys.exit(done)
 
 

@@ -10,6 +10,7 @@ from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.peripherals import Peripherals
+from trs80arm.desk.proof import Proof
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.session import Session
 from trs80arm.desk.states import States
@@ -33,6 +34,7 @@ class Sitting:
     Attributes:
         session: the machine and what belongs to it.
         files: opens and saves.
+        proof: reads the program.
         workbench: the bench and the arm on it.
         peripherals: recorder and printer.
         lesson: the positions taught.
@@ -48,6 +50,7 @@ class Sitting:
 
     session: Session
     files: SessionFiles
+    proof: Proof
     workbench: Workbench
     peripherals: Peripherals
     lesson: Lesson

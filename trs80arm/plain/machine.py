@@ -76,6 +76,12 @@ GROUP = Group(
         ),
         LineCommand("save", "save the program", _save, "[FILE]"),
         LineCommand("run", "type RUN", _run),
+        LineCommand(
+            "check",
+            "what is wrong in the program, as reading it tells",
+            lambda sitting, _: sitting.proof.read(),
+            more="The line that is chosen is listed.",
+        ),
         LineCommand("screen", "read the tube", _screen),
         LineCommand(
             "record",

@@ -17,6 +17,7 @@ from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.places import STATES, RecentFiles, sitting_name, state_folder
+from trs80arm.desk.proof import Proof
 from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.session import Session
@@ -113,6 +114,7 @@ class PlainMode:
         return Sitting(
             session=session,
             files=files,
+            proof=Proof(session, ask, say),
             workbench=Workbench(session, files, ask, say),
             peripherals=Peripherals(session, ask, say),
             lesson=lesson,

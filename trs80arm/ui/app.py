@@ -33,6 +33,7 @@ from trs80arm.desk.pacing import TICK, Pacer
 from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.places import STATES, RecentFiles, sitting_name
+from trs80arm.desk.proof import Proof
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.remembered import Remembered
@@ -214,6 +215,7 @@ class Trs80Arm(Themed[int]):
         )
         return Commands(
             files=files,
+            proof=Proof(session, dialogs, say),
             machine=machine,
             debug=debug,
             arm=arm,

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from trs80arm.desk.files import SessionFiles
     from trs80arm.desk.peripherals import Peripherals
+    from trs80arm.desk.proof import Proof
     from trs80arm.desk.tour import Tour
     from trs80arm.ui.commands.arm import ArmCommands
     from trs80arm.ui.commands.comfort import ComfortCommands
@@ -25,6 +26,7 @@ class Commands:
     """The groups of commands, each an object that holds what it needs."""
 
     files: SessionFiles
+    proof: Proof
     machine: MachineCommands
     debug: DebugCommands
     arm: ArmCommands

@@ -59,6 +59,13 @@ PROGRAM: tuple[Command, ...] = (
         also="stop escape interrupt",
     ),
     Command(
+        "check",
+        lambda to: to.proof.read(),
+        "Program: check",
+        "What is wrong in the program in memory, as reading it tells; the line chosen is listed.",
+        also="errors problems lint syntax reach read proof",
+    ),
+    Command(
         "paste",
         lambda to: to.files.paste(),
         "Program: paste a listing",
