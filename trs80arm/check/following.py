@@ -133,13 +133,13 @@ class Follower:
                     self._turned_away(path)
                     raise _Abandon
                 statement = statements[path.place]
-                before = path.copy() if self._moves and statement.reads else None
+                place = path.place
                 try:
                     self._do(statement, path)
                 except Failure as failure:
-                    self._fail(failure, before, path, statement)
+                    self._fail(failure, path, place)
                 except BasicError as error:
-                    self._fail(Failure(error.code), before, path, statement)
+                    self._fail(Failure(error.code), path, place)
             raise _End
         except _End:
             self._turned_away(path)
@@ -160,16 +160,16 @@ class Follower:
 
     # -- points that the program turns away ---------------------------------------------------
 
-    def _fail(
-        self, failure: Failure, before: Path | None, path: Path, statement: Statement
-    ) -> None:
-        """The program ends with an error; by a point perhaps."""
+    def _fail(self, failure: Failure, path: Path, place: int) -> None:
+        """The program ends with an error in the statement at a place; by a point perhaps."""
         if path.trapped:
             raise _Abandon
-        if before is not None and failure.items & path.curved:
-            point = path.latest(failure.items)
-            why = f"line {statement.line} ends with ?{failure.code.letters}"
-            self._pardon(before, before.place, point, why)
+        point = path.latest(failure.items & path.curved)
+        if self._moves and point:
+            line = self._program.all[place].line
+            why = f"line {line} ends with ?{failure.code.letters}"
+            # It failed before it changed anything.
+            self._pardon(path, place, point, why)
         raise _End
 
     def _turned_away(self, path: Path) -> None:
@@ -180,7 +180,7 @@ class Follower:
             self._pardon(doubt.before, doubt.other, doubt.items, why)
 
     def _pardon(self, before: Path, place: int, point: Items, why: str) -> None:
-        key = before.place, point
+        key = place, point
         if key in self._pardoned or len(self._pardoned) >= _PARDONS:
             return
         self._pardoned.add(key)
@@ -229,15 +229,13 @@ class Follower:
 
     def _if(self, statement: Statement, path: Path) -> None:
         place = path.place - 1
-        before = path.copy() if self._moves else None
         value = path.value(statement.reads[0])
         holds = self._decide(path, value, place)
         other = path.place if not holds else statement.otherwise
         if not holds:
             path.place = statement.otherwise
-        point = path.latest(value.items) if value.items & path.curved else None
-        if before is not None and point and value.known:
-            path.doubt = Doubt(before, other, point, statement.line)
+        if self._moves and value.known and value.items & path.curved:
+            path.doubt = Doubt(path.copy(), other, path.latest(value.items), statement.line)
             path.printed = False
 
     def _else(self, statement: Statement, path: Path) -> None:
