@@ -151,6 +151,12 @@ def test_what_only_a_run_can_tell_is_not_told(check: Check, text: str) -> None:
     assert check(text.replace("'", '"')) == []
 
 
+@pytest.mark.parametrize("statement", ["POKE", "OUT 1", "POKE 1,2,3", "A=INT(1,2)", "@STEP", "ON"])
+def test_behind_what_is_no_statement_nothing_is_followed(check: Check, statement: str) -> None:
+    found = check(f"10 READ A\n20 {statement}\n30 READ A\n40 DATA 1\n")
+    assert {each.rule for each in found} == {Rule.SYNTAX}
+
+
 @pytest.mark.parametrize("number", ["0", "A", "N"])
 def test_a_loop_that_never_ends_is_left(check: Check, number: str) -> None:
     assert check(f"10 A=0:READ N\n20 A=A+1:IF {number}<1E9 THEN 20\n30 DATA 1\n") == []

@@ -428,7 +428,7 @@ class Follower:
     # -- the arm ------------------------------------------------------------------------------
 
     def _step(self, statement: Statement, path: Path) -> None:
-        values = [path.integer(each) for each in statement.reads[1:]][: len(path.registers)]
+        values = [path.integer(each) for each in statement.reads[1:]]
         values += [ZERO] * (len(path.registers) - len(values))
         counts = [_count(each.held) for each in values]
         for joint, value in enumerate(values):

@@ -12,6 +12,7 @@ from typing import Final
 
 from trs80arm.basic import characters, tokens, words
 from trs80arm.basic.characters import AT, COMMA, NUMBER_SIGN, SEMICOLON
+from trs80arm.basic.compiler.arm import JOINTS
 from trs80arm.check.expressions import Expression, Text, Unreadable, Variable, variables
 
 END = words.TOKENS["END"]
@@ -200,12 +201,30 @@ def _expressions(statement: Statement, text: Text) -> None:
             return
 
 
-def _place(statement: Statement, text: Text) -> None:
-    """SET and RESET of a block."""
-    text.expect(characters.OPEN)
+def _step(statement: Statement, text: Text) -> None:
+    """@STEP: a delay, and counts of six motors at most."""
+    _expressions(statement, text)
+    if not 1 <= len(statement.reads) <= 1 + JOINTS:
+        raise Unreadable
+
+
+def _delay(statement: Statement, text: Text) -> None:
+    """@CLOSE and @SET: a delay or none."""
+    if not text.at_end:
+        statement.reads.append(text.expression())
+
+
+def _two(statement: Statement, text: Text) -> None:
+    """POKE and OUT: where, and what."""
     statement.reads.append(text.expression())
     text.expect(COMMA)
     statement.reads.append(text.expression())
+
+
+def _place(statement: Statement, text: Text) -> None:
+    """SET and RESET of a block."""
+    text.expect(characters.OPEN)
+    _two(statement, text)
     text.expect(characters.CLOSE)
 
 
@@ -311,6 +330,8 @@ _READERS: Final[dict[int, _Reader]] = {
     FOR: _for,
     DIM: _variables,
     ON: _on,
+    POKE: _two,
+    OUT: _two,
     RUN: _target_or_none,
     RESUME: _target_or_none,
     **dict.fromkeys(DEFINES, _to_colon),
@@ -320,9 +341,9 @@ _READERS: Final[dict[int, _Reader]] = {
     },
 }
 _ARM: Final[dict[int, _Reader]] = {
-    tokens.STEP: _expressions,
-    tokens.CLOSE: _expressions,
-    tokens.SET: _expressions,
+    tokens.STEP: _step,
+    tokens.CLOSE: _delay,
+    tokens.SET: _delay,
     tokens.RESET: _nothing,
     tokens.READ: _variables,
 }
