@@ -6,6 +6,8 @@ from tests.statements import done
 from trs80arm import Rig
 from trs80arm.arm import Bench, EventKind, JointAngles, MiniMover, Pose, Reason, benchfile
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
+from trs80arm.arm.event_log import MANY, EventLog
+from trs80arm.arm.events import Happening
 from trs80arm.arm.stepping import PulseGenerator, delay_period
 
 
@@ -135,3 +137,17 @@ def test_an_elbow_that_cannot_lift_its_load_is_a_handful_of_lines() -> None:
     assert told[0] == "lead in the hand"
     assert any(line.startswith("elbow slipped") and "too much load" in line for line in told)
     assert len(told) <= 4
+
+
+def test_a_long_list_of_news_does_not_make_what_goes_on_another_event() -> None:
+    log = EventLog(most=4 * MANY)
+    pressing = Happening(EventKind.CONTACT, "elbow", "wall")
+    first = log.tell(0, pressing, motor=2)
+    for k in range(1, 2 * MANY):
+        news = Happening(EventKind.PLACED, f"part {k} set down")
+        number = log.tell(k * T_STATES_PER_SECOND, news)
+        again = log.tell(k * T_STATES_PER_SECOND + 1, news)
+        assert again == number == first + k
+    # What is over is not gone through again with each of them.
+    assert len(log._happening) <= MANY + 1
+    assert log.tell(2 * MANY * T_STATES_PER_SECOND, pressing, motor=2, goes_on=True) == first

@@ -14,7 +14,7 @@ from trs80arm.arm.events import ArmEvent, Happening
 LULL = T_STATES_PER_SECOND // 2
 """T-states after which what happens again is another event."""
 MANY = 256
-"""Happenings that are remembered, at least, to tell whether one goes on."""
+"""Happenings that are remembered, to tell whether one goes on, before those that cannot are not."""
 
 
 class EventLog:
@@ -91,7 +91,15 @@ class EventLog:
         if len(self.events) > self._most:
             del self.events[0]
         if len(self._happening) > MANY:
-            self._happening = {
-                one: at for one, at in self._happening.items() if at >= self.events[0].number
-            }
+            self._forget(time)
         return number
+
+    def _forget(self, time: int) -> None:
+        """Remember only what can still go on: what is told of a motor, and what was told lately."""
+        first = self.events[0].number
+        self._happening = {
+            one: at
+            for one, at in self._happening.items()
+            if at >= first
+            and ((event := self.events[at - first]).motor is not None or time - event.until <= LULL)
+        }
