@@ -14,9 +14,9 @@ import argparse
 import math
 import sys
 import time
-from collections.abc import Callable
 from pathlib import Path
 
+from benchmarks.by_hand import BY_HAND
 from trs80arm.basic import cruncher
 from trs80arm.basic.interpreter import Interpreter
 from trs80arm.rig import Rig, RigSettings
@@ -35,8 +35,6 @@ LONGER = {
 """How a listing is made to run so long that starting it does not count."""
 ENOUGH = 0.5
 FOREVER = 10**15
-SPLIT = 2.0**29 + 1.0
-AWAY = 1.0 + 2.0**-52
 
 
 class Counter:
@@ -90,79 +88,8 @@ def rate(name: str, blocks: bool) -> float:
     return counter.statements * times / spent
 
 
-# -- the same work by hand ----------------------------------------------------------------------
-
-
-def _empty_loop() -> int:
-    k = 1.0
-    while k <= 1000.0:
-        t = (k + 1.0) * AWAY
-        c = t * SPLIT
-        k = c - (c - t)
-    return 1000
-
-
-def _formula() -> int:
-    k = 0.0
-    while True:
-        t = (k + 1.0) * AWAY
-        c = t * SPLIT
-        k = c - (c - t)
-        t = (k / k) * AWAY
-        c = t * SPLIT
-        a = c - (c - t)
-        t = (a * k) * AWAY
-        c = t * SPLIT
-        a = c - (c - t)
-        t = (a + k) * AWAY
-        c = t * SPLIT
-        a = c - (c - t)
-        t = (a - k) * AWAY
-        c = t * SPLIT
-        a = c - (c - t)
-        if not k < 1000.0:
-            return 3000
-
-
-def _nested() -> int:
-    n, s = 10.0, 0.0
-    i = 1.0
-    while i <= n:
-        j = 1.0
-        while j <= 50.0:
-            k = 1.0
-            while k <= 20.0:
-                t = (j * k) * AWAY
-                c = t * SPLIT
-                p = c - (c - t)
-                t = (s + p) * AWAY
-                c = t * SPLIT
-                p = c - (c - t)
-                t = (p - i) * AWAY
-                c = t * SPLIT
-                s = c - (c - t)
-                t = (k + 1.0) * AWAY
-                c = t * SPLIT
-                k = c - (c - t)
-            t = (j + 1.0) * AWAY
-            c = t * SPLIT
-            j = c - (c - t)
-        t = (i + 1.0) * AWAY
-        c = t * SPLIT
-        i = c - (c - t)
-    return 21020
-
-
-BY_HAND: dict[str, Callable[[], int]] = {
-    "bm1": _empty_loop,
-    "bm3": _formula,
-    "nestfor": _nested,
-}
-"""Listing to function; a function returns how many statements it stands for."""
-
-
 def rate_by_hand(name: str) -> float | None:
-    """Statements a second of the hand translation, if there is one."""
+    """Statements a second of the translation into Python, if there is one."""
     function = BY_HAND.get(name)
     if function is None:
         return None
@@ -180,15 +107,19 @@ def main(arguments: list[str]) -> None:
     parser.add_argument("--statements", action="store_true", help="one function a statement")
     options = parser.parse_args(arguments)
     names = options.names or STANDARD
-    logarithms = []
+    logarithms, shares = [], []
     for name in names:
         speed = rate(name, not options.statements)
         logarithms.append(math.log(speed))
         by_hand = rate_by_hand(name)
-        share = f"{speed / by_hand:6.2f} of hand-written" if by_hand else ""
-        print(f"{name:12}{speed / 1e6:8.2f} million statements/s  {share}")
-    mean = math.exp(sum(logarithms) / len(logarithms))
-    print(f"{'mean':12}{mean / 1e6:8.2f} million statements/s, geometric")
+        note = ""
+        if by_hand:
+            shares.append(math.log(speed / by_hand))
+            note = f"{speed / by_hand:6.2f} of hand-written"
+        print(f"{name:12}{speed / 1e6:8.2f} million statements/s  {note}")
+    if not options.names:
+        mean, share = (math.exp(sum(values) / len(values)) for values in (logarithms, shares))
+        print(f"{'mean':12}{mean / 1e6:8.2f} million statements/s  {share:6.2f}, geometric")
 
 
 if __name__ == "__main__":
