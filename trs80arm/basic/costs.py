@@ -99,28 +99,23 @@ NEGATE: Final = 0
 LOGICAL: Final = 138
 
 FUNCTION: Final = 120
-TRANSCENDENTAL: Final[dict[str, int]] = {
-    "SQR": 88300,
-    "LOG": 35100,
-    "EXP": 47600,
-    "COS": 43700,
-    "SIN": 42300,
-    "TAN": 94400,
-    "ATN": 58300,
-    "POWER": 87200,
-}
+SQR: Final = 88300
+LOG: Final = 35100
+EXP: Final = 47600
+COS: Final = 43700
+SIN: Final = 42300
+TAN: Final = 94400
+ATN: Final = 58300
+POWER: Final = 87200
 """The functions by polynomials and the power, for a usual argument; charged when they are done."""
-EASY: Final[dict[tuple[str, float], int]] = {
-    ("SQR", 0.0): 87100,
-    ("SQR", 1.0): 14600,
-    ("EXP", 0.0): 6700,
-    ("COS", 0.0): 7900,
-    ("SIN", 0.0): 36800,
-    ("TAN", 0.0): 52600,
-    ("ATN", 0.0): 53000,
-    ("LOG", 1.0): 3300,
-}
-"""What functions take less for arguments where the ROM multiplies by zero or leaves at once."""
+EASY_SQR: Final = {0.0: 1200, 1.0: 73700}
+EASY_EXP: Final = {0.0: 40900}
+EASY_COS: Final = {0.0: 35800}
+EASY_SIN: Final = {0.0: 5500}
+EASY_TAN: Final = {0.0: 41800}
+EASY_ATN: Final = {0.0: 5300}
+EASY_LOG: Final = {1.0: 31800}
+"""The same for arguments where the ROM multiplies by zero or leaves at once."""
 PRODUCT_OF_ZERO: Final = 1700
 QUOTIENT_OF_ZERO: Final = 7700
 POWER_OF_ZERO: Final = 86400

@@ -39,49 +39,49 @@ class Arithmetic(Part):
     def sin(self, x: float) -> float:
         """SIN."""
         result = functions.sin(x)
-        self._clock.now += costs.TRANSCENDENTAL["SIN"] - costs.EASY.get(("SIN", x), 0)
+        self._clock.now += costs.EASY_SIN.get(x, costs.SIN)
         return result
 
     def cos(self, x: float) -> float:
         """COS."""
         result = functions.cos(x)
-        self._clock.now += costs.TRANSCENDENTAL["COS"] - costs.EASY.get(("COS", x), 0)
+        self._clock.now += costs.EASY_COS.get(x, costs.COS)
         return result
 
     def tan(self, x: float) -> float:
         """TAN; division by zero."""
         result = functions.tan(x)
-        self._clock.now += costs.TRANSCENDENTAL["TAN"] - costs.EASY.get(("TAN", x), 0)
+        self._clock.now += costs.EASY_TAN.get(x, costs.TAN)
         return result
 
     def atn(self, x: float) -> float:
         """ATN."""
         result = functions.atn(x)
-        self._clock.now += costs.TRANSCENDENTAL["ATN"] - costs.EASY.get(("ATN", x), 0)
+        self._clock.now += costs.EASY_ATN.get(x, costs.ATN)
         return result
 
     def log(self, x: float) -> float:
         """LOG; FC."""
         result = functions.log(x)
-        self._clock.now += costs.TRANSCENDENTAL["LOG"] - costs.EASY.get(("LOG", x), 0)
+        self._clock.now += costs.EASY_LOG.get(x, costs.LOG)
         return result
 
     def exp(self, x: float) -> float:
         """EXP; OV."""
         result = functions.exp(x)
-        self._clock.now += costs.TRANSCENDENTAL["EXP"] - costs.EASY.get(("EXP", x), 0)
+        self._clock.now += costs.EASY_EXP.get(x, costs.EXP)
         return result
 
     def sqr(self, x: float) -> float:
         """SQR; FC."""
         result = functions.sqr(x)
-        self._clock.now += costs.TRANSCENDENTAL["SQR"] - costs.EASY.get(("SQR", x), 0)
+        self._clock.now += costs.EASY_SQR.get(x, costs.SQR)
         return result
 
     def power(self, base: float, exponent: float) -> float:
         """`base [ exponent`; division by zero, FC, OV."""
         result = functions.power(base, exponent)
-        total = costs.TRANSCENDENTAL["POWER"]
+        total = costs.POWER
         if not exponent:
             total -= costs.POWER_BY_ZERO
         elif base in (0.0, 1.0):
