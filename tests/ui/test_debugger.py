@@ -79,16 +79,26 @@ async def test_beside_the_tube_the_debugger_leaves_the_status_line_whole(
         assert status.endswith(notice)
 
 
+@pytest.mark.parametrize("size", [(80, 24), (120, 40), (200, 60)])
 @piloted
-async def test_a_line_that_is_too_long_goes_on_below_its_statements(sit_down: Opener) -> None:
-    async with sit_down(80, 24) as sitting:
-        sitting.app.session.rig.load_text(f'100 PRINT "A":PRINT "{"LONG " * 9}"\n110 END\n')
+async def test_a_line_that_is_too_long_goes_on_below_its_statements(
+    sit_down: Opener, size: tuple[int, int]
+) -> None:
+    async with sit_down(*size) as sitting:
+        remark = "LONG " * 45
+        listing = "".join(
+            f"{number} REM {remark[: 5 * (number - 97)]}\n" for number in range(100, 140)
+        )
+        sitting.app.session.rig.load_text(listing)
         await sitting.app.run_action("do('debugger')")
         await sitting.pass_time(0.3)
         lines = screen_text(sitting.app).splitlines()
-        [begin] = [line for line in lines if "100 PRINT" in line]
-        below = lines[lines.index(begin) + 1]
-        assert below.index("LONG") == begin.index("PRINT")
+        for number, line in enumerate(lines):
+            if " REM LONG" in line:
+                begin = line.index(" REM LONG") + 1
+            elif " LONG" in line:
+                assert line.index(" LONG") + 1 == begin, number
+        assert any(" LONG" in line and " REM" not in line for line in lines)
 
 
 @pytest.mark.parametrize(("width", "height"), [(80, 24), (120, 40)])

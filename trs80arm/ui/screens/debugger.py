@@ -15,6 +15,7 @@ from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
+from textual.message import Message
 from textual.widgets import Footer, OptionList, Static
 
 from trs80arm import inspection
@@ -41,8 +42,8 @@ MEMORY_ROWS = 32
 _TUBE_FRAME = 2
 _MARKS = 2
 """Cells before a line's number: for a breakpoint, and for the line that is next."""
-_GUTTER = 2
-"""Cells that a list leaves free on both sides together."""
+_GUTTER = 4
+"""Cells that a list leaves free on both sides and for its scroll bar, whether there is one."""
 _LEAST_ROOM = 10
 """Cells below which statements do not stand beside their number."""
 
@@ -54,6 +55,17 @@ class Leaving(Enum):
     """The machine goes on."""
     STAND = "stand"
     """It goes on standing, if it stood."""
+
+
+class Listing(OptionList):
+    """The lines of the program."""
+
+    class Resized(Message):
+        """There is more room for them, or less."""
+
+    def on_resize(self) -> None:
+        """Say so."""
+        self.post_message(self.Resized())
 
 
 class DebuggerScreen(Dialog[Leaving]):
@@ -146,6 +158,7 @@ on standing.
         self._lines: list[int] = []
         self._names: list[str] = []
         self._rows: dict[OptionList, list[Text]] = {}
+        self._wide = 0
         self._address = VIDEO
 
     def compose(self) -> ComposeResult:
@@ -154,7 +167,7 @@ on standing.
             box.border_title = "Debugger"
             yield Static("", id="where", markup=False)
             with Horizontal(id="parts"):
-                yield OptionList(id="listing", markup=False)
+                yield Listing(id="listing", markup=False)
                 with Vertical(id="looks"):
                     yield OptionList(id="variables", markup=False)
                     yield OptionList(id="memory", markup=False)
@@ -171,7 +184,13 @@ on standing.
     def on_resize(self, event: events.Resize) -> None:
         """Beside the tube where there is room for both."""
         self._arrange(event.size.width)
-        self.call_after_refresh(self._show_listing)
+
+    def on_listing_resized(self) -> None:
+        """Break its lines anew."""
+        width = self._listing.size.width
+        if width != self._wide:
+            self._wide = width
+            self._show_listing()
 
     def _arrange(self, width: int) -> None:
         beside = width >= BESIDE
@@ -266,7 +285,7 @@ on standing.
     def _hanging(self, text: Text, begin: int) -> Text:
         """A line whose statements go on below themselves where they do not fit beside it."""
         margin = begin + _MARKS
-        room = self._listing.scrollable_content_region.width - margin - _GUTTER
+        room = self._listing.size.width - margin - _GUTTER
         if room < _LEAST_ROOM:
             return text
         number, statements = text.divide([begin])
