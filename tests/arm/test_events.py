@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.statements import done
 from trs80arm import Rig
 from trs80arm.arm import Bench, EventKind, JointAngles, MiniMover, Pose, Reason, benchfile
@@ -34,6 +36,19 @@ def test_pressing_on_something_says_how_hard() -> None:
     contact = generator.arm.events[0]
     assert contact.force > 50
     assert contact.text == f"shoulder blocked by the table, at {contact.force:.0f} oz"
+
+
+def test_what_the_base_pushes_is_told_with_the_force_at_the_hand() -> None:
+    bench = Bench("block")
+    bench.add_part("block", (1.0, 1.0, 1.0), 20.0, 8.0, 0.0)
+    generator = PulseGenerator(MiniMover(bench=bench))
+    generator.arm.move_to(Pose(8.0, -1.2, 0.3, -90.0, 0.0))
+    generator.align()
+    generator.turn(0, 400, delay_period(60))
+    contact = generator.arm.events[0]
+    # Half of its weight holds it back, 8 in from the axis of an arm that reaches twice as far.
+    assert contact.force == pytest.approx(10, abs=1.5)
+    assert contact.text == f"base blocked by block, at {contact.force:.0f} oz"
 
 
 def test_the_same_again_after_a_pause_is_another_event() -> None:

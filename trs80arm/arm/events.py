@@ -49,7 +49,8 @@ class ArmEvent:
         text: one line for a person.
         until: T-state at which it was last seen to go on.
         count: how often it was.
-        force: the greatest that went with it, ounces at the end of the link; 0 where none did.
+        force: the greatest that went with it, ounces at the end of the link, of the base at the
+            fingertip; 0 where none did.
 
     However long something goes on it is one event: while it does, the event in the list is
     replaced by one with the same number and time that tells of all of it.

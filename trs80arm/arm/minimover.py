@@ -7,6 +7,7 @@ what the arm was told and where it is are two things.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -437,9 +438,11 @@ class MiniMover:
         self.motors[latch].trouble = reason
 
     def _force(self, latch: int) -> float:
-        """Ounces at the end of the link that contacts put on a motor."""
+        """Ounces that contacts put on a motor, at the end of its link or, the base's, the hand."""
         turns, model = self.motor_kinds[latch], self.model
-        levers = (model.reach, model.link, model.link, model.hand_length, model.hand_length, 1.0)
+        x, y, _ = self._world.body.points.fingertip
+        out = max(math.sqrt(x * x + y * y), model.hand_length)
+        levers = (out, model.link, model.link, model.hand_length, model.hand_length, 1.0)
         return abs(self._world.torques[turns]) / levers[turns]
 
     def _count_rings(self, latch: int, target: int) -> None:
