@@ -140,6 +140,16 @@ def test_a_heap_is_pushed_as_if_for_the_first_time_whatever_its_parts_are_called
     assert solved[4] == again
 
 
+def test_what_is_pressed_into_another_shape_is_not_what_it_was() -> None:
+    cube = Shape.of([box((1.0, 1.0, 1.0))], 2.0)
+    one, other = (Body(name, cube, 0.5, (0.0, 0.0, 0.5)) for name in "ab")
+    assert one.form == other.form
+    one.shape = Shape.of([box((1.0, 1.0, 0.5))], 2.0)
+    assert one.form != other.form
+    other.shape = Shape.of([box((1.0, 1.0, 0.5))], 2.0)
+    assert one.form == other.form
+
+
 def test_a_question_is_the_same_to_the_last_bit_only() -> None:
     place = (0.1 + 0.2, [1.0, None])
     assert question(place, 2) == question((0.1 + 0.2, [1.0, None]), 2)

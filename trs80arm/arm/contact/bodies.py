@@ -124,7 +124,7 @@ class Body:
     _asleep: bool = False
     _carried: tuple[Vector, Matrix] | None = None
     _solids: list[Placed] | None = field(default=None, repr=False, compare=False)
-    _form: bytes | None = field(default=None, init=False, repr=False, compare=False)
+    _form: tuple[Shape, bytes] | None = field(default=None, init=False, repr=False, compare=False)
     _watcher: Watcher | None = field(default=None, init=False, repr=False, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -159,13 +159,13 @@ class Body:
     @property
     def form(self) -> bytes:
         """Its shape: of two with the same it is the same to the last bit."""
-        if self._form is None:
-            shape = self.shape
-            self._form = question(
-                [(solid.form, shape.mass) for solid in shape.solids],
-                *(shape.inertia, shape.ease, shape.radius),
-            )
-        return self._form
+        shape = self.shape
+        # A press gives it another.
+        if self._form is None or self._form[0] is not shape:
+            solids = [solid.form for solid in shape.solids]
+            form = question(solids, shape.mass, shape.inertia, shape.ease, shape.radius)
+            self._form = shape, form
+        return self._form[1]
 
     def watch(self, watcher: Watcher | None) -> None:
         """Tell somebody from now on when it wakes, falls asleep, or is put elsewhere asleep."""
