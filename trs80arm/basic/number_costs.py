@@ -211,7 +211,16 @@ def text(value: Number, shown: str) -> int:
     total = TEXT_CHARACTER * len(shown) + negative
     if isinstance(value, Double):
         return total + DOUBLE_TEXT + (double_scaling(value) if value.exponent else DOUBLE_ZERO)
-    return total + SINGLE_TEXT + (single_scaling(float(value)) if value else SINGLE_ZERO)
+    if not value:
+        return total + SINGLE_TEXT + SINGLE_ZERO
+    if len(shown) <= decimal.SINGLE_DIGITS + 1 and shown[1:].isdigit():
+        # A whole number: bringing it to six digits rounds nothing.
+        figures = shown[1:]
+        places = decimal.SINGLE_DIGITS - len(figures)
+        size = int(figures.ljust(decimal.SINGLE_DIGITS, "0")).bit_length()
+        total += SINGLE_UP * places + SINGLE_COUNT * _digit_sum(figures.encode("ascii"))
+        return total + SINGLE_TEXT + SINGLE_SHIFT * (24 - size)
+    return total + SINGLE_TEXT + single_scaling(float(value))
 
 
 def field(value: Number, left: int, right: int, exponent: bool) -> int:

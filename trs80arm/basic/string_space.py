@@ -53,12 +53,14 @@ class StringSpace:
         end = address + length
         # From the program on bytes are plain RAM unless they lie among the variables.
         if address >= addresses.PROGRAM and (
-            address > self.bottom or address >= self._variables.end or end <= self._variables.start
+            address > self.bottom or end <= self._variables.start or address >= self._variables.end
         ):
             # `Memory.read` is asked only where memory ends: nearly all strings come this way.
-            if end <= self._end:
-                return bytes(self._ram[address:end])
-            return self._memory.read(address, length)
+            return (
+                bytes(self._ram[address:end])
+                if end <= self._end
+                else self._memory.read(address, length)
+            )
         peek = self._memory.peek
         return bytes([peek(place & 0xFFFF) for place in range(address, end)])
 
@@ -112,11 +114,19 @@ class StringSpace:
         self.next = end
         return end + 1
 
+    def _fill(self, address: int, text: bytes) -> None:
+        """Write newly allocated bytes."""
+        end = address + len(text)
+        if address >= addresses.PROGRAM and end <= self._end:
+            self._ram[address:end] = text
+        else:
+            self._memory.write(address, text)
+
     def new(self, text: bytes) -> Descriptor:
         """A temporary in string space with these characters; OS, ST."""
         length = len(text)
         address = self.allocate(length)
-        self._memory.write(address, text)
+        self._fill(address, text)
         return self.push([length, address])
 
     def concatenate(self, left: Descriptor, right: Descriptor) -> Descriptor:
@@ -125,32 +135,70 @@ class StringSpace:
         The room is found before the two temporaries are dropped, as the ROM does, so their bytes
         become garbage (case `memory-mem-strings-literal`).
         """
-        length = left[0] + right[0]
+        size, more = left[0], right[0]
+        length = size + more
         if length > LONGEST:
             raise BasicError(Code.LS)
-        address = self.allocate(length)
-        text = self.bytes_of(left) + self.bytes_of(right)
-        self.free(right)
-        self.free(left)
-        if addresses.PROGRAM <= address <= self._end - length:
-            self._ram[address : address + length] = text
+        next_ = self.next - length
+        if next_ < self.bottom:
+            next_ = self.allocate(length) - 1
         else:
-            self._memory.write(address, text)
+            self.next = next_
+        first, second, bottom, end = left[1], right[1], self.bottom, self._end
+        address = next_ + 1
+        if (
+            bottom >= addresses.PROGRAM
+            and bottom < first <= end - size
+            and bottom < second <= end - more
+            and bottom < address <= end - length
+        ):
+            # From string space to string space.
+            ram = self._ram
+            ram[address : address + length] = (
+                ram[first : first + size] + ram[second : second + more]
+            )
+        else:
+            self._fill(address, self.bytes_of(left) + self.bytes_of(right))
+        self.free(right)
         self._clock.now += length * costs.STRING_BYTE
-        return self.push([length, address])
+        return self._exchange(left, [length, address])
 
     def part(self, string: Descriptor, start: int, length: int) -> Descriptor:
         """`length` characters from `start` (0 for the first) as a new string (LEFT$ and so on)."""
-        length = max(0, min(length, string[0] - start))
-        address = self.allocate(length)
-        text = self.bytes_of(string)[start : start + length]
-        self.free(string)
-        if addresses.PROGRAM <= address <= self._end - length:
-            self._ram[address : address + length] = text
+        left = string[0] - start
+        if length > left:
+            length = left if left > 0 else 0
+        next_ = self.next - length
+        if next_ < self.bottom:
+            next_ = self.allocate(length) - 1
         else:
-            self._memory.write(address, text)
+            self.next = next_
+        source, bottom, end = string[1], self.bottom, self._end
+        address = next_ + 1
+        if addresses.PROGRAM <= bottom < address <= end - length and (
+            bottom < source <= end - string[0]
+            or addresses.PROGRAM <= source <= self._variables.start - string[0]
+        ):
+            # From string space or the program to string space.
+            source += start
+            self._ram[address : address + length] = self._ram[source : source + length]
+        else:
+            self._fill(address, self.bytes_of(string)[start : start + length])
         self._clock.now += length * costs.STRING_BYTE
-        return self.push([length, address])
+        return self._exchange(string, [length, address])
+
+    def _exchange(self, old: Descriptor, new: Descriptor) -> Descriptor:
+        """Drop a string that may be the last temporary, and make another a temporary; ST."""
+        temporaries = self.temporaries
+        if temporaries and temporaries[-1] is old:
+            temporaries[-1] = new
+            if old[1] == self.next + 1:
+                self.next += old[0]
+        elif len(temporaries) < TEMPORARIES:
+            temporaries.append(new)
+        else:
+            raise BasicError(Code.ST)
+        return new
 
     def assign(self, target: Descriptor, string: Descriptor, text_start: int) -> None:
         """Make `target` the string, as LET, READ and INPUT do.
