@@ -9,7 +9,8 @@ from click.testing import CliRunner, Result
 
 from tests.own_places import PROGRAMS
 from trs80arm.bundled import BENCH_SUFFIX, PROGRAM_SUFFIX, described, named, programs_folder
-from trs80arm.cli import cli, main
+from trs80arm.cli import main
+from trs80arm.cli.commands import cli
 
 
 @pytest.fixture(autouse=True)

@@ -10,7 +10,7 @@ from click.testing import CliRunner
 
 from tests.own_places import PROGRAMS, own_places
 from tests.test_plain import Opened, opened, talk
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 from trs80arm.desk.places import state_folder
 from trs80arm.desk.session import Session
 from trs80arm.desk.tour import STEPS

@@ -6,9 +6,11 @@ use, so that `import trs80arm` costs nothing and loads neither Textual nor numpy
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
-
+# As `typing` has it, which takes longer to load than all that the help needs.
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from trs80arm.rig import Rig, RigSettings
 
 __all__ = ["Rig", "RigSettings", "__version__"]

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from tests.check.conftest import Check
 from trs80arm.check.findings import RULES, Level, Rule
 from trs80arm.check.program import check_bytes, check_program
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 from trs80arm.files import Kind, encode_program, parse_program, save_program
 from trs80arm.rig import Rig
 

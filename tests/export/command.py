@@ -7,7 +7,7 @@ from pathlib import Path
 
 from click.testing import CliRunner
 
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 
 
 def run(*words: str | Path) -> tuple[int, str]:

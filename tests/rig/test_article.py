@@ -12,7 +12,7 @@ from tests.goldens import check_golden
 from trs80arm.arm.figures import Diagram, FigureError
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.article import NAMES, draw
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 from trs80arm.machine.card import CardSettings, Jumper, Latch
 from trs80arm.machine.driver import DriverSettings
 from trs80arm.machine.jog_keys import JogKeys

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-from trs80arm.cli import cli, main
+from trs80arm.cli import main
+from trs80arm.cli.commands import cli
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 

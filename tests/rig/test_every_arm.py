@@ -21,7 +21,7 @@ from trs80arm.arm.geometry import inverse
 from trs80arm.arm.model import ArmModel, Hand, Motor, Pose
 from trs80arm.arm.models import MINIMOVER5, MODELS
 from trs80arm.basic.activity import Waiting
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 from trs80arm.desk.taught_programs import Manner, written
 from trs80arm.desk.teach import Lesson
 from trs80arm.drawing.picture import FROM_ABOVE, FROM_THE_SIDE, IN_SPACE, Picture

@@ -7,6 +7,9 @@ import sys
 
 import pytest
 
+from trs80arm.cli.group import load
+from trs80arm.cli.table import COMMANDS, front_page
+
 HEAVY = ("textual", "numpy", "matplotlib", "rich")
 
 
@@ -31,10 +34,28 @@ def test_the_library_works_without_textual() -> None:
 @pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"], ["terminal", "--help"]])
 def test_help_answers_without_textual_or_numpy(arguments: list[str]) -> None:
     modules = loaded_after(
-        "from trs80arm.cli import cli\n"
+        "from trs80arm.cli.commands import cli\n"
         f"cli.main({arguments!r}, prog_name='trs80arm', standalone_mode=False)"
     )
     assert modules.isdisjoint({"textual", "numpy", "matplotlib"})
+
+
+def test_the_front_page_of_the_help_loads_no_library() -> None:
+    modules = loaded_after(
+        "sys.argv = ['trs80arm', '--help']\nfrom trs80arm.cli import main\nmain()"
+    )
+    assert modules.isdisjoint({"click", "typing", "textual", "numpy", "rich"})
+    ours = {name for name in modules if name.startswith("trs80arm.")}
+    cli = {f"trs80arm.cli.{name}" for name in ("entry", "streams", "table")}
+    assert ours == {"trs80arm.cli", *cli}
+
+
+def test_the_front_page_has_every_command_in_80_columns() -> None:
+    page = front_page()
+    assert max(map(len, page.splitlines())) < 80
+    for name in COMMANDS:
+        assert load(name).name == name
+        assert f"\n  {name} " in page
 
 
 def test_the_first_frame_waits_for_no_large_dialog() -> None:
@@ -48,7 +69,7 @@ def test_the_line_mode_starts_without_textual() -> None:
         "import io, os, sys\n"
         "sys.stdin, real = io.StringIO('PRINT 1+1\\n'), sys.stdout\n"
         "sys.stdout = io.StringIO()\n"
-        "from trs80arm.cli import cli\n"
+        "from trs80arm.cli.commands import cli\n"
         "try:\n"
         "    cli.main(['terminal', '--plain', '--speed', 'max'], prog_name='trs80arm')\n"
         "except SystemExit as end:\n"

@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from trs80arm.bundled import described
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")

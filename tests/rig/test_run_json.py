@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner, Result
 
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 
 
 def run(folder: Path, program: str, *options: str, bench: str = "") -> tuple[Result, Any]:

@@ -22,8 +22,10 @@ from xml.etree import ElementTree
 import click
 import pytest
 
-from trs80arm.cli import cli, main
+from trs80arm.cli import main
 from trs80arm.cli.ending import BROKEN_PIPE
+from trs80arm.cli.group import load
+from trs80arm.cli.table import COMMANDS
 from trs80arm.desk.session import Session
 from trs80arm.shown import LONGEST
 
@@ -99,7 +101,7 @@ def parameters() -> Iterator[Wrong]:
     """Every parameter that takes a value; those that commands share once."""
     seen = set()
     for command in GOOD:
-        for parameter in cli.commands[command].params:
+        for parameter in load(command).params:
             option = parameter if isinstance(parameter, click.Option) else None
             shared = parameter.name, option.help if option else command
             if not (option and option.is_flag) and shared not in seen:
@@ -208,7 +210,7 @@ def no_such_files(folder: Path) -> Iterator[str]:
 
 
 def test_every_command_is_tried() -> None:
-    assert set(GOOD) == set(cli.commands)
+    assert set(GOOD) == set(COMMANDS)
 
 
 @pytest.mark.parametrize("wrong", FILES, ids=str)
@@ -305,7 +307,7 @@ def test_what_may_not_be_looked_at_is_told_in_one_line(
     assert os.listdir(full) == [f"x{suffix}"]
 
 
-@pytest.mark.parametrize("command", sorted(cli.commands))
+@pytest.mark.parametrize("command", sorted(COMMANDS))
 @pytest.mark.parametrize("option", ["--nonsense", "--option=x", "--jobs=x", "--format=7", "-o"])
 def test_wrong_options_are_one_line_and_code_2(command: str, option: str, tell: Tell) -> None:
     code, _ = tell([command, "good.bas", option])

@@ -12,7 +12,7 @@ from click.testing import CliRunner, Result
 
 from trs80arm import bars
 from trs80arm.batch import BatchOptions
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 from trs80arm.desk.session import Session
 from trs80arm.replay import replay_session
 

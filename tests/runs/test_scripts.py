@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from trs80arm.benches import bench_files
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 from trs80arm.operator import Hold, Operator, ScriptError
 from trs80arm.rig import Key, Rig, Waiting
 from trs80arm.script import read_script

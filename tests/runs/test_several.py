@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import pytest
 from click.testing import CliRunner, Result
 
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner, Result
 
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 from trs80arm.files import parse_program
 from trs80arm.rig import RigSettings
 from trs80arm.sweep.axes import Axis

@@ -14,7 +14,7 @@ from PIL import Image, ImageChops
 
 from tests.goldens import check_golden
 from tests.own_places import own_places
-from trs80arm.cli import cli
+from trs80arm.cli.commands import cli
 from trs80arm.film.blocks import blocks_of
 from trs80arm.film.cast import cast
 from trs80arm.film.frames import Film, Look
