@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed, Link, Linkage
-from trs80arm.arm.contact.bounds import greatest_speed, outside, spheres_around, within
+from trs80arm.arm.contact.bounds import greatest_speed
 from trs80arm.arm.contact.carrying import Carrying, carry
 from trs80arm.arm.contact.clock import TICK, TICK_STATES
 from trs80arm.arm.contact.coasting import Coast
@@ -21,7 +21,7 @@ from trs80arm.arm.contact.contacts import Contact, Key, Mobile
 from trs80arm.arm.contact.diving import Ending
 from trs80arm.arm.contact.driven import GRAVITY, DrivenArm
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.contact.meeting import MARGIN, TOUCH, Meeting, islands, presses
+from trs80arm.arm.contact.meeting import MARGIN, Meeting, islands, presses
 from trs80arm.arm.contact.memory import Memory
 from trs80arm.arm.contact.moment import NEARBY, Moment, Outcome, concerned
 from trs80arm.arm.contact.prospect import Prospect
@@ -29,9 +29,10 @@ from trs80arm.arm.contact.recurrence import Recurrence
 from trs80arm.arm.contact.rest import CALM_TICKS, Group, calm, groups, leaning
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.rotations import matrix, times, transposed, turned
+from trs80arm.arm.contact.rousing import Rousing
 from trs80arm.arm.contact.sixes import Six
 from trs80arm.arm.contact.solver import Problem
-from trs80arm.arm.contact.table import TABLE, Plate
+from trs80arm.arm.contact.table import Plate
 from trs80arm.arm.shapes import Vector, plus
 
 DRAG = 0.5
@@ -399,7 +400,7 @@ class Scene:
         reach = [h * speed for speed in arm.speeds(rates)]
         if moved and arm.linkage is not None:
             loaded = bool(self._roster.carried)
-            self._wake_what_the_arm_meets(reach)
+            Rousing(arm, self.carrying, self._roster, self.fixed, self.wake).rouse(reach)
             if loaded and not self._roster.carried:
                 rates = self._rates()
                 reach = [h * speed for speed in arm.speeds(rates)]
@@ -529,59 +530,6 @@ class Scene:
         turn = matrix(body.turn)
         inertia = times(times(turn, body.shape.inertia), transposed(turn))
         return Mobile(speed, body.place, body.shape.mass, inertia, before=before, turn=turn)
-
-    # What the arm wakes
-
-    def _wake_what_the_arm_meets(self, reach: Sequence[float]) -> None:
-        """Bodies at rest that links, or what the hand carries, come upon.
-
-        Args:
-            reach: how far each link may move in this step.
-        """
-        arm = self.driven
-        loads = self.carried
-        if loads and not self.carrying.upright_in(arm.hand):
-            for body in loads:
-                self.wake(body.name)
-            loads = []
-        reach = [way + TOUCH for way in reach]
-        around = spheres_around(arm.solids, reach)
-        for body in self._roster.near(*around):
-            if outside(body, around):
-                continue
-            for solid in body.placed:
-                if any(
-                    within(link, solid, margin)
-                    for link, margin in zip(arm.solids, reach, strict=True)
-                ):
-                    self.wake(body.name)
-                    break
-        for load in loads:
-            if not load.asleep:
-                continue
-            margin = max(reach) + TOUCH
-            for other, thing in self._others(load, margin):
-                if other in load.touching:
-                    continue
-                if any(within(mine, thing, margin) for mine in load.placed):
-                    self.wake(load.name)
-                    self.wake(other)
-        least, most = self.carrying.openings
-        if loads and not least <= arm.commands[-1] <= most:
-            for load in loads:
-                self.wake(load.name)
-
-    def _others(self, load: Body, margin: float) -> Iterator[tuple[str, Placed | None]]:
-        """All that something carried could come upon; None stands for the table."""
-        yield TABLE, None
-        for thing in self.fixed.values():
-            for solid in thing.placed:
-                yield thing.name, solid
-        (x, y, z), r = load.place, load.shape.radius + margin
-        around = (x - r, y - r, z - r), (x + r, y + r, z + r)
-        for body in (*self._roster.awake.values(), *self._roster.near(*around)):
-            for solid in body.placed:
-                yield body.name, solid
 
     # Moving
 
