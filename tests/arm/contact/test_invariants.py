@@ -20,7 +20,7 @@ from trs80arm.arm.contact.solids import Solid, box, cylinder, prism
 
 SKIN = 0.01
 """Depth to which things may be found in each other, inches."""
-MOVING_SKIN = 0.03
+MOVING_SKIN = 0.05
 """Depth at which what tumbles fast may be found on a tick, inches; it goes 0.3 in one tick."""
 
 
