@@ -280,13 +280,14 @@ class Pulses:
 
     def _first(self, count: int) -> list[tuple[int, int, int]]:
         """The first writes: the tick, which train's, and the place in the ring that is written."""
-        writes = [
-            (train.tick(step), order, self.rows[train.motor] + train.direction * number)
-            for order, train in enumerate(self.trains)
-            for number, step in enumerate(
-                range(train.begin, min(train.end, train.begin + count)), 1
-            )
-        ]
+        writes: list[tuple[int, int, int]] = []
+        for order, train in enumerate(self.trains):
+            row, way = self.rows[train.motor], train.direction
+            phase, over, under = train.phase, train.over, train.under
+            writes += [
+                ((phase + step * over) // under, order, row + way * number)
+                for number, step in enumerate(train.steps(count), start=1)
+            ]
         writes.sort()
         return writes[:count]
 

@@ -24,25 +24,28 @@ def follow_burst(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> 
     count = len(burst)
     if count < SHORT or (stop is not None and stop[0] & 0b1110 and arm.bench.sensors):
         return _follow_singly(arm, burst, None, stop)[0]
-    rest, patience = burst, FEW
-    while rest:
-        if len(rest) >= SHORT:
+    rest, size, patience = burst, count, FEW
+    while size:
+        if size >= SHORT:
             arm.let_pass(rest.begins)
-        if len(rest) >= SHORT and arm.free:
+        if size >= SHORT and arm.free:
             near, beyond = _before_alarm(arm, rest)
             left, ended = _stride(arm, near, stop)
             done = len(near) - len(left)
             if ended:
-                return count - len(rest) + done
+                return count - size + done
             # Where something happens it goes on happening for a while.
             patience = FEW if done else min(2 * patience, 8 * SHORT)
             rest = left if beyond is None else rest.split(done)[1]
-            if not rest:
+            size -= done
+            if not size:
                 break
-        few, rest = rest.first(min(len(rest), patience if arm.free else FEW))
-        done, ended = _follow_singly(arm, few, rest.begins if rest else None, stop)
+        few, rest = rest.first(min(size, patience if arm.free else FEW))
+        then = rest.begins if stop is not None and rest else None
+        done, ended = _follow_singly(arm, few, then, stop)
         if ended:
-            return count - len(rest) - len(few) + done
+            return count - size + done
+        size -= done
     return count
 
 
@@ -98,7 +101,7 @@ def _follow_singly(
     Args:
         arm: the arm.
         burst: the writes.
-        then: T-state of the write after them, if they are the beginning of a burst.
+        then: T-state of the write after them, if they are the beginning of a burst that has a stop.
         stop: as for `MiniMover.follow`.
 
     Returns:
