@@ -87,11 +87,11 @@ class Outlook:
         Args:
             joints: the arm's six coordinates there.
         """
+        for each in self._swept:
+            if each.hold(joints):
+                return True
         return (
-            any(each.hold(joints) for each in self._swept)
-            or self._surely_clear(joints)
-            or not self._near_about(joints)
-            or self._look(joints).enough
+            self._surely_clear(joints) or not self._near_about(joints) or self._look(joints).enough
         )
 
     def _surely_clear(self, joints: Sequence[float]) -> bool:

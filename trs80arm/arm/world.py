@@ -139,11 +139,15 @@ class World:
 
     def tick(self) -> None:
         """Let a tick pass; contact is looked at if there can be any."""
-        if self._tick_gripping() or (self.free and self._tick_freely()):
+        gripped, strained = self.gripped, self._strained
+        if (gripped and self._tick_gripping()) or (self.free and self._tick_freely(strained)):
             self.bench.scene.time = self.due
             self._ticked[:] = self._rotors
-            self._let_alone()
-            self._busy = self._strained and not self.gripped
+            if not (gripped or self._loaded):
+                # Nothing was near the fingers.
+                self.grip.contact = 0
+            # What touches nothing is not strained by going on so.
+            self._busy = strained and not gripped and self._strained
             if self._feeding.vacant and self._feeding.may_give(self.wanted):
                 self.show()
                 self._feed()
@@ -152,8 +156,8 @@ class World:
         self._contact()
 
     def _tick_gripping(self) -> bool:
-        """Squeeze what rests in the grip, if nothing else is to be done."""
-        if not (self.gripped and self.bench.scene.quiet):
+        """Squeeze what rests in the grip, if nothing else is to be done; whether it was not."""
+        if not self.bench.scene.quiet:
             return False
         commands = self.wanted
         carrying, picks_up = self.bench.scene.carrying, self._grasp.picks_up
@@ -165,20 +169,14 @@ class World:
             self._changed()
         return True
 
-    def _let_alone(self) -> None:
-        """On a tick nothing was near the fingers but what rests in the hand."""
-        if not (self._loaded or self.gripped):
-            self.grip.contact = 0
-
-    def _tick_freely(self) -> bool:
+    def _tick_freely(self, strained: bool) -> bool:
         """Move as nothing is in the way, unless contact has to be looked at; whether it has not."""
-        strained = self._strained
         if self._rotors == self._ticked and not strained:
             return True
         commands = self.wanted
         if not self._holds_on(commands):
             return False
-        joints = self._led_to(commands)
+        joints = self._led_to(commands, strained)
         if not self._outlook.clear_at(joints):
             return False
         if strained:
@@ -187,10 +185,10 @@ class World:
             self._jumped = True
         return True
 
-    def _led_to(self, commands: list[float]) -> list[float]:
+    def _led_to(self, commands: list[float], strained: bool) -> list[float]:
         """The arm's six coordinates after a tick in which nothing is in the way."""
         driven = self.bench.scene.driven
-        if self._strained:
+        if strained:
             return driven.eased(driven.joints, driven.reached, commands, loaded=self._loaded)
         return [*commands[:5], driven.joints[5] if self._loaded else commands[5]]
 
@@ -285,7 +283,8 @@ class World:
             ticks = (time - self.due) // TICK_STATES
             self.skip(time)
             self._ticked[:] = ticked
-            self._let_alone()
+            if not (self._loaded or self.gripped):
+                self.grip.contact = 0
             if self.gripped:
                 self.bench.scene.squeeze(self.commands(ticked))
             elif self._strained and (eased := self._outlook.eased(ticks)) is not None:
