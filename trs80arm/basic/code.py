@@ -54,20 +54,18 @@ class Compiled(NamedTuple):
     first_line: int
 
 
-class Trial(NamedTuple):
-    """What a statement turned out to be when it was compiled for a look.
+class Written(NamedTuple):
+    """What a statement turned out to be when it was written.
 
     Attributes:
         goes_on: where the next statement is if control goes on behind it, else None.
         plain: whether it may stand anywhere in a block.
         observes: whether it looks at the machine, so that the clock must be right.
-        cost: T-states it takes.
     """
 
     goes_on: int | None
     plain: bool
     observes: bool
-    cost: int
 
 
 class Pace:
@@ -302,34 +300,49 @@ class CompiledCode:
         scope = self._scope(types)
         loops = self._loops()
         here: int | None = address
-        total = count = 0
-        while here is not None:
-            trial_scope = self._scope(types)
+        seen: set[int] = set()
+        while here is not None and here not in seen:
+            before = out.state(), scope.state(), list(loops)
             try:
-                trial = self._write(here, Emitter(), trial_scope, list(loops))
+                found = self._write(here, out, scope, loops)
+                if found.observes and seen:
+                    # The clock must be right before it looks.
+                    self._take_back(out, scope, loops, before)
+                    out.charge()
+                    out.emit(f"now_at({here})")
+                    found = self._write(here, out, scope, loops)
             except TooDeep:
-                if count:
-                    break
-                return self._compile_statement(address, types)
-            solid = trial.plain and not trial_scope.assumptions().fragile
-            total += trial.cost
-            if count and (not solid or total > MARGIN or count == _LONGEST):
+                if not seen:
+                    return self._compile_statement(address, types)
+                self._take_back(out, scope, loops, before)
                 break
-            if trial.observes and count:
-                out.charge()
-                out.emit(f"now_at({here})")
-            goes_on = self._write(here, out, scope, loops).goes_on
-            count += 1
-            here = goes_on
+            fragile = scope.assumptions().fragile
+            solid = found.plain and not fragile
+            if seen and (not solid or out.most_cost > MARGIN or len(seen) == _LONGEST):
+                asked = scope.state()
+                self._take_back(out, scope, loops, before)
+                if fragile:
+                    # A longer block takes this one's place when what is missing has been made.
+                    scope.restore(asked)
+                break
+            seen.add(here)
+            here, out.followed = found.goes_on or out.followed, None
             if not solid:
                 break
         if here is not None:
-            out.go(here)
+            out.leave_for(here)
         try:
             return self._built(out, scope)
         except TooDeep:
             # Statement by statement, each as flat as it must be.
             return self._compile_statement(address, types)
+
+    @staticmethod
+    def _take_back(out: Emitter, scope: Scope, loops: list[Key], before: tuple[Any, ...]) -> None:
+        """Undo the writing of a statement."""
+        written, asked, loops[:] = before
+        out.restore(written)
+        scope.restore(asked)
 
     def _built(self, out: Emitter, scope: Scope) -> Compiled:
         function, first_line = out.build(self.environment)
@@ -343,7 +356,7 @@ class CompiledCode:
             if isinstance(frame, ForFrame)
         ]
 
-    def _write(self, address: int, out: Emitter, scope: Scope, loops: list[Key]) -> Trial:
+    def _write(self, address: int, out: Emitter, scope: Scope, loops: list[Key]) -> Written:
         """Write the statement behind a separator."""
         state = self._state
         ram = state.memory.ram
@@ -354,27 +367,26 @@ class CompiledCode:
         line = DIRECT
         if not _LOWEST <= address < state.memory.top - _LINE_HEAD:
             out.fail(Code.SN)
-            return Trial(None, False, False, 0)
+            return Written(None, False, False)
         if ram[address] == 0:
             if direct or not (ram[start] or ram[start + 1]):
                 out.emit(f"end_of_text({address})")
-                return Trial(None, False, False, 0)
+                return Written(None, False, False)
             start += 4
             line = ram[address + 3] | ram[address + 4] << 8
             out.cost += costs.NEW_LINE
         elif ram[address] != characters.COLON:
             out.cost += costs.STATEMENT
             out.fail(Code.SN)
-            return Trial(None, False, False, 0)
+            return Written(None, False, False)
         elif not direct:
             link = program.line_at(address)
             line = 0 if link is None else program.number_at(link)
-        before = out.cost
         reader = Reader(program.text_from(start), start, out)
         reader.skip()
         compiler = StatementCompiler(reader, out, scope, program, line, loops, state.armbasic)
         goes_on = reader.address if compiler.compile() else None
-        return Trial(goes_on, compiler.plain, compiler.observes, out.most_cost - before)
+        return Written(goes_on, compiler.plain, compiler.observes)
 
     def find_target(self, address: int) -> tuple[Any, int]:
         """The variable whose name stands at an address (INPUT's list), and what stands behind it.

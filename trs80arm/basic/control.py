@@ -27,16 +27,19 @@ class ForFrame:
         limit: of the variable's type.
         step: of the variable's type.
         up: -1, 0 or 1: the sign of the step.
+        top: the limit where the step is positive and of usual size, else less than any value: up to
+            there NEXT has a short way.
         body: the address of the separator behind the FOR statement.
         line: the number of its line.
     """
 
-    __slots__ = ("body", "limit", "line", "scalar", "step", "up")
+    __slots__ = ("body", "limit", "line", "scalar", "step", "top", "up")
 
     scalar: Scalar
     limit: float
     step: float
     up: int
+    top: float
     body: int
     line: int
 
@@ -45,6 +48,7 @@ class ForFrame:
         self.limit = limit
         self.step = step
         self.up = (step > 0) - (step < 0)
+        self.top = limit if 1e-30 <= step <= 1e30 else -(2.0**128)
         self.body = body
         self.line = line
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.basic.machine import Machine
 from trs80arm.basic.activity import Waiting
+from trs80arm.basic.compiler.statements import StatementCompiler
 
 PROGRAMS = {
     "loops": ["10 FOR I=1 TO 30:FOR J%=3 TO 1 STEP -1:S=S+I*J%:NEXT J%,I", "20 PRINT S"],
@@ -32,6 +35,39 @@ PROGRAMS = {
         "20 FOR I=-3 TO 3:A=1:B=1/I:C=C+B:NEXT",
         "30 PRINT C:END",
         "50 D=D+1:RESUME NEXT",
+    ],
+    "loops within loops": [
+        "10 FOR P=1 TO 2:FOR I=3 TO 1 STEP -1:FOR J=0 TO 2 STEP .5:S=S+I*J-P:NEXT J,I,P",
+        "20 FOR P=1 TO 3:FOR I=5 TO 1:T=T+1:NEXT:NEXT",
+        "30 PRINT S;T",
+    ],
+    "loops left": [
+        "10 FOR P=1 TO 3:FOR I=1 TO 9:IF I=4 THEN 30",
+        "20 S=S+I:NEXT I",
+        "30 NEXT P:FOR I=1 TO 3:FOR J=1 TO 3:T=T+1:IF T/2=INT(T/2) THEN NEXT I:GOTO 50",
+        "40 NEXT J,I",
+        "50 FOR I=1 TO 4:FOR I=2 TO 3:U=U+I:NEXT:IF U<20 THEN 50",
+        "60 PRINT S;T;U",
+    ],
+    "subroutines in blocks": [
+        "10 FOR P=1 TO 20:GOSUB 50:GOSUB 50:GOTO 30",
+        "20 PRINT S;T:END",
+        "30 IF P/3=INT(P/3) THEN GOSUB 70:NEXT ELSE T=T-1:NEXT",
+        "40 GOTO 20",
+        "50 S=S+1:GOSUB 60:RETURN",
+        "60 FOR J=1 TO 2:S=S+J:IF S/5=INT(S/5) THEN RETURN ELSE NEXT:RETURN",
+        "70 T=T+2:IF T<40 THEN T=T+1:GOSUB 70",
+        "80 RETURN",
+    ],
+    "errors in blocks": [
+        "10 ON ERROR GOTO 60:FOR P=-2 TO 2:FOR I=-1 TO 1:GOSUB 50:NEXT I,P",
+        "20 PRINT S;E:END",
+        "50 S=S+1/(I+P):RETURN",
+        "60 E=E+ERL/10:RESUME NEXT",
+    ],
+    "variables made late": [
+        "10 FOR I=1 TO 5:IF I>3 THEN A=A+I:B=B+A",
+        "20 C=C+A:D=C:NEXT:PRINT A;B;C;D",
     ],
     "doubles": ["10 A#=1:FOR I=1 TO 20:A#=A#*1.5#-I/3:NEXT:PRINT A#"],
 }
@@ -61,3 +97,21 @@ def test_blocks_and_statements_agree_to_the_t_state(name: str) -> None:
 def test_slices_make_no_difference(name: str, slices: list[int]) -> None:
     whole = finish(Machine(), PROGRAMS[name], [2_000_000_000])
     assert finish(Machine(), PROGRAMS[name], slices) == whole
+
+
+def test_a_statement_is_written_at_most_twice(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Once at the end of a block or with something missing, and once more by itself or with it."""
+    written: Counter[int] = Counter()
+    compile_ = StatementCompiler.compile
+
+    def count(self: StatementCompiler) -> bool:
+        written[self._reader.address] += 1
+        return compile_(self)
+
+    monkeypatch.setattr(StatementCompiler, "compile", count)
+    lines = [f"{10 * n} K=K+{n}:IF K<0 THEN PRINT K ELSE A(3)=K*2" for n in range(1, 100)]
+    machine = Machine()
+    machine.load(*lines)
+    machine.do("RUN")
+    assert len(written) > 190
+    assert max(written.values()) <= 2

@@ -13,6 +13,7 @@ from types import CellType, CodeType, FunctionType
 from typing import Any, Final, NamedTuple
 
 from trs80arm.basic.errors import Code
+from trs80arm.basic.variables import Key
 
 _LOOP_BODY: Final = "f.body"
 """Where NEXT goes back to, in generated text."""
@@ -20,7 +21,7 @@ ATTRIBUTES: Final = frozenset(
     {
         *("now", "soft"),  # the clock's, the pace's
         *("append", "pop", "plenty"),  # the stack's of loops and subroutines, the room's
-        *("scalar", "body", "limit", "step", "up", "back"),  # a frame's
+        *("scalar", "body", "limit", "step", "top", "up", "back"),  # a frame's
         "mantissa",  # a double's
     }
 )
@@ -37,6 +38,36 @@ class Mark(NamedTuple):
 
     statement: int
     cost: int
+
+
+class Call(NamedTuple):
+    """A subroutine that the function under construction has gone into.
+
+    Attributes:
+        frame: the name of its frame.
+        back: the address behind the GOSUB.
+    """
+
+    frame: str
+    back: int
+
+
+class Loop(NamedTuple):
+    """A FOR loop whose body the function under construction goes round in.
+
+    Attributes:
+        key: its variable.
+        body: the address of the separator behind the FOR.
+        frame: the name of its frame.
+        limit: the name of its limit.
+        step: a number of usual size.
+    """
+
+    key: Key
+    body: int
+    frame: str
+    limit: str
+    step: float
 
 
 class UnlistedName(Exception):  # noqa: N818 - never raised unless the compiler is wrong
@@ -60,6 +91,9 @@ class Emitter:
         most_cost: the most that came together on one way through the function.
         statement: the address of the statement whose text is being written.
         marks: what is known of each line.
+        calls: the subroutines that a block has gone into.
+        loops: the loops that it goes round in, the innermost last.
+        followed: where a jump goes that the block is to go on behind, instead of leaving.
     """
 
     def __init__(self, *, flat: bool = False) -> None:
@@ -75,6 +109,10 @@ class Emitter:
         self._constants: dict[int, str] = {}
         self._temporaries = 0
         self._leader: int | None = None
+        self._base = 0
+        self.calls: list[Call] = []
+        self.loops: list[Loop] = []
+        self.followed: int | None = None
         self._charged = 0
 
     def lead(self, address: int) -> None:
@@ -82,6 +120,53 @@ class Emitter:
         self._leader = address
         self.emit("while True:")
         self.indent += 1
+        self._base = self.indent
+
+    @property
+    def straight(self) -> bool:
+        """Whether what is written now is executed by a block on every way that comes here."""
+        return self._leader is not None and self.indent == self._base
+
+    def begin_loop(self, loop: Loop) -> None:
+        """What follows is the body of a loop, up to its NEXT."""
+        self.charge()
+        self.emit("while True:")
+        self.indent += 1
+        self._base = self.indent
+        self.loops.append(loop)
+
+    def go_round(self) -> None:
+        """The innermost loop's body again."""
+        self._leave()
+        self.emit("if clock.now < pace.soft: continue")
+        self.emit(f"return {self.loops[-1].body}")
+
+    def end_loop(self) -> None:
+        """The innermost loop is done."""
+        self.charge()
+        self.emit("break")
+        self.indent -= 1
+        self._base = self.indent
+        self.loops.pop()
+
+    def state(self) -> tuple[Any, ...]:
+        """What `restore` needs to take back what will be written."""
+        return (
+            len(self._lines),
+            (self.cost, self.most_cost, self._charged, self._temporaries, self.indent, self._base),
+            (dict(self._cells), set(self._stored), dict(self._constants)),
+            (list(self.calls), list(self.loops)),
+        )
+
+    def restore(self, state: tuple[Any, ...]) -> None:
+        """Take back what was written since."""
+        length, numbers, (cells, stored, constants), (self.calls, self.loops) = state
+        del self._lines[length:], self.marks[length:]
+        self.cost, self.most_cost, self._charged, self._temporaries, self.indent, self._base = (
+            numbers
+        )
+        self._cells, self._stored, self._constants = cells, stored, constants
+        self.followed = None
 
     def emit(self, text: str) -> None:
         """Add a line."""
@@ -106,9 +191,17 @@ class Emitter:
     # -- leaving ------------------------------------------------------------------------------
 
     def go(self, address: int) -> None:
+        """Go on at an address: a block follows where all ways do, others leave the function."""
+        if self.straight:
+            self.note_cost()
+            self.followed = address
+            return
+        self.leave_for(address)
+
+    def leave_for(self, address: int) -> None:
         """Leave the function for the statement at an address."""
         self._leave()
-        if address == self._leader:
+        if address == self._leader and not self.loops:
             self.emit("if clock.now < pace.soft: continue")
         self.emit(f"return {address}")
 
@@ -120,7 +213,7 @@ class Emitter:
     def go_to_loop_body(self) -> None:
         """Leave the function for the body of the loop in `f`."""
         self._leave()
-        if self._leader is not None:
+        if self._leader is not None and not self.loops:
             self.emit(f"if {_LOOP_BODY} == {self._leader} and clock.now < pace.soft: continue")
         self.emit(f"return {_LOOP_BODY}")
 

@@ -10,11 +10,12 @@ from trs80arm.basic.characters import COMMA, QUOTE
 from trs80arm.basic.compiler import rounding
 from trs80arm.basic.compiler.assignments import AssignmentCompiler
 from trs80arm.basic.compiler.draft import Draft, Mistake
+from trs80arm.basic.compiler.emitter import Call, Loop
 from trs80arm.basic.compiler.expressions import ExpressionCompiler
 from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.control import DIRECT, GosubFrame
 from trs80arm.basic.errors import Code
-from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, STRING
+from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, SINGLE, STRING
 from trs80arm.basic.program import Program
 from trs80arm.basic.variables import Key
 from trs80arm.basic.words import Word
@@ -116,6 +117,8 @@ class FlowCompiler:
         out.emit(f"  frames.append({frame})")
         out.emit("else:")
         out.emit(f"  open_subroutine({back}, {self._line})")
+        if out.straight:
+            out.calls.append(Call(frame, back))
         out.go(address)
 
     def return_(self, word: Word) -> bool:
@@ -125,13 +128,29 @@ class FlowCompiler:
         out = self._out
         out.cost += word.work
         out.emit("f = frames[-1]")
+        if out.straight and out.calls:
+            call = out.calls.pop()
+            charged = out.cost
+            out.emit(f"if f is not {call.frame}:")
+            out.indent += 1
+            self._leave_subroutine(word)
+            out.indent -= 1
+            out.cost = charged
+            out.emit("frames.pop()")
+            out.go(call.back)
+            return False
+        self._leave_subroutine(word)
+        return False
+
+    def _leave_subroutine(self, word: Word) -> None:
+        """RETURN by the frame in `f`, whatever it is."""
+        out = self._out
         out.emit("if f.scalar is None and len(frames) > 1:")
         out.indent += 1
         out.emit("frames.pop()")
         out.go_to_found("f.back")
         out.indent -= 1
         out.go_to_found(f"{word.calls}()")
-        return False
 
     def run(self, word: Word) -> bool:
         """RUN [n]: forget the variables and start."""
@@ -233,14 +252,19 @@ class FlowCompiler:
         to_kind = self._expressions.convert.to_kind
         with self._draft.deeper(room.LIMIT):
             limit = out.keep(to_kind(self._expressions.number(), key[1]).text)
+        by: int | float | None = 1.0
         step = "1" if key[1] == INTEGER else "1.0"
         with self._draft.deeper(room.STEP):
             if reader.code == tokens.STEP:
                 out.cost += words.BY_TOKEN[tokens.STEP].work
                 reader.advance()
-                step = to_kind(self._expressions.number(), key[1]).text
-        out.emit(f"open_loop({scalar}, {limit}, {step}, {body}, {self._line})")
+                value = to_kind(self._expressions.number(), key[1])
+                step, by = value.text, value.constant
+        frame = out.keep(f"open_loop({scalar}, {limit}, {step}, {body}, {self._line})")
         self._loops.append(key)
+        usual = key[1] == SINGLE and by is not None and rounding.is_near(by)
+        if usual and out.straight and reader.address == body:
+            out.begin_loop(Loop(key, body, frame, limit, float(by or 1.0)))
 
     def next_(self, word: Word) -> None:
         """NEXT [names]: step, compare, and go back to the body or on."""
@@ -268,6 +292,9 @@ class FlowCompiler:
             out.cost += word.work
             self._slow_step(key)
             return
+        if out.straight and out.loops and out.loops[-1].key == guess:
+            self._step_in_block(word, out.loops[-1])
+            return
         integer = guess[1] == INTEGER
         out.cost += costs.NEXT_INTEGER if integer else word.work
         cell = self._scope.scalar(guess).cell
@@ -277,11 +304,17 @@ class FlowCompiler:
         out.emit(f"if f.scalar is {self._scalar(guess)}:")
         out.indent += 1
         if integer:
-            stepped = f"integer_step({name}, f.step)"
+            out.emit(f"{name} = t = integer_step({name}, f.step)")
+            out.emit("if (t <= f.limit if f.up > 0 else goes_on(t, f)):")
         else:
+            out.emit(f"if {rounding.short_step(name, 'f.step')} <= f.top:")
+            out.indent += 1
+            out.emit(f"{name} = s")
+            out.go_to_loop_body()
+            out.indent -= 1
             stepped = rounding.sum_(name, "+", "f.step", f"add({name}, f.step)")
-        out.emit(f"{name} = t = {stepped}")
-        out.emit("if (t <= f.limit if f.up > 0 else goes_on(t, f)):")
+            out.emit(f"{name} = t = {stepped}")
+            out.emit("if goes_on(t, f):")
         out.indent += 1
         out.go_to_loop_body()
         out.indent -= 1
@@ -292,6 +325,32 @@ class FlowCompiler:
         out.cost = charged
         self._slow_step(key)
         out.indent -= 1
+
+    def _step_in_block(self, word: Word, loop: Loop) -> None:
+        """The step of a loop whose body is in this function, from its FOR on."""
+        out = self._out
+        out.cost += word.work
+        name = out.cell(
+            self._scope.cell_name(loop.key), self._scope.scalar(loop.key).cell, stored=True
+        )
+        charged = out.cost
+        out.emit(f"if frames[-1] is {loop.frame}:")
+        out.indent += 1
+        step = f"({loop.step!r})"
+        stepped = rounding.sum_(name, "+", step, f"add({name}, {step})", near=True)
+        out.emit(f"{name} = t = {stepped}")
+        out.emit(f"if t {'<=' if loop.step > 0.0 else '>='} {loop.limit}:")
+        out.indent += 1
+        out.go_round()
+        out.indent -= 1
+        out.emit("frames.pop()")
+        out.indent -= 1
+        out.emit("else:")
+        out.indent += 1
+        out.cost = charged
+        self._slow_step(loop.key)
+        out.indent -= 1
+        out.end_loop()
 
     def _slow_step(self, key: Key | None) -> None:
         wanted = "None" if key is None else self._scalar(key)

@@ -13,6 +13,17 @@ SPLIT: Final = 2.0**29 + 1.0
 AWAY: Final = 1.0 + 2.0**-52
 _LEAST: Final = 1e-37
 _MOST: Final = 1e37
+NEAR_LEAST: Final = 1e-30
+NEAR_MOST: Final = 1e30
+
+
+def is_near(value: float) -> bool:
+    """Whether a sum with this operand cannot be beyond the ends of the range if it has no rest.
+
+    It is a whole number of last places of the operand or of the other, and it does not reach the
+    last place of a number near the upper end.
+    """
+    return NEAR_LEAST <= abs(value) <= NEAR_MOST
 
 
 def _usual(first: str) -> str:
@@ -24,10 +35,32 @@ def _usual(first: str) -> str:
     return f"({_LEAST} < {first} < {_MOST} or -{_MOST} < s < -{_LEAST})"
 
 
-def sum_(first: str, sign: str, second: str, otherwise: str) -> str:
-    """Text of a sum (`+`) or difference (`-`) of two operands, or `otherwise`."""
-    exact = f"(c := (s := {first} {sign} {second}) * {SPLIT}) - (c - s) == s"
-    return f"(s if {exact} and {_usual('s')} else {otherwise})"
+def _exact(first: str, sign: str, second: str) -> str:
+    """Text that is true where a sum, kept as `s`, has no more than 24 bits; `s` stands last."""
+    return f"(c := (s := {first} {sign} {second}) * {SPLIT}) - (c - s) == s"
+
+
+def sum_(first: str, sign: str, second: str, otherwise: str, *, near: bool = False) -> str:
+    """Text of a sum (`+`) or difference (`-`) of two operands, or `otherwise`.
+
+    Args:
+        first: the left operand.
+        sign: `+` or `-`.
+        second: the right operand.
+        otherwise: the call for results that are not usual.
+        near: one operand is known to be of usual size, so that a sum without a rest is usual too.
+    """
+    exact = _exact(first, sign, second)
+    test = exact if near else f"{exact} and {_usual('s')}"
+    return f"(s if {test} else {otherwise})"
+
+
+def short_step(value: str, step: str) -> str:
+    """Text of the beginning of a comparison, true only where a sum has no rest; it is kept as `s`.
+
+    The step must be of usual size (`is_near`).
+    """
+    return _exact(value, "+", step)
 
 
 def product(first: str, sign: str, second: str, otherwise: str, guard: str = "") -> str:

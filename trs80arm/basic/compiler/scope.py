@@ -8,7 +8,7 @@ statement is used again after a CLEAR, or when something new was created, they a
 from __future__ import annotations
 
 from types import CellType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from trs80arm.basic import costs
 from trs80arm.basic.characters import FIRST_LETTER
@@ -74,6 +74,14 @@ class Scope:
         scalars, arrays = tuple(self._scalars.values()), tuple(self._arrays.values())
         fragile = any(not exists for _, exists, _ in scalars) or any(a[1] is None for a in arrays)
         return Assumptions(scalars, arrays, fragile)
+
+    def state(self) -> tuple[Any, ...]:
+        """What `restore` needs to forget what will be asked for."""
+        return dict(self._scalars), dict(self._arrays)
+
+    def restore(self, state: tuple[Any, ...]) -> None:
+        """Forget what was asked for since."""
+        self._scalars, self._arrays = state
 
     def default_kind(self, letter: int) -> Kind:
         """The kind of a name without suffix, by its first letter (DEFINT and so on)."""

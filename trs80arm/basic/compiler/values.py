@@ -142,9 +142,13 @@ class Conversions:
         second, b = self._twice(right)
         call = f"{name}({a}, {b})"
         if name in ("add", "sub"):
-            return rounding.sum_(first, "+" if name == "add" else "-", second, call)
+            known = [value.constant for value in (left, right) if value.constant is not None]
+            near = any(rounding.is_near(number) for number in known)
+            return rounding.sum_(first, "+" if name == "add" else "-", second, call, near=near)
         if name == "mul":
             return rounding.product(first, "*", second, call)
+        if right.constant:
+            return rounding.product(first, "/", second, call)
         guard = f"{second} and "
         if first != a:
             # The divisor is looked at first, but the dividend is evaluated before it.

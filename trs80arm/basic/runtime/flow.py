@@ -76,10 +76,14 @@ class Flow(Part):
             place -= 1
         return None
 
-    def open_loop(self, scalar: Scalar, limit: float, step: float, body: int, line: int) -> None:
-        """FOR."""
+    def open_loop(
+        self, scalar: Scalar, limit: float, step: float, body: int, line: int
+    ) -> ForFrame:
+        """FOR; the frame that it opens."""
         self._check_room(room.FOR)
-        self._control.frames.append(ForFrame(scalar, limit, step, body, line))
+        frame = ForFrame(scalar, limit, step, body, line)
+        self._control.frames.append(frame)
+        return frame
 
     @staticmethod
     def goes_on(value: float, frame: ForFrame) -> bool:
