@@ -44,7 +44,9 @@ class _Rounding(ast.NodeTransformer):
             def visit_Name(self, name: ast.Name) -> ast.AST:
                 return node.args[0] if name.id == "VALUE" else name
 
-        return Fill().visit(ast.parse(ast.unparse(self._template), mode="eval").body)
+        filled = Fill().visit(ast.parse(ast.unparse(self._template), mode="eval"))
+        assert isinstance(filled, ast.Expression)
+        return filled.body
 
 
 def in_line(function: Callable[[], int]) -> Callable[[], int]:

@@ -1,7 +1,5 @@
 """How long a frame of each view takes in each style, at 100 x 50 cells.
 
-    python benchmarks/drawing.py [--frames 60]
-
 Time of the processor, the best and the median of many frames, so that what else the computer does
 counts little; the arm moves from one frame to the next. From the readings to the rows of text,
 without putting them on the screen; in pixels as far as the samples.
@@ -9,10 +7,12 @@ without putting them on the screen; in pixels as far as the samples.
 
 from __future__ import annotations
 
-import argparse
 import time
+from collections.abc import Iterator
+from statistics import median
 
-from trs80arm.arm.geometry import Pose
+from benchmarks.rows import Row
+from trs80arm.arm.model import Pose
 from trs80arm.drawing.picture import FROM_ABOVE, FROM_THE_SIDE, IN_SPACE, Picture
 from trs80arm.drawing.readings import Readings
 from trs80arm.options import ArmStyle
@@ -21,6 +21,8 @@ from trs80arm.rig import Rig
 WIDTH, HEIGHT = 100, 50
 GRAIN = (10, 20)
 """Samples a cell of a picture in pixels."""
+FRAMES = 120
+"""Of each view and style, a second asked for."""
 VIEWS = {"side": FROM_THE_SIDE, "top": FROM_ABOVE, "space": IN_SPACE}
 
 
@@ -34,11 +36,9 @@ def frames(count: int) -> list[Readings]:
     return looks
 
 
-def main() -> None:
-    """Measure and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--frames", type=int, default=60)
-    looks = frames(parser.parse_args().frames)
+def rows(seconds: float) -> Iterator[Row]:
+    """Each view in each style."""
+    looks = frames(max(3, int(FRAMES * seconds)))
     # A program that has run for a while keeps the memory that a picture needs (mallopt(3)).
     Picture(FROM_ABOVE).draw(looks[0], 4 * WIDTH, 4 * HEIGHT)
     for name, subject in VIEWS.items():
@@ -52,13 +52,5 @@ def main() -> None:
                     picture.pixels(readings, WIDTH, HEIGHT, GRAIN)
                 else:
                     picture.draw(readings, WIDTH, HEIGHT)
-                costs.append(time.thread_time() - began)
-            costs.sort()
-            print(
-                f"{name:6}{style:9} best {costs[0] * 1000:5.2f} ms, "
-                f"median {costs[len(costs) // 2] * 1000:5.2f} ms"
-            )
-
-
-if __name__ == "__main__":
-    main()
+                costs.append(1000 * (time.thread_time() - began))
+            yield Row(f"{name}, {style}", {"ms, best": min(costs), "ms, median": median(costs)})

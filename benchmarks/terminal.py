@@ -1,20 +1,15 @@
 """How much the terminal costs, and how quick it is, through a real pty.
 
-- the time from the start to the first whole frame, least of several starts, of modules that an
-  earlier start has compiled, as those of an installed program are;
 - the share of one core and the bytes a second: at READY, in a pause, with a dialog open, while
   Table 4's demonstration runs, and while it runs behind a dialog, while the arm swings to and fro
   without a pause, and the same with the arm in space in each style, at some sizes of the window;
 - the time from the bytes of a key to its switch in the matrix, and to its letter on the screen, at
   speed 20, for at speed 1 the ROM alone takes 51.6 ms from the one to the other;
 - how far the virtual clock strays from the wall's.
-
-    python -m benchmarks.terminal [--seconds 10] [--sizes 80x24 120x40 200x60]
 """
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
 import pty
@@ -28,12 +23,19 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from statistics import median, quantiles
+from typing import Any
 
+from benchmarks.compiled import compiled_modules
+from benchmarks.rows import Row
 from trs80arm.options import ArmStyle
 
 ROOT = Path(__file__).parents[1]
-STARTS = 5
-KEYS = 40
+SIZES = ((80, 24), (120, 40), (200, 60))
+LASTING = 20
+"""Seconds on the wall of each figure, a second asked for."""
+KEYS = 80
+"""Keys pressed, a second asked for."""
 PAUSE, DIALOG, HELP, ESCAPE = "\x1b[17~", "\x1b[19~", "\x1bOP", "\x1b"
 SWINGS = """10 @STEP 50,-200,-200,0,0,0,0
 20 @STEP 50,400,-60,60,40,40,0
@@ -133,20 +135,21 @@ class Sitting:
         os.write(self.master, data.encode())
         return now
 
-    def told(self, what: str) -> list[list[float]]:
+    def told(self, what: str) -> list[list[Any]]:
         """What was reported of one kind."""
         lines = self.report.read_text().splitlines()
         return [entry[1:] for entry in map(json.loads, lines) if entry[0] == what]
 
-    def measure(self, what: str, seconds: float) -> None:
-        """Print the share of one core, and the bytes a second, over some seconds."""
+    def measure(self, what: str, seconds: float) -> Row:
+        """The share of one core, and the bytes a second, over some seconds."""
         before, bytes_before = self.told("clock")[-1], self.bytes
         time.sleep(seconds)
-        after = self.told("clock")[-1]
+        while (after := self.told("clock")[-1]) == before:
+            time.sleep(0.1)
         passed = after[0] - before[0]
         share = (after[2] - before[2]) / passed
         written = (self.bytes - bytes_before) / passed / 1000
-        print(f"  {what:24} {share:6.1%} of one core {written:8.1f} kB/s")
+        return Row(what, {"% of a core": 100 * share, "kB/s": written})
 
 
 @contextmanager
@@ -161,42 +164,39 @@ def sitting(size: tuple[int, int], *arguments: str, watched: bool = True) -> Ite
             opened.process.wait(timeout=20)
 
 
-def measure_start(size: tuple[int, int]) -> None:
-    """From the start of Python to the last words of the greeting on the screen."""
-    times = []
-    for _ in range(STARTS):
-        with sitting(size, watched=False) as program:
-            times.append(program.wait_for(b"F10 LEAVES.") - program.began)
-    print(f"  first frame: {min(times):.2f} s (most {max(times):.2f} s)")
+def first_frame(size: tuple[int, int]) -> float:
+    """Seconds from the start of Python to the last words of the greeting on the screen."""
+    with sitting(size, watched=False) as program:
+        return program.wait_for(b"F10 LEAVES.") - program.began
 
 
-def measure_costs(size: tuple[int, int], seconds: float) -> None:
+def costs(size: tuple[int, int], seconds: float) -> Iterator[Row]:
     """What it costs while nothing happens, and while everything does."""
     with sitting(size) as idle:
         time.sleep(4)
-        idle.measure("at READY", seconds)
+        yield idle.measure("at READY", seconds)
         for key, what in ((HELP, "help open"), (DIALOG, "a list open")):
             idle.send(key)
             time.sleep(2)
-            idle.measure(what, seconds)
+            yield idle.measure(what, seconds)
             idle.send(ESCAPE)
             time.sleep(1)
         idle.send(PAUSE)
         time.sleep(2)
-        idle.measure("paused", seconds)
+        yield idle.measure("paused", seconds)
     with sitting(size, "demo") as demo:
         time.sleep(25)
         before = demo.told("clock")[-1]
-        demo.measure("the demonstration", seconds)
+        yield demo.measure("the demonstration", seconds)
         demo.send(DIALOG)
         time.sleep(2)
-        demo.measure("behind a list", seconds)
+        yield demo.measure("behind a list", seconds)
         after = demo.told("clock")[-1]
         drift = (after[1] - before[1]) / (after[0] - before[0]) - 1
-        print(f"  clock against the wall: {drift:+.2%}")
+        yield Row("clock against the wall", {"% off": 100 * drift})
 
 
-def measure_moving(size: tuple[int, int], seconds: float) -> None:
+def moving(size: tuple[int, int], seconds: float) -> Iterator[Row]:
     """What an arm costs that never stands still."""
     with tempfile.TemporaryDirectory() as name:
         path = Path(name) / "swings.bas"
@@ -208,17 +208,17 @@ def measure_moving(size: tuple[int, int], seconds: float) -> None:
                 if style:
                     swings.send(IN_SPACE)
                     time.sleep(1)
-                swings.measure(f"in space, {style}" if style else "the arm swings", seconds)
+                yield swings.measure(f"in space, {style}" if style else "the arm swings", seconds)
 
 
-def measure_latency(size: tuple[int, int]) -> None:
+def latency(size: tuple[int, int], keys: int) -> Iterator[Row]:
     """From the bytes of a key to its switch, and to the letter at the prompt."""
     to_matrix, to_screen = [], []
     # A cursor that blinks is not always to be seen behind its letter.
     with sitting(size, "--cursor", "steady", "--speed", "20") as program:
         program.wait_for(b"F10 LEAVES.")
         time.sleep(4)
-        for number in range(KEYS):
+        for number in range(keys):
             letter = chr(ord("A") + number % 26)
             with program.heard:
                 program.output = b""
@@ -228,28 +228,21 @@ def measure_latency(size: tuple[int, int]) -> None:
             to_matrix.append(pressed[-1] - sent)
             time.sleep(0.25)
     for what, waits in (("the matrix", to_matrix), ("the screen", to_screen)):
-        ordered = sorted(1000 * wait for wait in waits)
-        middle, late = ordered[len(ordered) // 2], ordered[int(len(ordered) * 0.95)]
-        print(f"  key to {what}: median {middle:.1f} ms, 95 % {late:.1f} ms")
+        late = quantiles(waits, n=20)[-1]
+        yield Row(f"key to {what}", {"ms, median": 1000 * median(waits), "ms, 95 %": 1000 * late})
 
 
-def main() -> None:
-    """Measure and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seconds", type=float, default=10.0)
-    parser.add_argument("--sizes", nargs="+", default=["80x24", "120x40", "200x60"])
-    chosen = parser.parse_args()
-    with tempfile.TemporaryDirectory() as compiled:
-        os.environ["PYTHONPYCACHEPREFIX"] = compiled
-        os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
-        for name in chosen.sizes:
-            width, height = map(int, name.split("x"))
-            print(f"{name}:")
-            measure_start((width, height))
-            measure_latency((width, height))
-            measure_costs((width, height), chosen.seconds)
-            measure_moving((width, height), chosen.seconds)
-
-
-if __name__ == "__main__":
-    main()
+def rows(seconds: float) -> Iterator[Row]:
+    """Each figure at each size."""
+    lasting = LASTING * seconds
+    with compiled_modules():
+        for size in SIZES:
+            name = "{}x{}".format(*size)
+            measured = (
+                latency(size, max(2, int(KEYS * seconds))),
+                costs(size, lasting),
+                moving(size, lasting),
+            )
+            for part in measured:
+                for row in part:
+                    yield Row(f"{name}: {row.name}", row.measures)

@@ -1,0 +1,129 @@
+"""How many BASIC statements a second the compiled language executes, beside its peers.
+
+Each listing of `benchmarks/basic/`, made longer, is RUN until enough time of the processor has
+gone. Beside it stand, in the same run, the same work translated by hand into a Python function that
+rounds every result to 24 bits in line and checks nothing, which is the most that CPython could
+give, and whichever other BASICs are installed: how many times as fast as they the machine is.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import time
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from statistics import geometric_mean
+
+from benchmarks.by_hand import BY_HAND
+from benchmarks.machine import count, loaded, run
+from benchmarks.peers import Peer, installed
+from benchmarks.rows import Row
+
+LISTINGS = Path(__file__).parent / "basic"
+STANDARD = [*(f"bm{i}" for i in range(1, 9)), "ahl", "sieve", "nestfor", "strings", "ik"]
+"""The thirteen whose geometric mean is reported."""
+AMOUNTS: dict[str, tuple[str, int, int]] = {
+    **{f"bm{i}": ("{}", 1000, 100) for i in range(1, 8)},
+    "bm8": ("{} THEN", 100, 50),
+    "ahl": ("TO {}:A=N", 100, 1),
+    "sieve": ("N={}", 1, 5),
+    "nestfor": ("N={}", 10, 6),
+    "strings": ("TO {}", 200, 20),
+    "ik": ("N={}", 100, 20),
+}
+"""Where a listing says how much it does, how much that is, how many times that is timed here."""
+LONGEST = 10_000
+"""Times its work at most, for a peer."""
+SPEED, BY_HAND_SHARE = "M statements/s", "of hand-written"
+
+
+def listing(name: str, times: float) -> list[str]:
+    """A listing that does so many times its work."""
+    text = (LISTINGS / f"{name}.bas").read_text(encoding="ascii")
+    pattern, amount, _ = AMOUNTS[name]
+    more = max(1, round(amount * times))
+    return text.replace(pattern.format(amount), pattern.format(more)).splitlines()
+
+
+def rate(lines: list[str], seconds: float) -> float:
+    """Statements a second of the machine."""
+    basic = loaded(lines)
+    statements = count(basic)
+    run(basic)
+    return _repeated(lambda: (run(basic), statements), seconds)
+
+
+def rate_by_hand(name: str, seconds: float) -> float:
+    """Statements a second of the translation into Python."""
+
+    def once() -> tuple[float, int]:
+        begin = time.process_time()
+        statements = BY_HAND[name]()
+        return time.process_time() - begin, statements
+
+    return _repeated(once, seconds)
+
+
+def _repeated(once: Callable[[], tuple[float, int]], seconds: float) -> float:
+    """The best rate of several goes, which take so many seconds together at least."""
+    spent, best = 0.0, 0.0
+    while spent < seconds:
+        taken, statements = once()
+        spent += taken
+        if taken:
+            best = max(best, statements / taken)
+    return best
+
+
+class Listing:
+    """A listing of any length, and how many statements it executes.
+
+    Args:
+        name: which.
+    """
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        once, twice = (count(loaded(listing(name, times))) for times in (1, 2))
+        self._outside, self._inside = 2 * once - twice, twice - once
+
+    def statements(self, times: int) -> int:
+        """Statements of so many times the work; each time executes as many as the other."""
+        return self._outside + self._inside * times
+
+
+def rate_of_peer(peer: Peer, listed: Listing, seconds: float) -> float | None:
+    """Statements a second of another BASIC, counted as the machine counts those of the listing.
+
+    The listing is made longer until its start does not count; None where the peer cannot run it.
+    """
+    times = 1
+    try:
+        start = min(peer.seconds(["10 END"]) for _ in range(3))
+        while True:
+            lasted = peer.seconds(listing(listed.name, times)) - start
+            if lasted >= min(seconds, 1.0) or times >= LONGEST:
+                return listed.statements(times) / max(lasted, 1e-3)
+            times *= 2 if lasted > seconds / 4 else 10
+    except subprocess.SubprocessError:
+        return None
+
+
+def rows(
+    seconds: float, names: Sequence[str] = STANDARD, peers: Sequence[Peer] | None = None
+) -> Iterator[Row]:
+    """Each listing, beside whichever peers are installed, and the geometric mean of each column."""
+    columns: dict[str, list[float]] = {}
+    peers = installed() if peers is None else peers
+    for name in names:
+        speed = rate(listing(name, AMOUNTS[name][2]), seconds)
+        measures = {SPEED: speed / 1e6, BY_HAND_SHARE: speed / rate_by_hand(name, seconds)}
+        listed = Listing(name) if peers else None
+        for peer in peers:
+            theirs = rate_of_peer(peer, listed, seconds) if listed else None
+            if theirs:
+                measures[f"x {peer.name}"] = speed / theirs
+        for column, value in measures.items():
+            columns.setdefault(column, []).append(value)
+        yield Row(name, measures)
+    yield Row("geometric mean", {name: geometric_mean(each) for name, each in columns.items()})
