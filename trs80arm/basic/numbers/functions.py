@@ -49,8 +49,9 @@ def sin(x: float) -> float:
             return step_by_step.sin(x)
         t = t + (1.0 + 2.0**-31 - 2.0**-48) + 1.5 * 2.0**28 - 1.5 * 2.0**28
     if t <= 0.25:
-        if t < 2.0**-20:
-            return step_by_step.sin(x)
+        if t < 2.0**-26:
+            # What is so much smaller than a quarter is lost to the ROM.
+            return 0.0
         t = 0.25 - (0.25 + 2.0**-33 - 2.0**-50 - t + 1.5 * 2.0**26 - 1.5 * 2.0**26)
     elif t <= 0.75:
         t = 0.5 - t

@@ -62,19 +62,16 @@ def add(a: float, b: float) -> float:
              and 2.0**-125 < s < 2.0**125 else add(A, B)
     """
     s = a + b
-    c = s * (2.0**29 + 1.0)
-    if c - (c - s) == s:
-        if 2.0**-125 < s < 2.0**125 or -(2.0**125) < s < -(2.0**-125):
-            return s
-        return _add(a, b) if s else 0.0
     x = s * (1.0 + 2.0**-52)
     c = x * (2.0**29 + 1.0)
     r = c - (c - x)
     if 2.0**-125 < r < 2.0**125 or -(2.0**125) < r < -(2.0**-125):
+        if r == s:
+            return r
         ratio = a / b
         if ratio > 0.0 or -256.0 <= ratio <= -(2.0**-8) or _is_safe(s, r, ratio):
             return r
-    return _add(a, b)
+    return _add(a, b) if s else 0.0
 
 
 def sub(a: float, b: float) -> float:
@@ -83,19 +80,16 @@ def sub(a: float, b: float) -> float:
     The expression given with `add` serves here with `A - B`.
     """
     s = a - b
-    c = s * (2.0**29 + 1.0)
-    if c - (c - s) == s:
-        if 2.0**-125 < s < 2.0**125 or -(2.0**125) < s < -(2.0**-125):
-            return s
-        return _add(a, -b) if s else 0.0
     x = s * (1.0 + 2.0**-52)
     c = x * (2.0**29 + 1.0)
     r = c - (c - x)
     if 2.0**-125 < r < 2.0**125 or -(2.0**125) < r < -(2.0**-125):
+        if r == s:
+            return r
         ratio = a / b
         if ratio < 0.0 or 2.0**-8 <= ratio <= 256.0 or _is_safe(s, r, -ratio):
             return r
-    return _add(a, -b)
+    return _add(a, -b) if s else 0.0
 
 
 def _is_safe(s: float, r: float, ratio: float) -> bool:

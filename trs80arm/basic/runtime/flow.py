@@ -31,21 +31,13 @@ class Flow(Part):
 
     # -- the stack of loops and subroutines ---------------------------------------------------
 
-    def _check_room(self, size: int) -> None:
-        """OM when the stack comes too near to the variables.
-
-        With few frames and much memory there is nothing to look at.
-        """
-        if len(self._control.frames) >= room.FEW or not self._state.room.plenty:
-            self._state.need_room(size)
-
     def room(self, size: int) -> None:
         """OM unless an expression finds its room on the stack."""
         self._state.need_room(size)
 
     def open_subroutine(self, back: int, line: int) -> None:
         """GOSUB."""
-        self._check_room(room.GOSUB)
+        self._state.need_room(room.GOSUB)
         self._control.frames.append(GosubFrame(back, line))
 
     def close_subroutine(self) -> int:
@@ -62,9 +54,12 @@ class Flow(Part):
     def drop_loop(self, scalar: Scalar) -> None:
         """An open loop of the same variable goes, with all inside it."""
         frames = self._control.frames
-        place = self._find_loop(scalar)
-        if place is not None:
-            del frames[place:]
+        place = len(frames) - 1
+        while (looping := frames[place].scalar) is not None:
+            if looping is scalar:
+                del frames[place:]
+                return
+            place -= 1
 
     def _find_loop(self, scalar: Scalar | None) -> int | None:
         """The innermost loop, or that of a variable; a subroutine hides what is outside it."""
@@ -79,10 +74,15 @@ class Flow(Part):
     def open_loop(
         self, scalar: Scalar, limit: float, step: float, body: int, line: int
     ) -> ForFrame:
-        """FOR; the frame that it opens."""
-        self._check_room(room.FOR)
+        """FOR; the frame that it opens. OM when the stack comes too near to the variables.
+
+        With few frames and much memory there is nothing to look at.
+        """
+        frames = self._control.frames
+        if len(frames) >= room.FEW or not self._state.room.plenty:
+            self._state.need_room(room.FOR)
         frame = ForFrame(scalar, limit, step, body, line)
-        self._control.frames.append(frame)
+        frames.append(frame)
         return frame
 
     @staticmethod
