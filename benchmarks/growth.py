@@ -15,8 +15,8 @@ from trs80arm.basic import cruncher
 
 LINES = (10, 100, 500, 2000)
 VARIABLES = (2, 50, 200, 800)
-ROUNDS_A_SECOND = 40_000
-RUNS = 3
+ROUNDS_A_SECOND = 200_000
+RUNS = 5
 PER_ROUND = 3
 """Statements of a round of the loop."""
 NAMES = [first + second for first in "BCDEGHJKLM" for second in " ABCDEGHJKLMNPQRSUVWXYZ0123456789"]
@@ -51,12 +51,11 @@ def cost(make: Callable[[int, int], list[str]], size: int, rounds: int) -> float
 
     What stands before the loop is in two programs, of which one goes round twice as often.
     """
-    times = []
-    for each in (rounds, 2 * rounds):
-        basic = loaded(make(size, each))
-        run(basic)
-        times.append(min(run(basic) for _ in range(RUNS)))
-    return (times[1] - times[0]) / rounds / PER_ROUND
+    short, long = (loaded(make(size, each)) for each in (rounds, 2 * rounds))
+    run(short)
+    run(long)
+    took = [(run(short), run(long)) for _ in range(RUNS)]
+    return (min(pair[1] for pair in took) - min(pair[0] for pair in took)) / rounds / PER_ROUND
 
 
 def until_running(lines: list[str]) -> float:
@@ -90,14 +89,11 @@ def rows(seconds: float) -> Iterator[Row]:
             first = first or taken
             yield Row(f"{size} {names}", {"ns a statement": 1e9 * taken, "x first": taken / first})
     first = None
-    for longer in (1, 10, 100):
-        basic = loaded(with_lines(10, rounds * longer // 10))
-        run(basic)
-        statements = rounds * longer // 10 * PER_ROUND
-        taken = run(basic) / statements
+    for longer in (rounds // 10, rounds, rounds * 10):
+        taken = cost(with_lines, 10, longer)
         first = first or taken
         measures = {"ns a statement": 1e9 * taken, "x first": taken / first}
-        yield Row(f"a run of {statements} statements", measures)
+        yield Row(f"after {longer * PER_ROUND} statements", measures)
     for size in LINES:
         lines = [f"{number} A={number}" for number in range(1, size + 1)]
         taken, again = until_running(lines), after_an_edit(lines)

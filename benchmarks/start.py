@@ -52,5 +52,5 @@ def rows(seconds: float) -> Iterator[Row]:
             if taken > best[NUMPY]:
                 measures["ms beyond numpy"] = 1000 * (taken - best[NUMPY])
             yield Row(name, measures)
-        frames = [first_frame((120, 40)) for _ in range(max(2, min(5, int(5 * seconds))))]
+        frames = [first_frame((120, 40)) for _ in range(max(2, min(8, int(20 * seconds))))]
         yield Row("first frame of the terminal, wall", {"ms": 1000 * min(frames)})
