@@ -1,26 +1,52 @@
 """Waiting, in a test of a Textual program, until nothing is under way any more.
 
 Textual's own pilot waits for a processor without work, in pieces of 20 ms: on a quiet computer far
-too long, on a busy one not long enough. Here messages, layouts and drawings are waited for as such:
-until only clocks, other threads or keys could bring the program on. The one place that asks the
-loop of asyncio and a screen's timer about it.
+too long, on a busy one not long enough. Here messages, layouts, drawings and what threads were
+given to do are waited for as such: until only clocks or keys could bring the program on, however
+long that takes. The one place that asks the loop of asyncio and a screen's timer about it.
 """
 
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable
+from concurrent.futures import Executor
 from contextlib import suppress
 from time import monotonic
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from textual._context import active_app
-from textual.app import App, ScreenStackError
+from textual.app import ScreenStackError
 from textual.screen import Screen
 
+PATIENCE = 120.0
+"""Seconds after which a program is taken to never rest, which is an error; no computer is so busy
+that it matters otherwise."""
 _ROUNDS = 3
 """Rounds of the loop with nothing to do after which it is taken to have nothing to do."""
 _THREAD = 0.001
 """Seconds until a thread is looked at again."""
+_in_threads: WeakKeyDictionary[asyncio.AbstractEventLoop, set[asyncio.Future[Any]]] = (
+    WeakKeyDictionary()
+)
+
+
+def know_threads() -> None:
+    """Have what the running loop gives to threads from now on be waited for as well."""
+    loop: Any = asyncio.get_running_loop()
+    pending = _in_threads.setdefault(loop, set())
+    give = loop.run_in_executor
+
+    def run_in_executor(
+        executor: Executor | None, task: Callable[..., Any], *args: Any
+    ) -> asyncio.Future[Any]:
+        future: asyncio.Future[Any] = give(executor, task, *args)
+        pending.add(future)
+        future.add_done_callback(pending.discard)
+        return future
+
+    loop.run_in_executor = run_in_executor
 
 
 async def all_done(min_sleep: float = 0.0, max_sleep: float = 1.0) -> None:
@@ -28,27 +54,32 @@ async def all_done(min_sleep: float = 0.0, max_sleep: float = 1.0) -> None:
 
     Args:
         min_sleep: of no use here.
-        max_sleep: seconds after which a program that never rests is waited for no longer.
+        max_sleep: of no use here; `PATIENCE` takes its place.
+
+    Raises:
+        AssertionError: the program never rests.
     """
-    app: App[Any] = active_app.get()
-    end = monotonic() + max_sleep
-    while monotonic() < end:
+    pending = _in_threads.get(asyncio.get_running_loop(), set())
+    end = monotonic() + PATIENCE
+    while True:
         await _all_handled(end)
         with suppress(ScreenStackError):
-            screen = app.screen
+            screen: Screen[Any] = active_app.get().screen
             if _has_to_draw(screen):
                 screen._on_timer_update()
                 continue
-        if not any(worker._thread_worker and worker.is_running for worker in app.workers):
+        if not pending:
             return
+        assert monotonic() < end, "what was given to threads never ends"
         await asyncio.sleep(_THREAD)
 
 
 async def _all_handled(end: float) -> None:
-    """Let the loop go round until it has nothing to do but wait, or a moment has come."""
+    """Let the loop go round until it has nothing to do but wait."""
     loop: Any = asyncio.get_running_loop()
     idle = 0
-    while idle < _ROUNDS and monotonic() < end:
+    while idle < _ROUNDS:
+        assert monotonic() < end, "the program never rests"
         await asyncio.sleep(0)
         idle = 0 if loop._ready else idle + 1
 

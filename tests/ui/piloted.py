@@ -10,7 +10,7 @@ from unittest.mock import patch
 
 from textual.css.stylesheet import Stylesheet
 
-from tests.ui.all_done import all_done
+from tests.ui.all_done import all_done, know_threads
 from tests.ui.parsed_once import parse_once
 
 Arguments = ParamSpec("Arguments")
@@ -21,6 +21,10 @@ def piloted(
 ) -> Callable[Arguments, None]:
     """Run the coroutine of a test to its end; its pilot waits for all to be done, no longer."""
 
+    async def prepared(*args: Arguments.args, **kwargs: Arguments.kwargs) -> None:
+        know_threads()
+        await test(*args, **kwargs)
+
     @wraps(test)
     def run(*args: Arguments.args, **kwargs: Arguments.kwargs) -> None:
         with (
@@ -28,6 +32,6 @@ def piloted(
             patch("textual.app.wait_for_idle", all_done),
             patch.object(Stylesheet, "_parse_rules", parse_once),
         ):
-            asyncio.run(test(*args, **kwargs))
+            asyncio.run(prepared(*args, **kwargs))
 
     return run

@@ -39,7 +39,7 @@ class Desk(Themed[None]):
 async def test_the_dialog_shows_arm_and_joints(width: int) -> None:
     desk = Desk()
     async with desk.run_test(size=(width, 30)) as pilot:
-        await pilot.pause(0.1)
+        await pilot.pause()
         check_golden(f"hand-move-{width}x30", screen_text(desk))
 
 
@@ -111,5 +111,5 @@ async def test_motors_that_are_on_are_said_at_once() -> None:
     desk = Desk()
     desk.seen = samples.readings(motors_on=True)
     async with desk.run_test(size=(80, 24)) as pilot:
-        await pilot.pause(0.1)
+        await pilot.pause()
         assert "@RESET turns them off" in screen_text(desk)

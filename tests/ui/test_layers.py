@@ -59,7 +59,7 @@ async def until_all_is_written(sitting: Sitting, written: list[set[int]]) -> Non
         begun = begun or bool(written)
         written.clear()
         await sitting.settle()
-        await sitting.pilot.pause(0.1)
+        await sitting.pilot.pause()
 
 
 def test_textual_still_has_the_hooks_that_layers_override_and_use() -> None:
@@ -100,7 +100,7 @@ async def test_only_the_lines_that_changed_are_written_behind_a_dialog(sit_down:
         await until_all_is_written(sitting, written)
         await sitting.type_line("?2")
         while not written:
-            await sitting.pilot.pause(0.01)
+            await sitting.pilot.pause()
         lines = set().union(*written)
         assert lines
         assert len(lines) <= 10
@@ -281,7 +281,7 @@ async def test_only_panels_and_lines_that_changed_are_asked_for(
         monkeypatch.setattr(Widget, "render_lines", render_lines)
         desk.tube.refresh(Region(0, 0, 64, 1))
         desk.status.refresh()
-        await sitting.pilot.pause(0.1)
+        await sitting.pilot.pause()
         panels = {widget: lines for widget, lines in asked.items() if widget is not desk}
         assert panels == {desk.tube: 1, desk.status: 1}
 
@@ -312,9 +312,9 @@ async def test_where_nothing_changes_nothing_is_written(sit_down: Opener) -> Non
     async with sit_down(120, 40) as sitting:
         await sitting.type_line("CLS")
         await sitting.settle()
-        await sitting.pilot.pause(0.1)
+        await sitting.pilot.pause()
         written = watch_lines(sitting)
         for _ in range(5):
             sitting.app.draw()
-            await sitting.pilot.pause(0.05)
+            await sitting.pilot.pause()
         assert written == []

@@ -235,18 +235,19 @@ async def test_there_are_so_many_machines_and_no_more(monkeypatch: pytest.Monkey
             with pytest.raises(WSServerHandshakeError) as refused:
                 await client.ws_connect("/ws", params=token(server), headers=here)
             assert refused.value.status == 503
-        await asyncio.sleep(0.5)
+        while server.machines:
+            await asyncio.sleep(0.01)
         async with client.ws_connect("/ws", params=token(server), headers=here) as machine:
             await machine.receive_bytes()
 
 
 @piloted
 async def test_a_machine_that_nobody_touches_ends(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(visitors, "IDLE_SECONDS", 0.3)
     async with served() as (server, client):
         here = {"Origin": f"http://127.0.0.1:{client.port}"}
         async with client.ws_connect("/ws", params=token(server), headers=here) as machine:
             await machine.receive_bytes()
+            monkeypatch.setattr(visitors, "IDLE_SECONDS", 0.0)
             await machine.send_json(["ping", "1"])
             kinds = [(await machine.receive()).type for _ in range(2)]
     assert kinds == [aiohttp.WSMsgType.TEXT, aiohttp.WSMsgType.CLOSE]

@@ -32,6 +32,8 @@ VISITORS = 8
 """Machines at a time."""
 IDLE_SECONDS = 3600.0
 """Seconds without a key or a click after which a visitor's machine ends."""
+_AT_ONCE = 0.001
+"""Seconds; aiohttp takes 0 to mean as long as it takes."""
 LARGEST_MESSAGE = 256 * 1024
 """Bytes of what a page may send at once, as a listing that is pasted."""
 COLUMNS, ROWS = (20, 500), (5, 200)
@@ -75,7 +77,7 @@ class Visitors(Server):
         self._words = list(words)
         self._folders = None if allow_files else VisitorFolders()
         self._token = secrets.token_urlsafe(24)
-        self._count = 0
+        self.machines = 0
         self.address = f"{self.public_url}/?token={self._token}"
 
     def forget_visitors(self) -> None:
@@ -149,7 +151,7 @@ class Visitors(Server):
 
     async def handle_websocket(self, request: web.Request) -> web.WebSocketResponse:
         """One visitor's machine, from the page's opening to its end."""
-        if self._count >= VISITORS:
+        if self.machines >= VISITORS:
             raise web.HTTPServiceUnavailable(text="All machines are taken.")
         words = self._words
         change: Callable[[dict[str, str]], dict[str, str]] = dict
@@ -162,7 +164,7 @@ class Visitors(Server):
             words = [*words, *words_for(folder)]
             change = partial(environment_for, folder)
         socket_ = web.WebSocketResponse(heartbeat=15, max_msg_size=LARGEST_MESSAGE)
-        self._count += 1
+        self.machines += 1
         try:
             await socket_.prepare(request)
             service = _Machine(
@@ -182,7 +184,7 @@ class Visitors(Server):
             finally:
                 await asyncio.shield(service.stop())
         finally:
-            self._count -= 1
+            self.machines -= 1
         return socket_
 
     async def _process_messages(
@@ -193,7 +195,7 @@ class Visitors(Server):
         while not websocket.closed:
             left = touched + IDLE_SECONDS - asyncio.get_running_loop().time()
             try:
-                message = await websocket.receive(timeout=max(left, 0.0))
+                message = await websocket.receive(timeout=max(left, _AT_ONCE))
             except TimeoutError:
                 await websocket.close(message=b"Nobody was there.")
                 return
