@@ -180,3 +180,43 @@ async def test_ones_own_programs_stand_before_those_that_come_along(
         named = screen_text(sitting.app)
         assert "other.bas" in named
         assert "Coming along" not in named
+
+
+@piloted
+async def test_a_click_marks_a_program_and_shows_it_and_a_second_one_opens_it(
+    sit_down: Opener,
+) -> None:
+    async with sit_down(100, 30) as sitting:
+        await sitting.press("f2")
+        await sitting.settle()
+        dialog = sitting.app.screen
+        options = dialog.query_one(OptionList)
+        before = dialog.query_one("#preview", Static).content
+        # The shelf's name stands first, and the first program is marked.
+        for row in (0, 2):
+            await sitting.pilot.click(options, offset=(5, row))
+            await sitting.settle()
+            assert sitting.app.screen is dialog
+        assert options.highlighted == 2
+        assert dialog.query_one("#preview", Static).content != before
+        await sitting.pilot.click(options, offset=(5, 2))
+        await sitting.settle()
+        assert sitting.app.screen is not dialog
+        assert list(sitting.app.session.rig.basic.program.lines())
+
+
+@piloted
+async def test_a_first_click_in_any_list_of_a_dialog_chooses_nothing(sit_down: Opener) -> None:
+    async with sit_down(100, 30) as sitting:
+        await sitting.press("f8")
+        await sitting.settle()
+        dialog = sitting.app.screen
+        options = dialog.query_one(OptionList)
+        other = 0 if options.highlighted else 1
+        await sitting.pilot.click(options, offset=(5, other))
+        await sitting.settle()
+        assert sitting.app.screen is dialog
+        assert options.highlighted == other
+        await sitting.pilot.click(options, offset=(5, other))
+        await sitting.settle()
+        assert sitting.app.screen is not dialog

@@ -17,6 +17,7 @@ from textual.widgets.option_list import Option
 from trs80arm.desk.asking import FileQuestion, ListQuestion, Question
 from trs80arm.desk.reach import Reach, file_problem, proposed, replaces
 from trs80arm.shown import shown
+from trs80arm.ui.screens.marking_list import MarkingList
 from trs80arm.ui.terminal.layers import SeenThrough
 
 Answer = TypeVar("Answer")
@@ -102,7 +103,7 @@ class Choose(Dialog[str]):
         with Vertical(classes="dialog") as box:
             box.border_title = self.question.title
             box.border_subtitle = "Enter chooses, Escape goes back"
-            yield OptionList(
+            yield MarkingList(
                 *(
                     Option(
                         f"{'*' if choice.value == self.question.now else ' '} "

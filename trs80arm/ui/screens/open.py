@@ -22,6 +22,7 @@ from trs80arm.paths import is_file, read_beginning
 from trs80arm.reasons import reason
 from trs80arm.shown import shown
 from trs80arm.ui.screens.dialog import Dialog
+from trs80arm.ui.screens.marking_list import MarkingList
 
 PREVIEW_LINES = 40
 MOST_BYTES = 1 << 20
@@ -67,7 +68,7 @@ class OpenScreen(Dialog[Path]):
             yield Input(placeholder="name, path or folder/", id="name")
             yield Static("", classes="wrong", markup=False)
             with Horizontal():
-                yield OptionList(markup=False)
+                yield MarkingList(markup=False)
                 yield Static("", id="preview", markup=False)
 
     def on_mount(self) -> None:

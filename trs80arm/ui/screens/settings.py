@@ -17,6 +17,7 @@ from trs80arm.desk.settings_book import Entry, SettingsBook
 from trs80arm.settings_catalogue import Setting
 from trs80arm.shown import shown
 from trs80arm.ui.screens.dialog import Choose, Dialog
+from trs80arm.ui.screens.marking_list import MarkingList
 
 _NAME, _VALUE = 24, 18
 """Cells of a setting's name and of its value in the list."""
@@ -56,7 +57,7 @@ class SettingsScreen(Dialog[None]):
             box.border_title = "Settings"
             box.border_subtitle = "Enter changes, Ctrl+X default, Ctrl+S saves, Escape goes back"
             yield Input(placeholder="type to search")
-            yield OptionList(markup=False)
+            yield MarkingList(markup=False)
             yield Static("", id="meaning", markup=False)
             yield Static("", classes="wrong", markup=False)
 

@@ -14,6 +14,7 @@ from trs80arm.desk.session import Session
 from trs80arm.desk.states import QUICK, StateError, States
 from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.dialog import Dialog
+from trs80arm.ui.screens.marking_list import MarkingList
 
 
 class StatesScreen(Dialog[str]):
@@ -45,7 +46,7 @@ class StatesScreen(Dialog[str]):
         with Vertical(classes="dialog") as box:
             box.border_title = "Saved states"
             yield Static("The whole machine, the newest first.", classes="hint", markup=False)
-            yield OptionList(markup=False)
+            yield MarkingList(markup=False)
             yield Static("", classes="wrong", markup=False)
         yield Footer(show_command_palette=False, compact=True)
 
