@@ -99,6 +99,13 @@ def test_slices_make_no_difference(name: str, slices: list[int]) -> None:
     assert finish(Machine(), PROGRAMS[name], slices) == whole
 
 
+def test_a_return_without_gosub_costs_the_same_in_a_block() -> None:
+    lines = ["5 REM", "10 RETURN"]
+    blocks = finish(Machine(blocks=True), lines, [2_000_000_000])
+    assert blocks == finish(Machine(blocks=False), lines, [2_000_000_000])
+    assert b"?RG Error in 10" in blocks[0]
+
+
 def test_a_statement_is_written_at_most_twice(monkeypatch: pytest.MonkeyPatch) -> None:
     """Once at the end of a block or with something missing, and once more by itself or with it."""
     written: Counter[int] = Counter()

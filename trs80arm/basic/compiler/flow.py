@@ -150,7 +150,7 @@ class FlowCompiler:
         out.emit("frames.pop()")
         out.go_to_found("f.back")
         out.indent -= 1
-        out.go_to_found(f"{word.calls}()")
+        out.go_to_found(out.keep(f"{word.calls}()"))
 
     def run(self, word: Word) -> bool:
         """RUN [n]: forget the variables and start."""
