@@ -136,7 +136,6 @@ class DeskScreen(Layer):
         yield self._too_small
         for row in self._rows:
             panel = self.panels[row.id]
-            panel.border_title = row.title
             panel.add_class("placed")
             yield panel
         yield self._guide
@@ -173,8 +172,11 @@ class DeskScreen(Layer):
         places = layout.plan(self._groups, width, height, self.bottom, self.zoomed, self.leading)
         frames = layout.frames(width, height) if self.zoomed is None else layout.Frames.TITLED
         leading = self.tube if self.leading is Lead.TUBE else self._large_one or self.side
-        for name, panel in self.panels.items():
-            region = places.get(name)
+        # Without a corner beside it Textual puts a title on the line itself.
+        blank = " " if frames is layout.Frames.TITLED else ""
+        for row in self._rows:
+            panel, region = self.panels[row.id], places.get(row.id)
+            panel.border_title = f"{blank}{row.title}{blank}" if row.title else ""
             panel.display = region is not None
             if region is not None:
                 panel.styles.offset = (region.x, region.y)
