@@ -106,6 +106,13 @@ def test_a_return_without_gosub_costs_the_same_in_a_block() -> None:
     assert b"?RG Error in 10" in blocks[0]
 
 
+def test_subroutines_without_end_find_memory_full_at_the_same_time() -> None:
+    lines = ["10 B=B+1:GOSUB 20", "20 C=C+(B+1):GOSUB 10"]
+    blocks = finish(Machine(blocks=True), lines, [2_000_000_000])
+    assert blocks == finish(Machine(blocks=False), lines, [2_000_000_000])
+    assert b"?OM Error" in blocks[0]
+
+
 def test_a_statement_is_written_at_most_twice(monkeypatch: pytest.MonkeyPatch) -> None:
     """Once at the end of a block or with something missing, and once more by itself or with it."""
     written: Counter[int] = Counter()

@@ -118,6 +118,10 @@ class FlowCompiler:
         out.emit("else:")
         out.emit(f"  open_subroutine({back}, {self._line})")
         if out.straight:
+            # Short of memory, statements are compiled with looks at it: not in this block.
+            out.indent += 1
+            out.leave_for(address)
+            out.indent -= 1
             out.calls.append(Call(frame, back))
         out.go(address)
 
