@@ -17,12 +17,13 @@ from tests.fuzz import noise
 from tests.fuzz.checks import hold, rig_is_whole
 from tests.fuzz.machines import SECONDS
 from tests.fuzz.target import Case, Target
-from trs80arm import cli, paths, settings
+from trs80arm import paths, settings
 from trs80arm.basic import cruncher
 from trs80arm.basic.dialogue.input_statement import Items
 from trs80arm.basic.errors import BasicError
 from trs80arm.basic.kinds import Kind
 from trs80arm.basic.numbers import convert, decimal, double, literal, using
+from trs80arm.cli.commands import cli
 from trs80arm.desk.session import Session
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.plain import PlainMode
@@ -86,7 +87,7 @@ def _play_command(case: Case) -> None:
         os.chdir(folder)
         try:
             Path("a.bas").write_text('10 INPUT A$:PRINT A$:@SET:PRINT "!"\n')
-            done = CliRunner().invoke(cli.cli, case, prog_name="trs80arm")
+            done = CliRunner().invoke(cli, case, prog_name="trs80arm")
         finally:
             os.chdir(here)
     if done.exception is not None and not isinstance(done.exception, SystemExit):
