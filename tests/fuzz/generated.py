@@ -42,7 +42,7 @@ READ: Final = {
     "plenty": r"memory_room",
     "append": r"frames",
     "pop": r"frames",
-    **dict.fromkeys(("scalar", "body", "limit", "step", "up", "back"), r"f|frames\[-1\]"),
+    **dict.fromkeys(("scalar", "body", "limit", "step", "top", "up", "back"), r"f|frames\[-1\]"),
     "mantissa": r".*",
 }
 """Attributes, and what they may be of."""
