@@ -66,8 +66,8 @@ def work(generator: PulseGenerator, seed: int, most: int = 5) -> None:
             generator.arm.follow(Columns([generator.time] * 7, range(7), [0] * 7), None)
 
 
-def run(writes: Writes, cuts: list[int]) -> MiniMover:
-    arm = MiniMover(bench=benchfile.parse(BENCH))
+def run(writes: Writes, cuts: list[int], bench: str = BENCH) -> MiniMover:
+    arm = MiniMover(bench=benchfile.parse(bench))
     begin = 0
     for cut in [*cuts, len(writes)]:
         piece = writes[begin : begin + cut]
@@ -86,7 +86,8 @@ def signature(arm: MiniMover) -> object:
         for part in arm.bench.parts.values()
     ]
     motors = [
-        (m.coils, m.row, m.field, m.rotor, m.ring, m.anchor, m.pulses, m.way) for m in arm.motors
+        (m.coils, m.row, m.field, m.rotor, m.ring, m.anchor, m.pulses, m.way, m.moved, m.done)
+        for m in arm.motors
     ]
     pressing = scene.joints, scene.torques, scene.time
     return arm.state(), motors, arm.peaks, arm.events, parts, pressing, arm.grip, arm.inputs(0)
@@ -115,6 +116,26 @@ def test_trains_of_pulses_and_their_single_writes_give_the_same_state(seed: int)
     generator = PulseGenerator(MiniMover(bench=benchfile.parse(BENCH)))
     work(generator, seed, most=2)
     assert signature(generator.arm) == signature(run(motions(seed, most=2), []))
+
+
+@pytest.mark.parametrize(("weight", "manages"), [(1.5, True), (3, False)])
+def test_a_motor_that_falls_behind_is_done_at_the_same_time_however_cut(
+    weight: float, manages: bool
+) -> None:
+    bench = BENCH.replace("weight = 6", f"weight = {weight}")
+    moves = ((0, 0, 0, 0, 0, 370), (0, -75, 254), (0, 0, 0, 0, 0, -190), (0, -132, 36))
+    generator = PulseGenerator(MiniMover(bench=benchfile.parse(bench)))
+    recorder = Recorder()
+    recording = PulseGenerator(recorder)  # type: ignore[arg-type]
+    for counts in moves:
+        generator.step(counts, delay_period(50))
+        recording.step(counts, delay_period(50))
+    lifting = generator.arm.motors[1]
+    assert (lifting.rotor == lifting.field) == manages
+    assert (lifting.done - lifting.moved > 2 * delay_period(50)) == manages
+    writes = recorder.writes
+    for cuts in ([], [1] * len(writes), [700], [50] * 20):
+        assert signature(run(writes, cuts, bench)) == signature(generator.arm)
 
 
 @settings(max_examples=20, deadline=None)

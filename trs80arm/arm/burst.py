@@ -15,8 +15,9 @@ import numpy as np
 import numpy.typing as npt
 
 from trs80arm.arm.contact.clock import TICK_STATES
+from trs80arm.arm.keeping_pace import against, done_with
 from trs80arm.arm.motors import RING, ROWS
-from trs80arm.arm.peaks import against, greatest
+from trs80arm.arm.peaks import greatest
 from trs80arm.pulses import Columns
 
 if TYPE_CHECKING:
@@ -142,7 +143,7 @@ class _Stretch:
         return self.free_until
 
     def _keep_pace(self) -> None:
-        """Motors that drop out of step; the arithmetic is that of `StepperMotor.keep_pace`."""
+        """Motors that drop out of step."""
         arm = self.arm
         lag = arm.settings.pull_out_lag
         margin = arm.settings.speed_margin
@@ -153,11 +154,8 @@ class _Stretch:
             turns = self.turns[mine]
             torque = self.against[latch] = against(arm, latch, turns, self.before[mine].T)
             periods = arm.strength.curves[drive.turns].periods(torque, margin)
-            work = np.abs(turns) * periods
             times = self.times[mine]
-            total = np.cumsum(work)
-            start = np.maximum.accumulate(times - (total - work))
-            done = total + np.maximum(start, motor.done)
+            done = done_with(times, np.abs(turns) * periods, motor.done)
             late = done - times > lag * periods
             if late.any():
                 self.free_until = min(self.free_until, int(mine[int(np.argmax(late))]))

@@ -16,6 +16,7 @@ from trs80arm.arm.bearing import period_at
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.forces import BY_THEMSELVES, nearest_and_farthest
+from trs80arm.arm.keeping_pace import behind
 from trs80arm.arm.loads import per_cent
 from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER
 from trs80arm.arm.motors import RING
@@ -49,19 +50,21 @@ class Passage:
     Attributes:
         pitched: the least and the greatest sum of half-steps by which the hand is pitched.
         torques: by latch, the most that motors turn against, at most; None where it is not sure
-            that they keep up, that no joint comes to its end, and that the hand neither opens
+            that they stay in step, that no joint comes to its end, and that the hand neither opens
             nor closes as far as it can.
         shares: by latch, what `Uses.within` is at most.
         uses: by latch, of those that were asked for.
-        periods: T-states that each turning motor needs for its last half-step; None as long as
-            nobody has asked.
+        hurried: latches of motors that may fall behind, or are when it begins.
+        late: T-states after its last half-step at which each turning motor is done with it; None as
+            long as nobody has asked.
     """
 
     pitched: tuple[int, int]
     torques: Mapping[int, float] | None
     shares: Mapping[int, int]
+    hurried: Sequence[int] = ()
     uses: dict[int, Uses] = field(default_factory=dict)
-    periods: list[int] | None = None
+    late: list[int] | None = None
 
 
 def known_passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) -> Passage:
@@ -76,11 +79,16 @@ def known_passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) ->
     if repeats is None:
         return _passage(arm, ahead, stop)
     halt = None if stop is None else (*stop,)
-    asked = question(repeats, arm.rotors, halt, *arm.world.bearing)
+    asked = question(repeats, arm.rotors, halt, _still_at_it(arm, ahead), *arm.world.bearing)
     known = arm.known_passages.get(asked)
     if known is None:
         known = arm.known_passages.keep(asked, _passage(arm, ahead, stop))
     return known
+
+
+def _still_at_it(arm: MiniMover, ahead: Ahead) -> list[int]:
+    """T-states for which each turning motor is busy with what came before when a burst begins."""
+    return [max(0, arm.motors[each.latch].done - each.first) for each in ahead.turnings]
 
 
 def _passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) -> Passage:
@@ -92,11 +100,12 @@ def _passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) -> Pass
     paid = ahead.together(arm.model.pays_out)
     pitched = ahead.together(arm.model.gears(1))
     spans = _spans(arm, low, high)
-    torques: dict[int, float] | None = None
-    if _hand_stays(arm, paid, stop) and _within_stops(arm, spans, pitched):
-        torques = _torques(arm, ahead, spans, paid[0])
-    if torques is None:
+    if not (_hand_stays(arm, paid, stop) and _within_stops(arm, spans, pitched)):
         return Passage(pitched, None, {})
+    torques, hurried = _torques(arm, ahead, spans, paid[0])
+    for order, turning in enumerate(ahead.turnings):
+        if turning.latch in hurried and behind(arm, ahead, order) is None:
+            return Passage(pitched, None, {})
     shares = {}
     margin, burdens = arm.settings.speed_margin, arm.world.burdens()
     ends = starmap(nearest_and_farthest, (*spans[1:3], _pitches(arm, pitched)))
@@ -111,17 +120,28 @@ def _passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) -> Pass
         if turning.steps > RING:
             rate = PER_RING / max(1, ahead.closest(order)) / margin
             shares[latch] = per_cent(arm.strength.curves[kind].used(torque, rate))
-    return Passage(pitched, torques, shares)
+    return Passage(pitched, torques, shares, hurried)
 
 
-def last_periods(arm: MiniMover, ahead: Ahead) -> list[int]:
-    """T-states that each turning motor needs for its last half-step, wherever all stand then."""
+def late(arm: MiniMover, ahead: Ahead, passage: Passage) -> list[int]:
+    """T-states after its last half-step at which each turning motor is done with it.
+
+    Args:
+        arm: the arm.
+        ahead: the burst, or the beginning of it.
+        passage: of the burst.
+    """
     turnings = ahead.turnings
     here, there, loaded = arm.rotors, list(arm.rotors), bool(arm.world.burdens())
     for turning in turnings:
         there[turning.latch] += turning.net
-    periods = []
+    found = []
     for order, turning in enumerate(turnings):
+        if turning.latch in passage.hurried:
+            after = behind(arm, ahead, order)
+            assert after is not None
+            found.append(after)
+            continue
         # Where every rotor stood just before that step; but a base that carries nothing and a hand
         # that opens bear nothing anywhere.
         stood, kind = list(there), arm.motor_kinds[turning.latch]
@@ -130,8 +150,8 @@ def last_periods(arm: MiniMover, ahead: Ahead) -> list[int]:
         elif turning.turn < 0 if kind is HAND else loaded or kind is not BASE:
             for each, turned in zip(turnings, ahead.turned_at_last(order), strict=True):
                 stood[each.latch] = here[each.latch] + turned
-        periods.append(period_at(arm, turning.latch, turning.turn, stood))
-    return periods
+        found.append(period_at(arm, turning.latch, turning.turn, stood))
+    return found
 
 
 def _hand_stays(arm: MiniMover, paid: tuple[int, int], stop: tuple[int, int] | None) -> bool:
@@ -178,13 +198,12 @@ def _within_stops(arm: MiniMover, spans: Sequence[Span], pitched: tuple[int, int
 
 def _torques(
     arm: MiniMover, ahead: Ahead, spans: Sequence[Span], least: int
-) -> dict[int, float] | None:
-    """By latch, the torque that motors turn against at most, where all are sure to keep up.
+) -> tuple[dict[int, float], list[int]]:
+    """By latch, the torque that motors turn against at most; and those that may fall behind.
 
-    That is where every rotor is done with each half-step before the next is asked of it, if it is
-    with what came before.
+    All others are done with each half-step before the next is asked of them.
     """
-    found = {}
+    found, hurried = {}, []
     strength, margin = arm.strength, arm.settings.speed_margin
     burdens = arm.world.burdens()
     for turning in ahead.turnings:
@@ -201,7 +220,8 @@ def _torques(
                 against = max(0.0, against * (level if up else -steep))
         else:
             against = strength.most(turns, burdens)
-        if turning.gap < strength.curves[turns].period(against, margin):
-            return None
+        begun = turning.first < arm.motors[turning.latch].done
+        if begun or turning.gap < strength.curves[turns].period(against, margin):
+            hurried.append(turning.latch)
         found[turning.latch] = against
-    return found
+    return found, hurried

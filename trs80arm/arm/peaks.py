@@ -8,15 +8,14 @@ half-steps alone; the rest is the same whenever a burst begins.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from trs80arm.arm.ahead import Ahead
-from trs80arm.arm.forces import BY_THEMSELVES, cosines
+from trs80arm.arm.keeping_pace import half_steps
 from trs80arm.arm.loads import per_cent
-from trs80arm.arm.model import BASE, HAND
 from trs80arm.arm.motors import RING
 from trs80arm.arm.passage import PER_RING, Passage, Uses
 
@@ -69,15 +68,7 @@ def _known(arm: MiniMover, burst: Ahead, passage: Passage, latch: int) -> Uses:
 def _worked_out(arm: MiniMover, ahead: Ahead, order: int) -> Uses:
     """The same, found anew."""
     latch = ahead.turnings[order].latch
-    times, turns = ahead.half_steps(order)
-    rotors = np.empty((6, len(times)), dtype=np.int64)
-    if arm.motor_kinds[latch] in BY_THEMSELVES:
-        rotors[latch] = np.cumsum(turns) - turns + arm.rotors[latch]
-    else:
-        rotors[:] = np.array(arm.rotors)[:, None]
-        for other, by in zip(ahead.turnings, ahead.before_each(order), strict=True):
-            rotors[other.latch] += by
-    torques = against(arm, latch, turns, rotors)
+    times, torques = half_steps(arm, ahead, order)
     within = 0
     if len(times) > RING:
         curve = arm.strength.curves[arm.motor_kinds[latch]]
@@ -85,39 +76,6 @@ def _worked_out(arm: MiniMover, ahead: Ahead, order: int) -> Uses:
         shares = curve.uses(torques[RING:], PER_RING / spans / arm.settings.speed_margin)
         within = per_cent(float(shares.max()))
     return Uses(within, torques[:RING].tolist())
-
-
-def against(
-    arm: MiniMover,
-    latch: int,
-    turns: npt.NDArray[Any],
-    before: Array,
-) -> npt.NDArray[np.float64]:
-    """Torque that a motor turns against at many half-steps of free motion, at least 0.
-
-    The same as a single write finds, to the last bit.
-
-    Args:
-        arm: the arm, nothing but its own weight and load bearing on it.
-        latch: of the motor.
-        turns: half-steps by which its field is turned, signed.
-        before: positions of all rotors before each of them, 6 x half-steps; of no others than its
-            own for a motor that bears its load by itself.
-    """
-    drive = arm.model.drives[latch]
-    if drive.turns is HAND:
-        squeeze = np.maximum(0, arm.grip.contact - arm.drive.cable(before))
-        pressed: npt.NDArray[np.float64] = 16 * (squeeze / arm.model.hand.pound_steps)
-        return np.where(turns < 0, pressed, 0.0)
-    burdens = arm.world.burdens()
-    if drive.turns in BY_THEMSELVES:
-        lifted = arm.drive.lifted(drive.turns, before)
-        torque = arm.strength.level(drive.turns, burdens) * cosines(lifted)
-    else:
-        torque = arm.strength.weight(drive.turns, arm.drive.driven(before), burdens, cosines)
-    if drive.turns is not BASE:
-        torque = np.where(turns * drive.sign > 0, torque, -torque)
-    return np.where(turns == 0, 0.0, np.maximum(0.0, torque))
 
 
 def greatest(

@@ -2,9 +2,9 @@
 
 `MiniMover` asks here first. Nothing is computed for single writes but which way each motor turns
 and when; that nothing can happen follows from bounds: the longest time that a motor may need for
-a half-step, the stops, and that on none of the world's ticks anything has to be looked at. From
-where it has to, it goes on write by write. Where the other bounds are not enough `burst` looks more
-closely.
+a half-step, the stops, and that on none of the world's ticks anything has to be looked at. Only for
+a motor that may fall behind is every half-step gone through. From where something has to be looked
+at, it goes on write by write. Where the other bounds are not enough `burst` looks more closely.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from trs80arm.arm.ahead import Ahead, look_ahead
 from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.model import HAND, LEFT_WRIST
 from trs80arm.arm.motors import RING, ROWS
-from trs80arm.arm.passage import known_passage, last_periods
+from trs80arm.arm.passage import known_passage, late
 from trs80arm.arm.peaks import note_stride
 from trs80arm.pulses import NOTHING, Burst
 
@@ -45,12 +45,7 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
         # A home switch has to see where its joint turns back.
         return None
     passage = known_passage(arm, ahead, stop)
-    motors = arm.motors
-    if passage.torques is None or any(
-        turning.first < motors[turning.latch].done for turning in ahead.turnings
-    ):
-        return None
-    if not _load_stays(arm, ahead, passage.pitched):
+    if passage.torques is None or not _load_stays(arm, ahead, passage.pitched):
         return None
     rest: Burst = NOTHING
     whole = ahead
@@ -62,12 +57,11 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
         found = look_ahead(arm.motors, before)
         assert found is not None
         ahead = found
-        periods = last_periods(arm, ahead)
+        behind = late(arm, ahead, passage)
     else:
-        periods = passage.periods or last_periods(arm, ahead)
-        passage.periods = periods
+        behind = passage.late = passage.late or late(arm, ahead, passage)
     note_stride(arm, ahead, whole, passage)
-    _arrive(arm, ahead, periods)
+    _arrive(arm, ahead, behind)
     return rest
 
 
@@ -95,24 +89,24 @@ def _load_stays(arm: MiniMover, ahead: Ahead, pitched: tuple[int, int]) -> bool:
     return turned / per_radian < world.tilt()
 
 
-def _arrive(arm: MiniMover, ahead: Ahead, periods: Sequence[int]) -> None:
+def _arrive(arm: MiniMover, ahead: Ahead, late: Sequence[int]) -> None:
     """Leave the arm as the burst leaves it.
 
     Args:
         arm: the arm.
         ahead: the burst.
-        periods: T-states that each turning motor needs for its last half-step.
+        late: T-states after its last half-step at which each turning motor is done with it.
     """
     turnings = ahead.turnings
     here, there = arm.rotors, list(arm.rotors)
-    for order, (turning, period) in enumerate(zip(turnings, periods, strict=True)):
+    for order, (turning, after) in enumerate(zip(turnings, late, strict=True)):
         there[turning.latch] += turning.net
         motor = arm.motors[turning.latch]
         steps = turning.steps
         motor.asked(ahead.moments(order, max(0, steps - RING - 1), steps), turning.turn)
         motor.follow(steps)
         motor.moved = turning.last
-        motor.done = turning.last + period
+        motor.done = turning.last + after
         motor.field = (motor.field if motor.row >= 0 else motor.rotor) + turning.net
         motor.rotor += turning.net
         motor.row = ROWS[turning.nibble]
