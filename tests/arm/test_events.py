@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from tests.statements import done
@@ -49,6 +51,24 @@ def test_what_the_base_pushes_is_told_with_the_force_at_the_hand() -> None:
     # Half of its weight holds it back, 8 in from the axis of an arm that reaches twice as far.
     assert contact.force == pytest.approx(10, abs=1.5)
     assert contact.text == f"base blocked by block, at {contact.force:.0f} oz"
+
+
+def test_what_the_wrists_press_on_is_told_with_the_force_at_the_hand() -> None:
+    bench = benchfile.parse("[[obstacle]]\nname = 'anvil'\nat = [11, 0]\nsize = [4, 4, 3]")
+    generator = PulseGenerator(MiniMover(bench=bench))
+    generator.arm.move_to(Pose(12.0, 0.0, 3.6, -30.0, 0.0))
+    generator.align()
+    while not (events := generator.arm.events):
+        generator.step((0, 0, 0, 20, -20), delay_period(200))
+    pressing = sum(contact.pressure for contact in bench.scene.contacts)
+    # Both motors bear one force, each by half a hand's length; it moves slantwise to the anvil.
+    assert [event.text.split(", at ")[0] for event in events] == [
+        "left wrist blocked by anvil",
+        "right wrist blocked by anvil",
+    ]
+    for event in events:
+        along = pressing * math.cos(generator.arm.world.angles.pitch)
+        assert event.force == pytest.approx(along, rel=0.2)
 
 
 def test_the_same_again_after_a_pause_is_another_event() -> None:

@@ -438,11 +438,13 @@ class MiniMover:
         self.motors[latch].trouble = reason
 
     def _force(self, latch: int) -> float:
-        """Ounces that contacts put on a motor, at the end of its link or, the base's, the hand."""
+        """Ounces at the hand, along the way it turns it, of what contacts put on a motor."""
         turns, model = self.motor_kinds[latch], self.model
         x, y, _ = self._world.body.points.fingertip
         out = max(math.sqrt(x * x + y * y), model.hand_length)
-        levers = (out, model.link, model.link, model.hand_length, model.hand_length, 1.0)
+        # A link swings the hand about without turning it, and one wrist motor pitches it by half.
+        half = model.hand_length / 2
+        levers = (out, model.link, model.link, half, half, 1.0)
         return abs(self._world.torques[turns]) / levers[turns]
 
     def _count_rings(self, latch: int, target: int) -> None:
