@@ -15,19 +15,8 @@ from trs80arm.basic.characters import CLOSE, COMMA, OPEN, QUOTE
 from trs80arm.basic.errors import BasicError
 from trs80arm.basic.numbers import literal
 from trs80arm.basic.numbers.convert import Number
+from trs80arm.basic.precedence import BINARY, NOT, RELATION, UNARY_MINUS
 
-_RELATION: Final = 0x64
-_SIGN: Final = 0x7D
-_NOT: Final = 0x5A
-_PRECEDENCE: Final = {
-    tokens.PLUS: 0x79,
-    tokens.MINUS: 0x79,
-    tokens.TIMES: 0x7C,
-    tokens.DIVIDE: 0x7C,
-    tokens.POWER: 0x7F,
-    tokens.AND: 0x50,
-    tokens.OR: 0x46,
-}
 _KINDS: Final = frozenset(b"%!#$")
 _WITHOUT_PARENTHESES: Final = frozenset(
     words.TOKENS[word] for word in ("ERL", "ERR", "MEM", "INKEY$", "TIME$")
@@ -211,16 +200,16 @@ class Text:
                 mask |= 1 << (self.code - tokens.GREATER)
                 self.advance()
             if mask:
-                if precedence >= _RELATION:
+                if precedence >= RELATION:
                     self.position = before
                     break
-                left = Relation(mask, left, self.expression(_RELATION))
+                left = Relation(mask, left, self.expression(RELATION))
                 continue
             operator = self.code
-            if _PRECEDENCE.get(operator, 0) <= precedence:
+            if BINARY.get(operator, 0) <= precedence:
                 break
             self.advance()
-            left = Operation(operator, left, self.expression(_PRECEDENCE[operator]))
+            left = Operation(operator, left, self.expression(BINARY[operator]))
         self._depth -= 1
         return left
 
@@ -235,7 +224,7 @@ class Text:
             return self._operand()
         if code in (tokens.MINUS, tokens.NOT):
             self.advance()
-            value = self.expression(_SIGN if code == tokens.MINUS else _NOT)
+            value = self.expression(UNARY_MINUS if code == tokens.MINUS else NOT)
             return Operation(code, None, value)
         if code == QUOTE:
             return Literal(self.string())

@@ -17,20 +17,9 @@ from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, SIZES, STRING
 from trs80arm.basic.numbers import literal
 from trs80arm.basic.numbers.double import Double
+from trs80arm.basic.precedence import BINARY, NOT, RELATION, UNARY_MINUS
 from trs80arm.basic.variables import Array, Key
 
-RELATION: Final = 0x64
-_UNARY_MINUS: Final = 0x7D
-_NOT: Final = 0x5A
-_PRECEDENCE: Final = {
-    tokens.PLUS: 0x79,
-    tokens.MINUS: 0x79,
-    tokens.TIMES: 0x7C,
-    tokens.DIVIDE: 0x7C,
-    tokens.POWER: 0x7F,
-    tokens.AND: 0x50,
-    tokens.OR: 0x46,
-}
 _ARITHMETIC: Final = {
     tokens.PLUS: "add",
     tokens.MINUS: "sub",
@@ -132,12 +121,12 @@ class ExpressionCompiler:
                 left = self._relation(left, mask)
                 continue
             operator = reader.code
-            if operator not in _PRECEDENCE:
+            if operator not in BINARY:
                 break
             if operator == tokens.PLUS and left.kind == STRING:
                 left = self._concatenation(left)
                 continue
-            if _PRECEDENCE[operator] <= precedence:
+            if BINARY[operator] <= precedence:
                 break
             left = self._operation(left, operator)
         draft.depth -= 1
@@ -198,7 +187,7 @@ class ExpressionCompiler:
         self._out.cost += costs.OPERATOR
         if operator in (tokens.AND, tokens.OR):
             return self._logical(left, operator)
-        right = self._right(left, _PRECEDENCE[operator])
+        right = self._right(left, BINARY[operator])
         if right.kind == STRING:
             raise self._draft.mistake(Code.TM, left, right)
         if operator == tokens.POWER:
@@ -210,7 +199,7 @@ class ExpressionCompiler:
     def _logical(self, left: Expression, operator: int) -> Expression:
         self._out.cost += costs.LOGICAL
         converted = settled(self._out, self.convert.to_integer(left))
-        right = self._right(converted, _PRECEDENCE[operator])
+        right = self._right(converted, BINARY[operator])
         if right.kind == STRING:
             raise self._draft.mistake(Code.TM, converted, right)
         sign = "&" if operator == tokens.AND else "|"
@@ -258,14 +247,14 @@ class ExpressionCompiler:
             return self._operand()
         if code == tokens.MINUS:
             reader.advance()
-            return self._negated(self._nested(_UNARY_MINUS))
+            return self._negated(self._nested(UNARY_MINUS))
         if code == QUOTE:
             length, address = reader.string_literal()
             out.cost += costs.STRING_LITERAL + costs.STRING_CHARACTER * length
             return Expression(f"literal({length}, {address})", STRING)
         if code == tokens.NOT:
             reader.advance()
-            return self._complement(self._nested(_NOT))
+            return self._complement(self._nested(NOT))
         if code == characters.AMPERSAND:
             raise Mistake(Code.L3)
         if code in words.FUNCTIONS:
