@@ -51,7 +51,7 @@ class Peer:
             path.write_text("\n".join(self.spell(listing)) + "\n", encoding="ascii")
             command = [self.program, *self.options, str(path)]
             with (Path(folder) / "output").open("w+b") as output:
-                taken = process_cost(command, TIMEOUT, output).seconds
+                taken = process_cost(command, TIMEOUT, output)
                 output.seek(0)
                 if THROUGH not in output.read():
                     raise subprocess.SubprocessError(f"{self.name} did not come to the end")

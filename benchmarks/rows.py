@@ -23,18 +23,10 @@ class Row:
     measures: Mapping[str, float]
 
 
-@dataclass(frozen=True)
-class Cost:
-    """What a process took: seconds of the processor, and MB of memory at its most."""
-
-    seconds: float
-    megabytes: float
-
-
 def process_cost(
     command: Sequence[str], timeout: float = 120.0, output: IO[bytes] | int = subprocess.DEVNULL
-) -> Cost:
-    """Run a command to its end.
+) -> float:
+    """Seconds of the processor that a command takes to its end.
 
     Args:
         command: with its arguments.
@@ -63,7 +55,7 @@ def process_cost(
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode:
         raise subprocess.CalledProcessError(process.returncode, command)
-    return Cost(used.ru_utime + used.ru_stime, used.ru_maxrss / 1024)
+    return used.ru_utime + used.ru_stime
 
 
 def empty_loop() -> float:

@@ -45,7 +45,7 @@ def rows(seconds: float) -> Iterator[Row]:
         best: dict[str, float] = {}
         for _ in range(max(1, min(MOST, int(50 * seconds)))):
             for name, command in started.items():
-                taken = process_cost(command).seconds
+                taken = process_cost(command)
                 best[name] = min(best.get(name, taken), taken)
         for name, taken in best.items():
             measures = {"ms": 1000 * taken, "x bare": taken / best[BARE]}
