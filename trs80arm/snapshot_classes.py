@@ -94,6 +94,7 @@ VALUES: dict[str, type] = _by_name(
         goals.PartGoal,
         goals.TrayGoal,
         Double,
+        ForFrame,
         GosubFrame,
         errors.BasicError,
     )
@@ -105,6 +106,8 @@ def parts_of(cls: type) -> tuple[str, ...]:
     """The attributes of a value that its class is called with, in order."""
     if cls is Double:
         return "exponent", "mantissa"
+    if cls is ForFrame:
+        return "scalar", "limit", "step", "body", "line"
     if cls is GosubFrame:
         return "back", "line"
     if cls is errors.BasicError:
@@ -119,7 +122,6 @@ OBJECTS: dict[str, type] = _by_name(
         driver._Step,
         driver._Close,
         driver._Set,
-        ForFrame,
         Scalar,
         Array,
         Targets,

@@ -33,7 +33,7 @@ EXPRESSIONS: Final = (
 KINDS: Final = FRAME + STATEMENTS + EXPRESSIONS
 CONSTANTS: Final = (int, float, bytes, bool, type(None))
 OWN_NAMES: Final = re.compile(
-    r"cells|statement|[cfst]|data|error|registers|[tk]\d+|[av]_[A-Z][A-Z0-9]?_[isdt]"
+    r"cells|statement|[cfst]|now|soft|around|last|data|error|registers|[tk]\d+|[av]_[A-Z][A-Z0-9]?_[isdt]"
 )
 """Names that a function gives itself: temporaries, constants, variables, arrays."""
 READ: Final = {
@@ -42,7 +42,9 @@ READ: Final = {
     "plenty": r"memory_room",
     "append": r"frames",
     "pop": r"frames",
-    **dict.fromkeys(("scalar", "body", "limit", "step", "top", "up", "back"), r"f|frames\[-1\]"),
+    **dict.fromkeys(
+        ("scalar", "body", "limit", "step", "top", "up", "back"), r"f|frames\[-1\]|around|t\d+"
+    ),
     "mantissa": r".*",
 }
 """Attributes, and what they may be of."""

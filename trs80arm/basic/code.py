@@ -17,7 +17,7 @@ from types import CellType, FunctionType
 from typing import Any, Final, NamedTuple
 
 from trs80arm.basic import addresses, characters, costs
-from trs80arm.basic.compiler.emitter import Emitter, Mark, TooDeep
+from trs80arm.basic.compiler.emitter import MARGIN, Emitter, Mark, TooDeep
 from trs80arm.basic.compiler.reader import Reader
 from trs80arm.basic.compiler.scope import Assumptions, Scope
 from trs80arm.basic.compiler.statements import StatementCompiler
@@ -29,11 +29,9 @@ from trs80arm.basic.runtime.environment import environment
 from trs80arm.basic.state import State
 from trs80arm.basic.variables import Key
 
-MARGIN: Final = 200_000
-"""T-states that a block of statements may take at most; near the clock's limit single statements
-are executed instead, so that both ways stop at the same statement."""
 _LONGEST = 40
-"""Statements in a block at most."""
+_MOST: Final = 2_000_000
+"""Statements, and T-states, of a block at most."""
 _LOWEST = 0x4000
 _LINE_HEAD = 5
 """A line's final zero, link and number; where these do not fit there is no statement."""
@@ -59,12 +57,14 @@ class Written(NamedTuple):
 
     Attributes:
         goes_on: where the next statement is if control goes on behind it, else None.
-        plain: whether it may stand anywhere in a block.
+        plain: whether it may stand in a block.
+        paced: whether it may take any time, so that the clock must be looked at behind it.
         observes: whether it looks at the machine, so that the clock must be right.
     """
 
     goes_on: int | None
     plain: bool
+    paced: bool
     observes: bool
 
 
@@ -187,7 +187,11 @@ class CompiledCode:
         self._state = state
         self.variables = state.variables
         self.pace = Pace()
-        self.environment: dict[str, Any] = {**environment(state), "pace": self.pace}
+        self.environment: dict[str, Any] = {
+            **environment(state),
+            "pace": self.pace,
+            "alone": self.step,
+        }
         self._array_cells: dict[Key, CellType] = {}
         self._version = state.program.version
         self.statements = Table(self, self._compile_statement)
@@ -296,13 +300,16 @@ class CompiledCode:
     def _compile_block(self, address: int, types: bytes) -> Compiled:
         """The statements from an address on, as far as they can be run in one go."""
         out = Emitter()
-        out.lead(address)
+        out.lead(address, self._state.control.frames[-1])
         scope = self._scope(types)
         loops = self._loops()
         here: int | None = address
         seen: set[int] = set()
+        paced = False
         while here is not None and here not in seen:
             before = out.state(), scope.state(), list(loops)
+            if paced:
+                out.look_at_clock(here)
             try:
                 found = self._write(here, out, scope, loops)
                 if found.observes and seen:
@@ -318,7 +325,7 @@ class CompiledCode:
                 break
             fragile = scope.assumptions().fragile
             solid = found.plain and not fragile
-            if seen and (not solid or out.most_cost > MARGIN or len(seen) == _LONGEST):
+            if seen and (not solid or out.most_cost > _MOST or len(seen) == _LONGEST):
                 asked = scope.state()
                 self._take_back(out, scope, loops, before)
                 if fragile:
@@ -327,6 +334,7 @@ class CompiledCode:
                 break
             seen.add(here)
             here, out.followed = found.goes_on or out.followed, None
+            paced = found.paced
             if not solid:
                 break
         if here is not None:
@@ -367,18 +375,18 @@ class CompiledCode:
         line = DIRECT
         if not _LOWEST <= address < state.memory.top - _LINE_HEAD:
             out.fail(Code.SN)
-            return Written(None, False, False)
+            return Written(None, False, False, False)
         if ram[address] == 0:
             if direct or not (ram[start] or ram[start + 1]):
                 out.emit(f"end_of_text({address})")
-                return Written(None, False, False)
+                return Written(None, False, False, False)
             start += 4
             line = ram[address + 3] | ram[address + 4] << 8
             out.cost += costs.NEW_LINE
         elif ram[address] != characters.COLON:
             out.cost += costs.STATEMENT
             out.fail(Code.SN)
-            return Written(None, False, False)
+            return Written(None, False, False, False)
         elif not direct:
             link = program.line_at(address)
             line = 0 if link is None else program.number_at(link)
@@ -386,7 +394,7 @@ class CompiledCode:
         reader.skip()
         compiler = StatementCompiler(reader, out, scope, program, line, loops, state.armbasic)
         goes_on = reader.address if compiler.compile() else None
-        return Written(goes_on, compiler.plain, compiler.observes)
+        return Written(goes_on, compiler.plain, compiler.paced, compiler.observes)
 
     def find_target(self, address: int) -> tuple[Any, int]:
         """The variable whose name stands at an address (INPUT's list), and what stands behind it.

@@ -145,6 +145,7 @@ STRING_FILLED: Final = 34
 """A byte that STRING$ writes."""
 STRING_COMPARED: Final = 109
 """A pair of bytes compared."""
+MOST_COMPARED: Final = 255 * STRING_COMPARED
 CONCATENATE: Final = 1260
 COLLECT_PASS: Final = 300
 """One look through all variables for the highest string that is left; there is one for each live

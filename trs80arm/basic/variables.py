@@ -8,6 +8,7 @@ creation, then the arrays), so VARPTR, PEEK, POKE, MEM and the search times come
 
 from __future__ import annotations
 
+from collections import Counter
 from types import CellType
 from typing import Any
 
@@ -191,6 +192,7 @@ class Variables:
         self.start = 0
         self.scalars: dict[Key, Scalar] = {}
         self.order: list[Scalar] = []
+        self._of_kind: dict[Kind, int] | None = None
         self.arrays: dict[Key, Array] = {}
         self.size = 0
         self.arrays_size = 0
@@ -198,7 +200,15 @@ class Variables:
 
     def __getstate__(self) -> dict[str, Any]:
         # Names that were compiled and never given a value say nothing about the machine.
-        return self.__dict__ | {"scalars": {(each.name, each.kind): each for each in self.order}}
+        named = {(each.name, each.kind): each for each in self.order}
+        return self.__dict__ | {"scalars": named, "_of_kind": None}
+
+    def _counts(self) -> dict[Kind, int]:
+        """How many of the simple variables that exist are of each kind."""
+        if self._of_kind is None:
+            counted = Counter(scalar.kind for scalar in self.order)
+            self._of_kind = {kind: counted[kind] for kind in SIZES}
+        return self._of_kind
 
     def clear(self, start: int) -> None:
         """Forget all of them; the tables begin at `start`."""
@@ -210,6 +220,7 @@ class Variables:
             else:
                 scalar.cell.cell_contents = zero(scalar.kind)
         self.order.clear()
+        self._of_kind = None
         self.arrays.clear()
         self._zeros.clear()
         self.size = 0
@@ -237,16 +248,17 @@ class Variables:
         scalar.cost = self.missing_cost(scalar)
         scalar.offset = self.size
         self.size += scalar.size
+        counts = self._counts()
         self.order.append(scalar)
+        counts[scalar.kind] += 1
         if scalar.kind == STRING:
             scalar.value[:] = (0, 0)
 
     def missing_cost(self, wanted: Scalar) -> int:
         """T-states to look through the whole table for a variable that is not in it."""
-        return sum(
-            costs.SCALAR_OTHER_KIND if other.kind != wanted.kind else costs.SCALAR_OTHER_NAME
-            for other in self.order
-        )
+        same = self._counts()[wanted.kind]
+        others = len(self.order) - same
+        return costs.SCALAR_OTHER_NAME * same + costs.SCALAR_OTHER_KIND * others
 
     def search_cost(self, scalar: Scalar) -> int:
         """T-states that the ROM needs to pass the variables in front of this one."""

@@ -43,8 +43,9 @@ class Word:
         work: T-states beside its characters and operands; what else it takes the routine charges.
         unless_zero: T-states more unless its argument is a plain 0.
         observes: whether it looks at the machine, so that the clock must be right.
-        plain: whether it may stand anywhere in a block, unless something in it may not: its time
-            does not depend on what there is at run time.
+        plain: whether it may stand in a block, unless something in it may not.
+        paced: whether it may take any time, as what collects garbage: in a block the clock is
+            looked at behind its statement.
     """
 
     spelling: str
@@ -56,6 +57,7 @@ class Word:
     unless_zero: int = 0
     observes: bool = False
     plain: bool = False
+    paced: bool = False
 
 
 def _statement(
@@ -67,8 +69,10 @@ def _statement(
     gives: Kind | None = None,
     observes: bool = False,
     plain: bool = False,
+    paced: bool = False,
 ) -> Word:
-    return Word(spelling, Role.STATEMENT, parser, gives, calls, work, 0, observes, plain)
+    kind = Role.STATEMENT
+    return Word(spelling, kind, parser, gives, calls, work, 0, observes, plain, paced)
 
 
 def _function(
@@ -81,8 +85,10 @@ def _function(
     unless_zero: int = 0,
     observes: bool = False,
     plain: bool = True,
+    paced: bool = False,
 ) -> Word:
-    return Word(spelling, Role.FUNCTION, parser, gives, calls, work, unless_zero, observes, plain)
+    kind = Role.FUNCTION
+    return Word(spelling, kind, parser, gives, calls, work, unless_zero, observes, plain, paced)
 
 
 def _disk(*spellings: str) -> tuple[Word, ...]:
@@ -115,7 +121,7 @@ TABLE: Final[tuple[Word, ...]] = (
     _statement("DATA", "commands.data", plain=True),
     _statement("INPUT", "assignments.input"),
     _statement("DIM", "assignments.dim", "dimension", work=243),
-    _statement("READ", "assignments.read", work=1315),
+    _statement("READ", "assignments.read", work=1315, plain=True, paced=True),
     _statement("LET", "assignments.let", work=453, plain=True),
     _statement("GOTO", "flow.goto_statement", work=273, plain=True),
     _statement("RUN", "flow.run", "start_program", work=1310),
@@ -162,12 +168,12 @@ TABLE: Final[tuple[Word, ...]] = (
     _function("USR", "of_anything", "user_routine", ANY, 301, observes=True, plain=False),
     _function("ERL", "of_nothing", "error_line", SINGLE, 421),
     _function("ERR", "of_nothing", "error_code", NUMBER, 117),
-    _function("STRING$", "characters", "string_of", STRING, 2230, plain=False),
+    _function("STRING$", "characters", "string_of", STRING, 2230, paced=True),
     _function("INSTR", "disk", "", None, 0),
     _function("POINT", "of_place", "point", INTEGER, 1500, observes=True),
     _function("TIME$", "disk", "", None, 0),
     _function("MEM", "memory", "free_memory", SINGLE, 128),
-    _function("INKEY$", "of_nothing", "inkey", STRING, 1370, observes=True, plain=False),
+    _function("INKEY$", "of_nothing", "inkey", STRING, 1370, observes=True, paced=True),
     _part("THEN"),
     _operator("NOT"),
     _part("STEP", work=480),
@@ -175,7 +181,7 @@ TABLE: Final[tuple[Word, ...]] = (
     _function("SGN", "of_number", "sign", INTEGER, 430),
     _function("INT", "rounding", "any_floor", None, 145),
     _function("ABS", "magnitude", "absolute", None, 129),
-    _function("FRE", "free_space", "free_after", SINGLE, 156, plain=False),
+    _function("FRE", "free_space", "free_after", SINGLE, 156, paced=True),
     _function("INP", "of_byte", "read_port", INTEGER, 389, observes=True),
     _function("POS", "of_anything", "position", INTEGER, 142),
     _function("SQR", "of_single", "sqr", SINGLE, 0),
@@ -193,13 +199,13 @@ TABLE: Final[tuple[Word, ...]] = (
     _function("CDBL", "converted", "", DOUBLE, 247),
     _function("FIX", "rounding", "fix", None, 306),
     _function("LEN", "of_string", "len_", INTEGER, 254),
-    _function("STR$", "of_shown", "str_", STRING, 1360, plain=False),
-    _function("VAL", "of_string", "val_", ANY, 3, plain=False),
+    _function("STR$", "of_shown", "str_", STRING, 1360, paced=True),
+    _function("VAL", "of_string", "val_", ANY, 3, paced=True),
     _function("ASC", "of_string", "asc_", INTEGER, 425),
-    _function("CHR$", "of_byte", "chr_", STRING, 1620, plain=False),
-    _function("LEFT$", "part_of_string", "left", STRING, 2300, plain=False),
-    _function("RIGHT$", "part_of_string", "right", STRING, 2320, plain=False),
-    _function("MID$", "part_of_string", "middle", STRING, 2760, plain=False),
+    _function("CHR$", "of_byte", "chr_", STRING, 1620, paced=True),
+    _function("LEFT$", "part_of_string", "left", STRING, 2300, paced=True),
+    _function("RIGHT$", "part_of_string", "right", STRING, 2320, paced=True),
+    _function("MID$", "part_of_string", "middle", STRING, 2760, paced=True),
     _part("'"),
 )
 """The words in the order of their tokens, 128 to 251."""

@@ -69,6 +69,35 @@ PROGRAMS = {
         "10 FOR I=1 TO 5:IF I>3 THEN A=A+I:B=B+A",
         "20 C=C+A:D=C:NEXT:PRINT A;B;C;D",
     ],
+    "strings": [
+        "10 CLEAR 60:FOR I=1 TO 60",
+        '20 A$=LEFT$("HELLO WORLD",5)+MID$("GOOD BYE",3,2)+STR$(I):B$=RIGHT$(A$,3)',
+        '30 IF B$>" 30" THEN C$=C$+CHR$(64+I/3):IF LEN(C$)>9 THEN C$="":D=D+1',
+        "40 READ E$:IF E$=MID$(B$,2,1) OR VAL(B$)=33 OR E$=CHR$(88) THEN E=E+ASC(E$):RESTORE",
+        "50 NEXT:PRINT A$;B$;C$;D;E",
+        "60 DATA 1,2,3,4,5,6,7,8,9,X",
+    ],
+    "string space full": [
+        "5 CLEAR 40:ON ERROR GOTO 90",
+        '10 FOR I=1 TO 9:A$=A$+"ABCDE":B$=A$+"F":C$=B$:NEXT:PRINT A$',
+        "90 PRINT LEN(A$);ERR;ERL;FRE(A$):END",
+    ],
+    "loops over integers": [
+        "10 FOR P=1 TO 3:FOR I%=3 TO -3 STEP -2:FOR J%=1 TO 2:S=S+I%*J%:NEXT J%,I%,P:PRINT S",
+        "20 ON ERROR GOTO 40:FOR I%=32760 TO 32767 STEP 3:T=T+1:NEXT:PRINT T",
+        "30 END",
+        "40 PRINT T;I%;ERR/2+1;ERL:END",
+    ],
+    "loops with other limits": [
+        "10 FOR N=1 TO 4:FOR I=N TO 5-N:S=S+1:NEXT:FOR J=1 TO N*N:T=T+J:N%=N:NEXT:NEXT",
+        "20 PRINT S;T:FOR I=1 TO 3:PRINT I:FOR J=I TO 3:U=U+J:NEXT:NEXT:PRINT U",
+    ],
+    "a long way to variables": [
+        f"{number} {chr(65 + number // 26)}{chr(65 + number % 26)}={number}"
+        for number in range(1, 260)
+        if chr(65 + number // 26) + chr(65 + number % 26) not in ("IF", "FN", "TO", "ON", "GO")
+    ]
+    + ["900 Q=Q+1:FOR I=1 TO 2:R=R+I:NEXT:S$=S$+CHR$(64+Q):IF Q<9 THEN 900 ELSE PRINT R;S$"],
     "doubles": ["10 A#=1:FOR I=1 TO 20:A#=A#*1.5#-I/3:NEXT:PRINT A#"],
 }
 

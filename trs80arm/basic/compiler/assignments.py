@@ -88,7 +88,7 @@ class AssignmentCompiler:
             raise self._draft.mistake(Code.TM, value)
         if target.kind == STRING:
             self._out.cost += costs.STORE_STRING
-            self._draft.plain = False
+            self._draft.paced = True
             self._out.emit(f"assign({target.text}, {value.text})")
             return
         self._out.cost += costs.store(target.kind, value.held)

@@ -37,7 +37,8 @@ class Draft:
         out: the function under construction.
         scope: the variables that exist, and what was assumed about them.
         observes: whether the statement looks at the machine.
-        plain: whether the statement may stand anywhere in a block.
+        plain: whether the statement may stand in a block.
+        paced: whether it may take any time.
         depth: how deeply nested the expression at work is.
         stack_bytes: what the expression at work takes on the Z-80's stack.
     """
@@ -48,6 +49,7 @@ class Draft:
         self.scope = scope
         self.observes = False
         self.plain = True
+        self.paced = False
         self.depth = 0
         self.stack_bytes = 0
         self._deepest = 0

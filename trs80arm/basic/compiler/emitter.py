@@ -12,11 +12,17 @@ from __future__ import annotations
 from types import CellType, CodeType, FunctionType
 from typing import Any, Final, NamedTuple
 
+from trs80arm.basic.control import ForFrame, Frame
 from trs80arm.basic.errors import Code
 from trs80arm.basic.variables import Key
 
+MARGIN: Final = 200_000
+"""T-states that a block of statements may take without looking at the clock itself; near the
+clock's limit single statements are executed instead, so that both ways stop at the same one."""
 _LOOP_BODY: Final = "f.body"
 """Where NEXT goes back to, in generated text."""
+_KNOWN_LOOP, _KNOWN_LIMIT = "around", "last"
+"""The frame and the limit of the loop around a block, in generated text."""
 ATTRIBUTES: Final = frozenset(
     {
         *("now", "soft"),  # the clock's, the pace's
@@ -94,6 +100,7 @@ class Emitter:
         calls: the subroutines that a block has gone into.
         loops: the loops that it goes round in, the innermost last.
         followed: where a jump goes that the block is to go on behind, instead of leaving.
+        around: the open loop whose body begins where the block does, if there is one.
     """
 
     def __init__(self, *, flat: bool = False) -> None:
@@ -109,15 +116,25 @@ class Emitter:
         self._constants: dict[int, str] = {}
         self._temporaries = 0
         self._leader: int | None = None
+        self.around: ForFrame | None = None
+        self._head: list[str] = []
+        self._asks = False
         self._base = 0
         self.calls: list[Call] = []
         self.loops: list[Loop] = []
         self.followed: int | None = None
         self._charged = 0
 
-    def lead(self, address: int) -> None:
-        """The function begins a block: a jump to its own start goes round inside it."""
+    def lead(self, address: int, frame: Frame) -> None:
+        """The function begins a block: a jump to its own start goes round inside it.
+
+        Args:
+            address: where it begins.
+            frame: the innermost loop or subroutine that is open then.
+        """
         self._leader = address
+        if isinstance(frame, ForFrame) and frame.body == address:
+            self.around = frame
         self.emit("while True:")
         self.indent += 1
         self._base = self.indent
@@ -135,10 +152,28 @@ class Emitter:
         self._base = self.indent
         self.loops.append(loop)
 
+    def know_loop_around(self, scalar: str, step: float) -> tuple[str, str]:
+        """Have the loop around the block looked at where the block begins.
+
+        Args:
+            scalar: the name of its variable.
+            step: what it must go on by.
+
+        Returns:
+            The names of its frame, None if it is another loop, and of its limit.
+        """
+        frame, limit = _KNOWN_LOOP, _KNOWN_LIMIT
+        same = f"{frame}.scalar is {scalar} and {frame}.body == {self._leader}"
+        self._head = [
+            f"{frame} = frames[-1]",
+            f"if {same} and {frame}.step == {step!r}: {limit} = {frame}.limit",
+            f"else: {frame} = None",
+        ]
+        return frame, limit
+
     def go_round(self) -> None:
         """The innermost loop's body again."""
-        self._leave()
-        self.emit("if clock.now < pace.soft: continue")
+        self._leave(again="")
         self.emit(f"return {self.loops[-1].body}")
 
     def end_loop(self) -> None:
@@ -155,17 +190,18 @@ class Emitter:
             len(self._lines),
             (self.cost, self.most_cost, self._charged, self._temporaries, self.indent, self._base),
             (dict(self._cells), set(self._stored), dict(self._constants)),
-            (list(self.calls), list(self.loops)),
+            (list(self.calls), list(self.loops), self._head),
         )
 
     def restore(self, state: tuple[Any, ...]) -> None:
         """Take back what was written since."""
-        length, numbers, (cells, stored, constants), (self.calls, self.loops) = state
+        length, numbers, (cells, stored, constants), flow = state
         del self._lines[length:], self.marks[length:]
         self.cost, self.most_cost, self._charged, self._temporaries, self.indent, self._base = (
             numbers
         )
         self._cells, self._stored, self._constants = cells, stored, constants
+        self.calls, self.loops, self._head = flow
         self.followed = None
 
     def emit(self, text: str) -> None:
@@ -200,27 +236,45 @@ class Emitter:
 
     def leave_for(self, address: int) -> None:
         """Leave the function for the statement at an address."""
-        self._leave()
-        if address == self._leader and not self.loops:
-            self.emit("if clock.now < pace.soft: continue")
+        self._leave(again="" if address == self._leader and not self.loops else None)
         self.emit(f"return {address}")
+
+    def look_at_clock(self, address: int) -> None:
+        """Leave for the statement at an address if too little time is left for more."""
+        self.charge()
+        self._asks = True
+        self.emit(f"if clock.now >= soft: return {address}")
 
     def go_to_found(self, text: str) -> None:
         """Leave the function for an address found at run time."""
         self._leave()
         self.emit(f"return {text}")
 
+    def go_to_start(self) -> None:
+        """Go round to the block's own start."""
+        assert self._leader is not None
+        self.leave_for(self._leader)
+
     def go_to_loop_body(self) -> None:
         """Leave the function for the body of the loop in `f`."""
-        self._leave()
-        if self._leader is not None and not self.loops:
-            self.emit(f"if {_LOOP_BODY} == {self._leader} and clock.now < pace.soft: continue")
+        around = self._leader is not None and not self.loops
+        self._leave(again=f"{_LOOP_BODY} == {self._leader} and " if around else None)
         self.emit(f"return {_LOOP_BODY}")
 
-    def _leave(self) -> None:
+    def _leave(self, again: str | None = None) -> None:
+        """Charge what is left; go round at once if there is time.
+
+        Args:
+            again: what must be true besides, with its ` and `; None if it is not to go round.
+        """
         self.note_cost()
-        if self.cost:
-            self.emit(f"clock.now += {self.cost}")
+        if again is None:
+            if self.cost:
+                self.emit(f"clock.now += {self.cost}")
+            return
+        self._asks = True
+        self.emit(f"clock.now = now = clock.now + {self.cost}")
+        self.emit(f"if {again}now < soft: continue")
 
     def fail(self, code: Code) -> None:
         """Raise a Level II error."""
@@ -265,12 +319,23 @@ class Emitter:
         out.append(" def statement():")
         if self._stored:
             out.append(f"  nonlocal {', '.join(sorted(self._stored))}")
+        head = self._pace() + self._head
+        out += [f"  {line}" for line in head]
         return "\n".join([*out, *self._lines, " return statement\n"])
+
+    def _pace(self) -> list[str]:
+        """The lines of a block that find out until when it may go on."""
+        more = self.most_cost - MARGIN
+        if self._leader is not None and more > 0:
+            # It takes longer than the loop that called it reckons with.
+            alone = f"if clock.now >= soft: return alone({self._leader})"
+            return [f"soft = pace.soft - {more}", alone]
+        return ["soft = pace.soft"] if self._asks else []
 
     @property
     def _first_line(self) -> int:
         """The number of lines of `source` in front of the emitted ones."""
-        return 2 + bool(self._cells) + bool(self._stored)
+        return 2 + bool(self._cells) + bool(self._stored) + len(self._pace()) + len(self._head)
 
     def build(self, environment: dict[str, Any]) -> tuple[FunctionType, int]:
         """The function, and the number of its text lines in front of the first emitted one.

@@ -150,6 +150,7 @@ class ExpressionCompiler:
             # notes none of its own: "A"="B"+"C" compares, and then reads +"C" again.
             self._reader.position = self._operand_end
             self._out.cost += costs.COMPARE_STRINGS
+            self._out.allow(costs.MOST_COMPARED)
             test = _string_relation(left, right, relation)
         else:
             self._out.cost += costs.binary("compare", left.held, right.held)
@@ -175,7 +176,7 @@ class ExpressionCompiler:
             right = self._operand()
         if right.kind != STRING:
             raise self._draft.mistake(Code.TM, left, right)
-        self._draft.plain = False
+        self._draft.paced = True
         self._out.cost += costs.CONCATENATE
         return Expression(f"concatenate({left.text}, {right.text})", STRING)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Final
 
@@ -13,9 +14,9 @@ from trs80arm.basic.compiler.draft import Draft, Mistake
 from trs80arm.basic.compiler.emitter import Call, Loop
 from trs80arm.basic.compiler.expressions import ExpressionCompiler
 from trs80arm.basic.compiler.values import Expression
-from trs80arm.basic.control import DIRECT, GosubFrame
+from trs80arm.basic.control import DIRECT, ForFrame, GosubFrame
 from trs80arm.basic.errors import Code
-from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, SINGLE, STRING
+from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, STRING
 from trs80arm.basic.program import Program
 from trs80arm.basic.variables import Key
 from trs80arm.basic.words import Word
@@ -256,19 +257,30 @@ class FlowCompiler:
         to_kind = self._expressions.convert.to_kind
         with self._draft.deeper(room.LIMIT):
             limit = out.keep(to_kind(self._expressions.number(), key[1]).text)
-        by: int | float | None = 1.0
-        step = "1" if key[1] == INTEGER else "1.0"
+        by: int | float | None = 1 if key[1] == INTEGER else 1.0
+        step = repr(by)
         with self._draft.deeper(room.STEP):
             if reader.code == tokens.STEP:
                 out.cost += words.BY_TOKEN[tokens.STEP].work
                 reader.advance()
                 value = to_kind(self._expressions.number(), key[1])
                 step, by = value.text, value.constant
-        frame = out.keep(f"open_loop({scalar}, {limit}, {step}, {body}, {self._line})")
+        opened = f"open_loop({scalar}, {limit}, {step}, {body}, {self._line})"
         self._loops.append(key)
-        usual = key[1] == SINGLE and by is not None and rounding.is_near(by)
-        if usual and out.straight and reader.address == body:
-            out.begin_loop(Loop(key, body, frame, limit, float(by or 1.0)))
+        if by is None or not _usual(by):
+            out.emit(opened)
+            return
+        # A loop that is opened again with the same limit is the same.
+        before = out.constant([ForFrame(self._scope.object(key), math.nan, by, body, self._line)])
+        frame = out.keep(f"{before}[0]")
+        out.emit(
+            f"if {frame}.limit == {limit} and memory_room.plenty and len(frames) < {room.FEW}:"
+        )
+        out.emit(f"  frames.append({frame})")
+        out.emit("else:")
+        out.emit(f"  {frame} = {before}[0] = {opened}")
+        if out.straight and reader.address == body:
+            out.begin_loop(Loop(key, body, frame, limit, by))
 
     def next_(self, word: Word) -> None:
         """NEXT [names]: step, compare, and go back to the body or on."""
@@ -304,6 +316,10 @@ class FlowCompiler:
         cell = self._scope.scalar(guess).cell
         name = out.cell(self._scope.cell_name(guess), cell, stored=True)
         charged = out.cost
+        around = out.around
+        if around and around.scalar is self._scope.object(guess) and _usual(around.step):
+            self._step_around(name, guess, around.step)
+            out.cost = charged
         out.emit("f = frames[-1]")
         out.emit(f"if f.scalar is {self._scalar(guess)}:")
         out.indent += 1
@@ -330,23 +346,40 @@ class FlowCompiler:
         self._slow_step(key)
         out.indent -= 1
 
+    def _step_around(self, name: str, key: Key, step: float) -> None:
+        """The short way of the loop whose body begins where this block does."""
+        out = self._out
+        frame, limit = out.know_loop_around(self._scalar(key), step)
+        out.emit(f"if {frame} is frames[-1] and {_short_step(name, key, step, limit)}:")
+        out.indent += 1
+        out.emit(f"{name} = s")
+        out.go_to_start()
+        out.indent -= 1
+
     def _step_in_block(self, word: Word, loop: Loop) -> None:
         """The step of a loop whose body is in this function, from its FOR on."""
         out = self._out
-        out.cost += word.work
+        integer = loop.key[1] == INTEGER
+        out.cost += costs.NEXT_INTEGER if integer else word.work
         name = out.cell(
             self._scope.cell_name(loop.key), self._scope.scalar(loop.key).cell, stored=True
         )
         charged = out.cost
         out.emit(f"if frames[-1] is {loop.frame}:")
         out.indent += 1
-        step = f"({loop.step!r})"
-        stepped = rounding.sum_(name, "+", step, f"add({name}, {step})", near=True)
-        out.emit(f"{name} = t = {stepped}")
-        out.emit(f"if t {'<=' if loop.step > 0.0 else '>='} {loop.limit}:")
+        out.emit(f"if {_short_step(name, loop.key, loop.step, loop.limit)}:")
         out.indent += 1
+        out.emit(f"{name} = s")
         out.go_round()
         out.indent -= 1
+        if integer:
+            out.emit(f"{name} = integer_step({name}, {loop.step!r})")
+        else:
+            out.emit(f"{name} = t = add({name}, {loop.step!r})")
+            out.emit(f"if t {_until(loop.step)} {loop.limit}:")
+            out.indent += 1
+            out.go_round()
+            out.indent -= 1
         out.emit("frames.pop()")
         out.indent -= 1
         out.emit("else:")
@@ -442,6 +475,24 @@ class FlowCompiler:
         """RESTORE: READ begins again."""
         self._out.cost += word.work
         self._out.emit(f"{word.calls}()")
+
+
+def _usual(step: float) -> bool:
+    """Whether a step has a short way."""
+    return bool(step) if isinstance(step, int) else rounding.is_near(step)
+
+
+def _until(step: float) -> str:
+    """How a loop's variable is compared with the limit."""
+    return "<=" if step > 0 else ">="
+
+
+def _short_step(name: str, key: Key, step: float, limit: str) -> str:
+    """Text that is true where a step is exact and the loop goes on; the next value is `s`."""
+    by = f"({step!r})"
+    # What does not pass the limit is an integer.
+    value = f"(s := {name} + {by})" if key[1] == INTEGER else rounding.short_step(name, by)
+    return f"{value} {_until(step)} {limit}"
 
 
 def _truth(value: Expression) -> str:

@@ -42,6 +42,7 @@ class FunctionCompiler:
         value = _PARSERS[word.spelling](self, word)
         self._draft.observes |= word.observes
         self._draft.plain &= word.plain
+        self._draft.paced |= word.paced
         return value
 
     # -- without parentheses, or with other things in them ------------------------------------

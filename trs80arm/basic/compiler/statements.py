@@ -122,8 +122,13 @@ class StatementCompiler:
 
     @property
     def plain(self) -> bool:
-        """Whether the statement may stand anywhere in a block."""
+        """Whether the statement may stand in a block."""
         return self._draft.plain
+
+    @property
+    def paced(self) -> bool:
+        """Whether the statement may take any time."""
+        return self._draft.paced
 
     @property
     def observes(self) -> bool:
@@ -179,6 +184,7 @@ class StatementCompiler:
         word, part, method = found
         self._reader.advance()
         self._draft.plain &= word.plain
+        self._draft.paced |= word.paced
         self._draft.observes |= word.observes
         return method(getattr(self, part), word) is not False
 
