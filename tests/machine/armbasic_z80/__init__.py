@@ -1,0 +1,1 @@
+"""The ARMBASIC driver in Z-80 code: its source, its tapes, its routines."""
