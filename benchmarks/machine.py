@@ -38,8 +38,10 @@ def loaded(listing: Iterable[str], blocks: bool = True) -> Interpreter:
         number, text = cruncher.split_line(line.encode("ascii"))
         if number is not None:
             lines.append((number, cruncher.crunch(text).text))
-    rig.basic.load_lines(lines)
-    return rig.basic
+    basic = rig.basic
+    assert isinstance(basic, Interpreter)
+    basic.load_lines(lines)
+    return basic
 
 
 def run(basic: Interpreter) -> float:

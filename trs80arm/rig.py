@@ -27,7 +27,6 @@ from trs80arm.arm.state import ArmState
 from trs80arm.basic import cruncher
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.errors import BasicError
-from trs80arm.basic.interpreter import Interpreter
 from trs80arm.basic.outcome import Outcome
 from trs80arm.basic.state import Listener as StatementListener
 from trs80arm.machine.card import MOTORS, Card, Latch, Observer
@@ -41,7 +40,7 @@ from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
 from trs80arm.snapshots import SnapshotError
-from trs80arm.works.devices import RigSettings, Works, assemble
+from trs80arm.works.devices import Language, RigSettings, Works, assemble
 from trs80arm.works.inputs import Input, ReplayError, replay
 from trs80arm.works.key_events import KeyEvents
 from trs80arm.works.named_variables import NamedVariables
@@ -102,6 +101,9 @@ class Rig:
         return self._works.settings
 
     def _switch_on(self) -> None:
+        if self.settings.rom is not None:
+            # A ROM of its own tests the memory before it looks at the keyboard.
+            self.run_until(lambda rig: rig.waiting is Waiting.MEMORY_SIZE, seconds=30)
         self._works.typist.add(self.settings.memory_size + "\r")
         self.run_until(lambda rig: rig.waiting is Waiting.COMMAND and not rig.typing, seconds=30)
 
@@ -487,7 +489,7 @@ class Rig:
         return self._works.basic.outcome
 
     @property
-    def basic(self) -> Interpreter:
+    def basic(self) -> Language:
         """The language, for looking at: its program, variables and state."""
         return self._works.basic
 
@@ -703,12 +705,12 @@ class Rig:
             SnapshotError: the bytes are no snapshot of this version, or of a machine that no
                 program could have brought about; the rig stays as it is.
         """
-        try_out(snapshots.decode(snapshot))
+        try_out(snapshots.decode(snapshot, self.settings.rom))
         self.go_back(snapshot)
 
     def go_back(self, snapshot: bytes) -> None:
         """Go back to a state that this rig's own `snapshot` gave: `restore` without the trial."""
-        works = snapshots.decode(snapshot)
+        works = snapshots.decode(snapshot, self.settings.rom)
         works.use_places(self.settings)
         self._use(works)
 
@@ -724,7 +726,7 @@ class Rig:
         """
         rig = object.__new__(Rig)
         rig._observers = Observers()
-        rig._use(snapshots.decode(snapshot))
+        rig._use(snapshots.decode(snapshot, self.settings.rom))
         rig._observers.resets.append(rig._zero)
         if self.settings.tape_folder is not None:
             rig.tape.use_past(self.settings.tape_folder, dict(reversed(self.recordings[recorded:])))

@@ -26,6 +26,7 @@ from trs80arm.saving import write_whole
 from trs80arm.toml_files import TomlError, read_text, tables_of, what_is_wrong, with_plain_ends
 
 if TYPE_CHECKING:
+    from trs80arm.machine.z80.rom import Rom
     from trs80arm.rig import RigSettings
 
 PREFIX = "TRS80ARM"
@@ -53,6 +54,7 @@ class MachineSettings:
         ghosting: whether three keys at the corners of a rectangle show a fourth.
         tapes: the folder of the cassettes.
         printer: the file for the printer's paper.
+        rom: a file with a Level II ROM of one's own, which then runs the machine on the Z-80.
     """
 
     ram: int = 16
@@ -62,6 +64,7 @@ class MachineSettings:
     ghosting: bool = False
     tapes: Path | None = None
     printer: Path | None = None
+    rom: Path | None = None
 
     def __post_init__(self) -> None:
         if self.ram not in (4, 16, 32, 48):
@@ -79,8 +82,32 @@ class Settings:
     driver: Any
     arm: Any
 
+    def rom(self) -> Rom | None:
+        """The user's own ROM, if one is set.
+
+        Raises:
+            SettingsError: the file holds none or cannot be read, or nothing here can run it.
+        """
+        if self.machine.rom is None:
+            return None
+        from trs80arm.machine.z80.chip import NOT_INSTALLED, available
+        from trs80arm.machine.z80.rom import Rom, RomError
+
+        if not available():
+            raise SettingsError(f"machine.rom: {NOT_INSTALLED}")
+        try:
+            return Rom.read(self.machine.rom)
+        except RomError as error:
+            raise SettingsError(f"machine.rom: {error}") from None
+        except OSError as error:
+            raise SettingsError(f"machine.rom: {self.machine.rom}: {reason(error)}") from None
+
     def rig(self) -> RigSettings:
-        """The machine's fittings."""
+        """The machine's fittings.
+
+        Raises:
+            SettingsError: its ROM cannot be used; `load` has looked at it before.
+        """
         from trs80arm.rig import RigSettings
 
         machine = self.machine
@@ -90,6 +117,7 @@ class Settings:
             armbasic=machine.armbasic,
             blocks=machine.blocks,
             ghosting=machine.ghosting,
+            rom=self.rom(),
             tape_folder=machine.tapes,
             printer_file=machine.printer,
             card=self.card,
@@ -160,7 +188,9 @@ def load(
         values[name][key] = plain_value(text, name, key)
         sources[name, key] = partial(str, source)
     made = {name: _checked(name, cls, values[name], sources) for name, cls in tables().items()}
-    return Settings(**made)
+    settings = Settings(**made)
+    settings.rom()
+    return settings
 
 
 def _read(path: Path | None) -> tuple[str, Path]:

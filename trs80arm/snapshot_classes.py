@@ -44,6 +44,7 @@ from trs80arm.basic.variables import Array, Scalar, is_value
 from trs80arm.machine import card, coordination, driver
 from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.machine.keys import Key
+from trs80arm.machine.z80.rom import Rom
 from trs80arm.works.devices import KeyEvent, RigSettings
 
 
@@ -65,6 +66,7 @@ VALUES: dict[str, type] = _by_name(
         card.CardSettings,
         driver.DriverSettings,
         JogKeys,
+        Rom,
         ArmSettings,
         coordination.Pace,
         coordination.Coordination,

@@ -39,6 +39,7 @@ from typing import Any, ClassVar
 
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.machine.clock import END_OF_TIME
+from trs80arm.machine.z80.rom import Rom
 from trs80arm.plain_values import SettingsError, Table, as_table, from_table
 from trs80arm.snapshot_classes import CHECKS, NAMED, OBJECTS, VALUES, parts_of
 from trs80arm.works.devices import RigSettings, Works, assemble
@@ -91,8 +92,13 @@ def encode(works: Works) -> bytes:
     return head.encode("ascii") + text
 
 
-def decode(data: bytes) -> Works:
+def decode(data: bytes, rom: Rom | None = None) -> Works:
     """Works in the state of a snapshot, without tape folder and printer file.
+
+    Args:
+        data: the snapshot.
+        rom: the ROM that is at hand; a snapshot of a machine with a ROM names it and has none of
+            its bytes.
 
     Raises:
         SnapshotError: for any bytes that are no snapshot.
@@ -103,6 +109,8 @@ def decode(data: bytes) -> Works:
         settings = from_table(RigSettings, content.data.pop("settings", None), "settings")
         if settings.tape_folder is not None or settings.printer_file is not None:
             raise SnapshotError("no snapshot: it names a file or folder")
+        if settings.rom is not None:
+            settings = replace(settings, rom=_at_hand(settings.rom, rom))
         entries = content.data.pop("state", None)
         content.done("settings, state")
         works = assemble(settings, MiniMover(settings.arm))
@@ -119,6 +127,15 @@ def decode(data: bytes) -> Works:
         # What classes of the machine say to values that they never have.
         raise SnapshotError(f"no snapshot: a state that cannot be: {error}") from None
     return works
+
+
+def _at_hand(wanted: Rom, rom: Rom | None) -> Rom:
+    if rom != wanted:
+        raise SnapshotError(
+            f"the snapshot of a machine with the ROM {wanted.crc.upper()}, {wanted.name}: start "
+            "with --rom and a file of it"
+        )
+    return wanted if rom is None else rom
 
 
 def _content(data: bytes) -> Any:

@@ -20,6 +20,7 @@ SETTING_FLAGS = {
     "memory-size": ("machine.memory_size", "What is typed at MEMORY SIZE?"),
     "tapes": ("machine.tapes", "The folder of the cassettes."),
     "printer": ("machine.printer", "The file for the printer's paper."),
+    "rom": ("machine.rom", "A file with your own Level II ROM, to run on the Z-80 (extra `z80`)."),
     "arm": ("arm.model", "The arm on the cable: {arms}."),
 }
 SCREEN_FLAGS = {

@@ -281,6 +281,8 @@ def _head(head: Table) -> tuple[RigSettings, str | None, bool]:
         if machine.pop(place, None) is not None:
             raise head.fail(f"machine.{place}", "nothing: a recording names no files")
     settings = from_table(RigSettings, machine, "line 1: machine")
+    if settings.rom is not None:
+        raise head.fail("machine.rom", "nothing: a machine that runs its owner's ROM is not played")
     bench = head.take("bench", str | None, None)
     _bench(bench)
     greeting = head.take("greeting", bool, False)

@@ -65,6 +65,11 @@ class Matrix:
         return frozenset(self._held)
 
     @property
+    def rows(self) -> bytes:
+        """The eight rows, a bit for each key that is down."""
+        return bytes(self._rows)
+
+    @property
     def image(self) -> bytes:
         """Rows 0 to 6, each as a scan reads it now."""
         return self._image

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Protocol
 
+from trs80arm.machine.cassette_line import CassetteLine
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.memory import EMPTY
 from trs80arm.machine.video import Video
@@ -49,8 +50,17 @@ class SystemPort:
             part of a snapshot.
     """
 
-    def __init__(self, clock: Clock, video: Video) -> None:
+    def __init__(self, clock: Clock, video: Video, line: CassetteLine | None = None) -> None:
+        """The port of one machine.
+
+        Args:
+            clock: its time.
+            video: what bit 3 switches.
+            line: the recorder, where tapes are worked by pulses and not by whole bytes: on a
+                machine whose own ROM runs on the processor.
+        """
         self.listeners: list[LineListener] = []
+        self._line = line
         self._clock = clock
         self._video = video
         self._level = 0
@@ -64,7 +74,9 @@ class SystemPort:
 
     def read(self, port: int) -> int:
         """127, or 63 while the tube shows 32 characters a line."""
-        return EMPTY & ~_CASSETTE_IN & ~(_MODE_SELECT_IN if self._video.wide else 0)
+        pulse = self._line is not None and self._line.latch()
+        rest = EMPTY & ~_CASSETTE_IN & ~(_MODE_SELECT_IN if self._video.wide else 0)
+        return rest | _CASSETTE_IN if pulse else rest
 
     def write(self, port: int, value: int) -> None:
         """Switch the tube as bit 3 says, and put a level on the recorder's line.
@@ -72,6 +84,8 @@ class SystemPort:
         The ROM's own flag of the tube's mode at 403DH knows nothing of it.
         """
         self._video.switch(bool(value & _MODE_SELECT_OUT))
+        if self._line is not None:
+            self._line.write(value)
         level = value & _LEVEL
         if level != self._level:
             self._level = level

@@ -385,6 +385,14 @@ class Tape:
         self.position += 1
         return value
 
+    def next_byte(self) -> int | None:
+        """Play one byte, of the next cassette where one has run out; None at the end of all."""
+        value = self.read()
+        while value is None and self.running and self._recording is None and self._unheard:
+            self._put_in(self._unheard.pop(0))
+            value = self.read()
+        return value
+
     def stop(self) -> None:
         """Switch the motor off; a recording is now on the tape."""
         self.running = False

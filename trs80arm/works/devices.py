@@ -15,6 +15,7 @@ from trs80arm.arm.settings import ArmSettings
 from trs80arm.basic.host import Host
 from trs80arm.basic.interpreter import Interpreter
 from trs80arm.machine.card import Card, CardSettings
+from trs80arm.machine.cassette_line import CassetteLine
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.console import Console
 from trs80arm.machine.display import Display
@@ -27,6 +28,12 @@ from trs80arm.machine.printer import PRINTER_START, PRINTER_STOP, Printer, Print
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.typist import Typist, check_answer
 from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
+from trs80arm.machine.z80.processor import Processor
+from trs80arm.machine.z80.rom import SIZE, Rom, RomArea
+from trs80arm.works.rom_language import RomLanguage
+
+Language = Interpreter | RomLanguage
+"""What executes BASIC: this project's own, or a user's ROM."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +55,8 @@ class RigSettings:
     """The one folder whose cassettes the machine can reach; None keeps tapes in memory."""
     printer_file: Path | None = None
     """Where the printer's paper goes; None keeps it in memory."""
+    rom: Rom | None = None
+    """The user's own ROM that runs the machine on its processor; None for this project's BASIC."""
     ghosting: bool = False
     """Whether three keys at the corners of a rectangle of the matrix show a fourth."""
 
@@ -88,7 +97,8 @@ class Works:
     card: Card
     driver: Driver
     arm: MiniMover
-    basic: Interpreter
+    processor: Processor
+    basic: Language
     typist: Typist
     events: list[KeyEvent] = field(default_factory=list)
     order: int = 0
@@ -151,7 +161,8 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
     driver = Driver(clock, card, matrix, settings.driver, arm.model.hand_per_elbow)
     ports = Ports()
     ports.attach(card)
-    system_port = SystemPort(clock, video)
+    line = None if settings.rom is None else CassetteLine(clock, tape)
+    system_port = SystemPort(clock, video, line)
     ports.attach(system_port)
     memory.attach(PRINTER_START, PRINTER_STOP, printer)
     memory.attach(KEYBOARD_START, KEYBOARD_STOP, matrix)
@@ -165,7 +176,13 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
         tape=tape,
         arm=driver if settings.armbasic else None,
     )
-    basic = Interpreter(host, armbasic=settings.armbasic, blocks=settings.blocks)
+    processor = Processor(clock, memory, matrix, video, ports)
+    basic: Language
+    if settings.rom is None:
+        basic = Interpreter(host, armbasic=settings.armbasic, blocks=settings.blocks)
+    else:
+        memory.attach(0, SIZE, RomArea(settings.rom))
+        basic = RomLanguage(host, processor, matrix, console, settings.rom)
     return Works(
         settings=settings,
         clock=clock,
@@ -181,6 +198,7 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
         card=card,
         driver=driver,
         arm=arm,
+        processor=processor,
         basic=basic,
         typist=Typist(),
         zero=arm.state().rotors,

@@ -12,10 +12,10 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from trs80arm.basic import addresses
-from trs80arm.basic.interpreter import Interpreter
 from trs80arm.basic.kinds import BY_SIZE, DOUBLE, INTEGER, SINGLE, STRING, Kind
 from trs80arm.basic.numbers import double
 from trs80arm.basic.variables import Key
+from trs80arm.works.devices import Language
 
 Value = int | float | str
 """What a variable holds, as Python has it."""
@@ -25,7 +25,7 @@ _SUFFIXES = {mark: kind for kind, mark in MARKS.items()}
 _NAME = re.compile(r"([A-Z][A-Z0-9]?)[A-Z0-9]*([%!#$]?)(?:\((.*)\))?")
 
 
-def stored_value(basic: Interpreter, name: str) -> Any:
+def stored_value(basic: Language, name: str) -> Any:
     """What a variable, or an element of an array, holds: a number of the machine's, or text.
 
     Args:
@@ -83,7 +83,7 @@ class NamedVariables(Mapping[str, Value]):
         change: does an assignment beside the program, `Rig.change`.
     """
 
-    def __init__(self, basic: Interpreter, change: Callable[[str], None]) -> None:
+    def __init__(self, basic: Language, change: Callable[[str], None]) -> None:
         self._basic = basic
         self._change = change
 
@@ -149,7 +149,7 @@ def _told(key: Key) -> str:
     return key[0] + ("" if key[1] == SINGLE else MARKS[key[1]])
 
 
-def _subscript(basic: Interpreter, text: str) -> int:
+def _subscript(basic: Language, text: str) -> int:
     if text.isdecimal():
         return int(text)
     value = stored_value(basic, text)
@@ -158,14 +158,14 @@ def _subscript(basic: Interpreter, text: str) -> int:
     return int(as_number(value))
 
 
-def _key(basic: Interpreter, name: str, suffix: str) -> Key:
+def _key(basic: Language, name: str, suffix: str) -> Key:
     if suffix:
         return name, _SUFFIXES[suffix]
     code = basic.state.memory.ram[addresses.TYPE_TABLE + ord(name[0]) - ord("A")]
     return name, BY_SIZE.get(code, SINGLE)
 
 
-def _plain(basic: Interpreter, kind: Kind, value: Any) -> Any:
+def _plain(basic: Language, kind: Kind, value: Any) -> Any:
     if kind == STRING:
         return basic.state.strings.bytes_of(value).decode("latin-1")
     return value
