@@ -751,11 +751,12 @@ PCTIME: AND  31
 EACHD:  EQU  3487983            ; 53.2224 in 65536ths
 FIRST0: EQU  139519328          ; 2128.896
 
-TPULSE: EQU  1133                  ; T-states of CALL PULSE,
-TWAIT:  EQU  237                  ; of CALL WAIT but for what it is to wait,
-TTICK:  EQU  720                  ; and of the loops of a move,
-TCLOS:  EQU  150                  ; of CLOSE
-TSETT:  EQU  611                  ; and of manual mode
+TPULSE: EQU  1143               ; T-states of CALL PULSE by its entry,
+TWAIT:  EQU  247                ; of CALL WAIT but for what it is to wait,
+TTICK:  EQU  720-20             ; and of the loops: of a move,
+TCLOS:  EQU  150-20             ; of CLOSE
+TSETT:  EQU  611-20             ; and of manual mode, which CALL without
+                                ; the entries' JPs
 
 
 ; ---- The rest of a tick ------------------------------------------------
