@@ -40,6 +40,7 @@ from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
 from trs80arm.snapshots import SnapshotError
+from trs80arm.works.beginnings import switch_on, switched_on
 from trs80arm.works.devices import Language, RigSettings, Works, assemble
 from trs80arm.works.inputs import Input, ReplayError, replay
 from trs80arm.works.key_events import KeyEvents
@@ -86,8 +87,11 @@ class Rig:
         chosen = settings or RigSettings()
         self._observers = Observers()
         self._observers.resets.append(self._zero)
-        self._use(assemble(chosen, MiniMover(chosen.arm, copy.deepcopy(bench))))
-        self._switch_on()
+        if bench is None:
+            self._use(switched_on(chosen))
+        else:
+            self._use(assemble(chosen, MiniMover(chosen.arm, copy.deepcopy(bench))))
+            switch_on(self._works, self._running)
 
     def _use(self, works: Works) -> None:
         self._works = works
@@ -99,13 +103,6 @@ class Rig:
     def settings(self) -> RigSettings:
         """The machine's fittings."""
         return self._works.settings
-
-    def _switch_on(self) -> None:
-        if self.settings.rom is not None:
-            # A ROM of its own tests the memory before it looks at the keyboard.
-            self.run_until(lambda rig: rig.waiting is Waiting.MEMORY_SIZE, seconds=30)
-        self._works.typist.add(self.settings.memory_size + "\r")
-        self.run_until(lambda rig: rig.waiting is Waiting.COMMAND and not rig.typing, seconds=30)
 
     # -- time ---------------------------------------------------------------------------------
 
@@ -333,7 +330,7 @@ class Rig:
         old.driver.reset()
         old.card.write_latch(Latch.AUXILIARY, 0)
         self._use(assemble(self.settings, old.arm, old))
-        self._switch_on()
+        switch_on(self._works, self._running)
 
     def set_bench(self, bench: Bench) -> None:
         """Clear the table and set up another bench.

@@ -44,6 +44,7 @@ from trs80arm.basic.variables import Array, Scalar, is_value
 from trs80arm.machine import card, coordination, driver
 from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.machine.keys import Key
+from trs80arm.machine.memory import Memory
 from trs80arm.machine.z80.rom import Rom
 from trs80arm.works.devices import KeyEvent, RigSettings
 
@@ -144,6 +145,10 @@ OBJECTS: dict[str, type] = _by_name(
     )
 )
 """What has an identity and a state: made without being called, then given its attributes."""
+
+
+WIRES: dict[type, frozenset[str]] = {Memory: frozenset({"_owners"})}
+"""Attributes that say who is wired to whom, from power-on to the end: no part of a state."""
 
 
 def _wired(sensor: inputs.Answering) -> bool:

@@ -37,12 +37,12 @@ from enum import Enum
 from functools import cache
 from typing import Any, ClassVar
 
-from trs80arm.arm.minimover import MiniMover
 from trs80arm.machine.clock import END_OF_TIME
 from trs80arm.machine.z80.rom import Rom
 from trs80arm.plain_values import SettingsError, Table, as_table, from_table
-from trs80arm.snapshot_classes import CHECKS, NAMED, OBJECTS, VALUES, parts_of
-from trs80arm.works.devices import RigSettings, Works, assemble
+from trs80arm.snapshot_classes import CHECKS, NAMED, OBJECTS, VALUES, WIRES, parts_of
+from trs80arm.works.beginnings import assembled
+from trs80arm.works.devices import RigSettings, Works
 
 FORMAT = "trs80arm snapshot 1"
 LARGEST = 64 * 1024 * 1024
@@ -60,6 +60,8 @@ _OBJECT_NAMES = {cls: name for name, cls in OBJECTS.items()}
 _MADE = _VALUE_NAMES.keys() | _OBJECT_NAMES.keys()
 _PLAIN = (type(None), bool, int, float, str, bytes)
 _CONTAINERS = (list, deque, dict, set, bytearray)
+_COMPARED = frozenset({type(None), bool, int, float, str, bytes, bytearray})
+"""Kinds of value of which two that are equal are written alike."""
 
 
 class SnapshotError(ValueError):
@@ -74,7 +76,7 @@ def encode(works: Works) -> bytes:
             of the program and not of its user.
     """
     settings = replace(works.settings, tape_folder=None, printer_file=None)
-    fresh = assemble(settings, MiniMover(settings.arm))
+    fresh = assembled(settings)
     places = _Places(fresh, works)
     writer = _Writer(places.names)
     entries: list[list[Any]] = []
@@ -113,7 +115,7 @@ def decode(data: bytes, rom: Rom | None = None) -> Works:
             settings = replace(settings, rom=_at_hand(settings.rom, rom))
         entries = content.data.pop("state", None)
         content.done("settings, state")
-        works = assemble(settings, MiniMover(settings.arm))
+        works = assembled(settings)
         places = _Places(works, works)
         _Reader(places).read(entries)
         works.settings = settings
@@ -181,13 +183,8 @@ class _Places:
             level = [part for found in level for part in self._take(*found)]
 
     def _take(self, place: str, was: Any, now: Any) -> list[tuple[str, Any, Any]]:
-        """Note what stands at a place, unless it is a value; what stands below it."""
-        cls = type(now)
-        if type(was) is not cls or issubclass(cls, (*_PLAIN, Enum)):
-            return []
-        if cls in _KINDS or cls in _VALUE_NAMES or cls in _OBJECT_NAMES:
-            return []
-        if cls is not tuple:
+        """Note what stands at a place; what stands below it."""
+        if type(now) is not tuple:
             if id(was) in self.names or id(now) in self.names:
                 return []
             self.names[id(was)] = self.names[id(now)] = place
@@ -195,33 +192,53 @@ class _Places:
         return list(self._parts(place, was, now))
 
     def _parts(self, place: str, was: Any, now: Any) -> Iterator[tuple[str, Any, Any]]:
+        """What stands below a place and is no value."""
         if isinstance(now, list | deque | tuple):
             for index, (one, other) in enumerate(zip(was, now, strict=False)):
-                yield f"{place}[{index}]", one, other
+                if _in_both(one, other):
+                    yield f"{place}[{index}]", one, other
         elif isinstance(now, dict):
-            for key in now:
-                if key in was and type(key) in (int, str):
-                    yield f"{place}[{key}]", was[key], now[key]
+            for key, other in now.items():
+                if _in_both(was.get(key), other) and type(key) in (int, str):
+                    yield f"{place}[{key}]", was[key], other
         elif not isinstance(now, _CONTAINERS):
             before, state = _state(was), _state(now)
             self.fresh[place], self.states[place] = before, state
             if isinstance(state, dict):
                 prefix = "" if place == "works" else f"{place}."
-                for name in sorted(state.keys() & before.keys()):
-                    yield f"{prefix}{name}", before[name], state[name]
+                for name, other in state.items():
+                    if _in_both(before.get(name), other):
+                        yield f"{prefix}{name}", before[name], other
+
+
+def _in_both(was: Any, now: Any) -> bool:
+    """Whether there is something at a place in both works that is no value."""
+    cls: Any = type(now)
+    return _has_place(cls) and type(was) is cls
+
+
+@cache
+def _has_place(cls: type) -> bool:
+    """Whether what is of a class may have a place, or parts that have one; not so values."""
+    return not (issubclass(cls, (*_PLAIN, Enum)) or cls in _KINDS or cls in _MADE)
 
 
 def _state(thing: Any) -> Any:
     """The attributes of an object by name, or what its class calls its state."""
-    cls = type(thing)
-    if any("__getstate__" in vars(base) for base in cls.__mro__[:-1]):
+    cls: Any = type(thing)
+    if _says_its_state(cls):
         state = thing.__getstate__()
         match state:
             case (None, dict(slots)):
                 return slots
             case dict(attributes):
                 # A class among them is how the machine is wired, not what it holds.
-                return {n: value for n, value in attributes.items() if not isinstance(value, type)}
+                wires = WIRES.get(cls, ())
+                return {
+                    name: value
+                    for name, value in attributes.items()
+                    if not isinstance(value, type) and name not in wires
+                }
         return state
     if is_dataclass(cls):
         return {field.name: getattr(thing, field.name) for field in fields(cls)}
@@ -229,6 +246,11 @@ def _state(thing: Any) -> Any:
     return {name: getattr(thing, name) for name in names if hasattr(thing, name)} | getattr(
         thing, "__dict__", {}
     )
+
+
+@cache
+def _says_its_state(cls: type) -> bool:
+    return any("__getstate__" in vars(base) for base in cls.__mro__[:-1])
 
 
 # -- writing ---------------------------------------------------------------------------------------
@@ -259,12 +281,14 @@ class _Writer:
 
     def _differing(self, was: Any, now: Any, write: Any) -> Any:
         """What is written of `now`; None if a machine just assembled has the same there."""
+        if type(was) is type(now) and type(now) in _COMPARED and was == now:
+            return None
         scratch = _Writer(self._places)
         written = write(scratch, now)
-        # Who has an identity is written always, for somebody else may refer to it.
-        if not scratch._numbers and written == write(_Writer(self._places), was):
-            return None
-        return write(self, now)
+        if scratch._numbers:
+            # Who has an identity is written always, for somebody else may refer to it.
+            return write(self, now)
+        return None if written == write(_Writer(self._places), was) else written
 
     def value(self, value: Any, depth: int = 0) -> Any:
         """A value inside of something else."""
@@ -466,9 +490,15 @@ def _types(cls: type) -> dict[str, Any]:
     return {name: hint for name, hint in hints.items() if typing.get_origin(hint) is not ClassVar}
 
 
+@cache
+def _read_hint(hint: Any) -> tuple[Any, tuple[Any, ...]]:
+    """What a type is made of."""
+    return typing.get_origin(hint), typing.get_args(hint)
+
+
 def _is_of(hint: Any, value: Any) -> bool:
     """Whether a value is of a type; what is in tuples, lists, dictionaries and sets, too."""
-    origin, inner = typing.get_origin(hint), typing.get_args(hint)
+    origin, inner = _read_hint(hint)
     if hint is Any:
         return True
     if hint is None:

@@ -45,13 +45,17 @@ class Processor:
     def __init__(
         self, clock: Clock, memory: Memory, matrix: Matrix, video: Video, ports: Ports
     ) -> None:
-        self.registers = Registers()
         self.looked = 0
         self._clock = clock
         self._memory = memory
         self._matrix = matrix
         self._video = video
         self._ports = ports
+        self._begin()
+
+    def _begin(self) -> None:
+        """Have registers, and no chip yet."""
+        self.registers = Registers()
         self._live: tuple[tuple[int, int], ...] = ()
         self._keys: bytes | None = None
         self._start = 0
@@ -68,6 +72,8 @@ class Processor:
         head = bytes(state.pop("_registers"))
         if len(head) != z80.HEAD:
             raise ValueError("the registers of another processor")
+        if "registers" not in self.__dict__:
+            self._begin()
         self.__dict__.update(state)
         self.registers.head[:] = head
 

@@ -1,0 +1,126 @@
+"""Machines as they begin: assembled, and switched on; the second of its kind is a copy.
+
+A machine begins the same each time: an arm stands at the standard bench, its part comes to rest,
+MEMORY SIZE? is answered. That takes milliseconds, and whoever tries many programs, or looks what
+of a machine is not as it began, wants many. So a machine that is asked for a second time is kept as
+bytes, of which the third and all others are made anew: they share with it, and with one another,
+only what never changes (`VALUES`).
+"""
+
+from __future__ import annotations
+
+import io
+import pickle
+from collections import OrderedDict
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from trs80arm.arm.minimover import MiniMover
+from trs80arm.basic.activity import Waiting
+from trs80arm.snapshot_classes import VALUES
+from trs80arm.works.devices import RigSettings, Works, assemble
+from trs80arm.works.key_events import KeyEvents
+from trs80arm.works.observers import Observers
+from trs80arm.works.running import Running
+
+MOST = 8
+"""Kinds of machine that are kept."""
+LONGEST = 30
+"""Virtual seconds within which a machine that is switched on is at READY."""
+
+_SHARED = frozenset(VALUES.values())
+
+
+class _Pickler(pickle.Pickler):
+    """Leaves out what never changes, and keeps it."""
+
+    def __init__(self, file: io.BytesIO) -> None:
+        super().__init__(file, pickle.HIGHEST_PROTOCOL)
+        self.kept: list[Any] = []
+        self._numbers: dict[int, int] = {}
+
+    def persistent_id(self, thing: Any) -> int | None:
+        """The number of a value; None for what is written."""
+        if type(thing) not in _SHARED:
+            return None
+        if id(thing) not in self._numbers:
+            self._numbers[id(thing)] = len(self.kept)
+            self.kept.append(thing)
+        return self._numbers[id(thing)]
+
+
+class _Mould:
+    """A machine as bytes."""
+
+    def __init__(self, works: Works) -> None:
+        file = io.BytesIO()
+        pickler = _Pickler(file)
+        pickler.dump(works)
+        self._bytes = file.getvalue()
+        self._kept = pickler.kept
+
+    def cast(self) -> Works:
+        """One more such machine."""
+        unpickler = pickle.Unpickler(io.BytesIO(self._bytes))
+        # What `_Pickler.persistent_id` gave for it.
+        unpickler.persistent_load = self._kept.__getitem__  # type: ignore[method-assign]
+        works: Works = unpickler.load()
+        return works
+
+
+class _Beginning:
+    """What `make` makes, or a copy of what it made before."""
+
+    def __init__(self, make: Callable[[RigSettings], Works]) -> None:
+        self._make = make
+        self._moulds: OrderedDict[RigSettings, _Mould | None] = OrderedDict()
+
+    def __call__(self, settings: RigSettings) -> Works:
+        """Works of their own, with tape folder and printer file as the settings have them."""
+        kind = replace(settings, tape_folder=None, printer_file=None)
+        if settings.rom is not None:
+            # Its processor is a chip with a state of its own.
+            works = self._make(kind)
+        elif (mould := self._moulds.get(kind)) is not None:
+            works = mould.cast()
+        else:
+            works = self._make(kind)
+            # Most who make one make no other: bytes are worth it from the second on.
+            self._moulds[kind] = _Mould(works) if kind in self._moulds else None
+            if len(self._moulds) > MOST:
+                self._moulds.popitem(last=False)
+        works.use_places(settings)
+        works.settings = settings
+        return works
+
+
+def _assembled(settings: RigSettings) -> Works:
+    return assemble(settings, MiniMover(settings.arm))
+
+
+def _switched_on(settings: RigSettings) -> Works:
+    works = _assembled(settings)
+    observers = Observers()
+    observers.connect(works)
+    switch_on(works, Running(works, KeyEvents(works), observers))
+    return works
+
+
+def switch_on(works: Works, running: Running) -> None:
+    """Answer MEMORY SIZE? as the settings say, and let the machine come to READY."""
+    basic = works.basic
+    if works.settings.rom is not None:
+        # A ROM of its own tests the memory before it looks at the keyboard.
+        running.run_until(lambda: basic.waiting is Waiting.MEMORY_SIZE, LONGEST)
+    works.typist.add(works.settings.memory_size + "\r")
+    running.run_until(
+        lambda: basic.waiting is Waiting.COMMAND and not (works.typist.pending or works.events),
+        LONGEST,
+    )
+
+
+assembled = _Beginning(_assembled)
+"""A machine just assembled, with the standard bench."""
+switched_on = _Beginning(_switched_on)
+"""A machine just switched on, with the standard bench."""
