@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Final
 
+from trs80arm.basic import costs
 from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, STRING, Kind
 
 FIRST: Final = 128
@@ -184,14 +185,14 @@ TABLE: Final[tuple[Word, ...]] = (
     _function("FRE", "free_space", "free_after", SINGLE, 156, paced=True),
     _function("INP", "of_byte", "read_port", INTEGER, 389, observes=True),
     _function("POS", "of_anything", "position", INTEGER, 142),
-    _function("SQR", "of_single", "sqr", SINGLE, 0),
+    _function("SQR", "of_single", "sqr", SINGLE, costs.SQR),
     _function("RND", "of_integer", "rnd", SINGLE, 4940, unless_zero=6080),
-    _function("LOG", "of_single", "log", SINGLE, 0),
-    _function("EXP", "of_single", "exp", SINGLE, 0),
-    _function("COS", "of_single", "cos", SINGLE, 0),
-    _function("SIN", "of_single", "sin", SINGLE, 0),
-    _function("TAN", "of_single", "tan", SINGLE, 0),
-    _function("ATN", "of_single", "atn", SINGLE, 0),
+    _function("LOG", "of_single", "log", SINGLE, costs.LOG),
+    _function("EXP", "of_single", "exp", SINGLE, costs.EXP),
+    _function("COS", "of_single", "cos", SINGLE, costs.COS),
+    _function("SIN", "of_single", "sin", SINGLE, costs.SIN),
+    _function("TAN", "of_single", "tan", SINGLE, costs.TAN),
+    _function("ATN", "of_single", "atn", SINGLE, costs.ATN),
     _function("PEEK", "of_integer", "peek", INTEGER, 222, observes=True),
     *_disk_function("CVI", "CVS", "CVD", "EOF", "LOC", "LOF", "MKI$", "MKS$", "MKD$"),
     _function("CINT", "converted", "", INTEGER, 169),

@@ -98,6 +98,13 @@ PROGRAMS = {
         if chr(65 + number // 26) + chr(65 + number % 26) not in ("IF", "FN", "TO", "ON", "GO")
     ]
     + ["900 Q=Q+1:FOR I=1 TO 2:R=R+I:NEXT:S$=S$+CHR$(64+Q):IF Q<9 THEN 900 ELSE PRINT R;S$"],
+    "functions": [
+        "10 ON ERROR GOTO 50:FOR P=1 TO 2:FOR I=-3 TO 3",
+        "20 S=S+SIN(I)+COS(I)*ATN(I)+EXP(I):T=T+SQR(I*I):T=T+I[2",
+        "30 T=T+LOG(I):U=U+2[I+I[.5",
+        "40 NEXT:NEXT:PRINT S;T;U;E:END",
+        "50 E=E+ERR+ERL:RESUME NEXT",
+    ],
     "doubles": ["10 A#=1:FOR I=1 TO 20:A#=A#*1.5#-I/3:NEXT:PRINT A#"],
 }
 

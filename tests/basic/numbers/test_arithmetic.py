@@ -10,6 +10,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from tests.basic.numbers.recorded_lines import number, read_double, recorded
+from trs80arm.basic.compiler import rounding
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import convert, double, integer, registers, single
 from trs80arm.basic.numbers.decimal import number_text
@@ -189,3 +190,18 @@ def test_doubles_are_ordered_as_their_values(a: float, b: float) -> None:
     assert double.compare(x, y) == (a > b) - (a < b)
     assert double.compare(x, double.ZERO) == (a > 0) - (a < 0)
     assert double.compare(double.ZERO, x) == (a < 0) - (a > 0)
+
+
+@given(neighbours(), st.sampled_from("+-"))
+@example((single.SMALLEST * 1.5, single.SMALLEST), "-")
+@example((single.LARGEST, single.LARGEST), "+")
+@example((8388609.0, -0.00390625 * 8388609.0), "+")
+def test_a_sum_in_line_is_the_one_called(pair: tuple[float, float], sign: str) -> None:
+    a, b = pair
+    call = single.add if sign == "+" else single.sub
+    expected = outcome(call, a, b)
+    near = rounding.is_near(a) or rounding.is_near(b)
+    for known in {near, False}:
+        text = rounding.rounded_sum("a", sign, "b", ("a", "b"), "call(a, b)", near=known)
+        in_line = eval(f"lambda a, b: {text}", {"call": call})
+        assert outcome(in_line, a, b) == expected

@@ -192,9 +192,9 @@ class ExpressionCompiler:
         if right.kind == STRING:
             raise self._draft.mistake(Code.TM, left, right)
         if operator == tokens.POWER:
-            self._out.allow(costs.MOST_OF_CALL)
+            self._out.cost += costs.POWER
             base, exponent = self.convert.to_single(left), self.convert.to_single(right)
-            return Expression(f"power({base.text}, {exponent.text})", SINGLE)
+            return Expression(f"power[{base.text}, {exponent.text}]", SINGLE)
         return self._arithmetic(left, _ARITHMETIC[operator], right)
 
     def _logical(self, left: Expression, operator: int) -> Expression:

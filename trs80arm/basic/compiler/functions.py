@@ -169,10 +169,9 @@ class FunctionCompiler:
         return _call(word, self._number().shown)
 
     def of_single(self, word: Word) -> Expression:
-        """A function of a single that takes as long as its routine says."""
+        """A function of a single, whose results are remembered."""
         value = self._number()
-        self._out.allow(costs.MOST_OF_CALL)
-        return _call(word, self._convert.to_single(value).text)
+        return Expression(f"{word.calls}[{self._convert.to_single(value).text}]", _kind(word))
 
     def of_integer(self, word: Word) -> Expression:
         """A function of an integer."""

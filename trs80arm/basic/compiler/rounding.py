@@ -13,6 +13,8 @@ SPLIT: Final = 2.0**29 + 1.0
 AWAY: Final = 1.0 + 2.0**-52
 _LEAST: Final = 1e-37
 _MOST: Final = 1e37
+_FAR: Final = 256.0
+"""How many times as large one operand of unlike signs may be as the other (`single.add`)."""
 NEAR_LEAST: Final = 1e-30
 NEAR_MOST: Final = 1e30
 
@@ -53,6 +55,32 @@ def sum_(first: str, sign: str, second: str, otherwise: str, *, near: bool = Fal
     exact = _exact(first, sign, second)
     test = exact if near else f"{exact} and {_usual('s')}"
     return f"(s if {test} else {otherwise})"
+
+
+def rounded_sum(
+    first: str, sign: str, second: str, again: tuple[str, str], otherwise: str, *, near: bool
+) -> str:
+    """The same where a sum is likely to have a rest: it is rounded here too.
+
+    Args:
+        first: the left operand.
+        sign: `+` or `-`.
+        second: the right operand.
+        again: text that gives the two operands again.
+        otherwise: the call for results that are not usual, and for operands of unlike signs that
+            are far apart.
+        near: as in `sum_`.
+    """
+    exact = _exact(first, sign, second)
+    test = exact if near else f"{exact} and {_usual('s')}"
+    # A sum without a rest that is not usual goes the other way: it may be 0, and so the divisor.
+    ratio = f"(c := {again[0]} / {again[1]})"
+    alike, apart = ("> 0.0", f"-{_FAR} <= c <= -{1 / _FAR}")
+    if sign == "-":
+        alike, apart = ("< 0.0", f"{1 / _FAR} <= c <= {_FAR}")
+    certain = f"{_usual('s')} and ({ratio} {alike} or {apart})"
+    rounded = f"(c := (s := s * {AWAY}) * {SPLIT}) - (c - s)"
+    return f"(s if {test} else {rounded} if {certain} else {otherwise})"
 
 
 def short_step(value: str, step: str) -> str:

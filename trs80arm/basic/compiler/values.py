@@ -143,8 +143,9 @@ class Conversions:
         call = f"{name}({a}, {b})"
         if name in ("add", "sub"):
             known = [value.constant for value in (left, right) if value.constant is not None]
+            sign = "+" if name == "add" else "-"
             near = any(rounding.is_near(number) for number in known)
-            return rounding.sum_(first, "+" if name == "add" else "-", second, call, near=near)
+            return rounding.rounded_sum(first, sign, second, (a, b), call, near=near)
         if name == "mul":
             return rounding.product(first, "*", second, call)
         if right.constant:

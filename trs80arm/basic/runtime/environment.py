@@ -17,6 +17,7 @@ from trs80arm.basic.runtime.arithmetic import Arithmetic
 from trs80arm.basic.runtime.data import DataReader
 from trs80arm.basic.runtime.flow import Flow
 from trs80arm.basic.runtime.hardware import Hardware
+from trs80arm.basic.runtime.known import known_functions
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.runtime.printing import Printing
 from trs80arm.basic.runtime.storage import Storage
@@ -97,7 +98,7 @@ ROUTINES: Final[dict[type[Part], tuple[str, ...]]] = {
         *("arm_step", "arm_close", "arm_set", "arm_reset", "arm_read"),
     ),
     Arithmetic: (
-        *("mul", "div", "power"),
+        *("mul", "div"),
         *("double_add", "double_sub", "double_mul", "double_div"),
     ),
 }
@@ -122,6 +123,7 @@ def environment(state: State) -> dict[str, Any]:
         "literal": state.strings.literal,
         "concatenate": state.strings.concatenate,
         **FUNCTIONS,
+        **known_functions(state.clock),
     }
     called = set(words.CALLS)
     for kind, listed in ROUTINES.items():
