@@ -53,3 +53,7 @@ def is_letter(code: int) -> bool:
 def is_small_letter(code: int) -> bool:
     """Whether a character is a small letter."""
     return 0x61 <= code <= 0x7A
+
+
+LONGEST_STRING: Final = 255
+"""Characters of a string: its descriptor has one byte for the length."""

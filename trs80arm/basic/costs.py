@@ -107,7 +107,17 @@ SIN: Final = 42300
 TAN: Final = 94400
 ATN: Final = 58300
 POWER: Final = 87200
-"""The functions by polynomials and the power, for a usual argument; charged when they are done."""
+"""The functions by polynomials and the power, for a usual argument."""
+BY_POLYNOMIAL: Final = {
+    "sqr": SQR,
+    "log": LOG,
+    "exp": EXP,
+    "cos": COS,
+    "sin": SIN,
+    "tan": TAN,
+    "atn": ATN,
+}
+"""The same by their routines."""
 EASY_SQR: Final = {0.0: 1200, 1.0: 73700}
 EASY_EXP: Final = {0.0: 40900}
 EASY_COS: Final = {0.0: 35800}

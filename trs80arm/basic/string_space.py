@@ -9,6 +9,7 @@ Statements, Strings).
 from __future__ import annotations
 
 from trs80arm.basic import addresses, costs
+from trs80arm.basic.characters import LONGEST_STRING
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.host import Clock, Memory
 from trs80arm.basic.kinds import STRING
@@ -16,7 +17,7 @@ from trs80arm.basic.variables import Descriptor, Variables
 
 TEMPORARIES = 10
 """More strings than this pending in one expression are ?ST."""
-LONGEST = 255
+LONGEST = LONGEST_STRING
 
 
 class StringSpace:
@@ -199,6 +200,38 @@ class StringSpace:
         else:
             raise BasicError(Code.ST)
         return new
+
+    def keep(self, target: Descriptor, text: bytes, stored: bytes, extra: int) -> bool:
+        """Make `target` a string that was put together elsewhere, if it fits without more ado.
+
+        Args:
+            target: the variable's descriptor.
+            text: the string.
+            stored: all that its making leaves in string space; `text` is the beginning.
+            extra: T-states beside those of moving the bytes stored.
+
+        Returns:
+            Whether it was done. If not, nothing has changed.
+        """
+        length, count = len(text), len(stored)
+        before = self.next
+        next_ = before - count
+        bottom = self.bottom
+        if (
+            next_ < bottom
+            or length > LONGEST
+            or self.temporaries
+            or bottom < addresses.PROGRAM
+            or before >= self._end
+        ):
+            return False
+        address = next_ + 1
+        self._ram[address : before + 1] = stored
+        self.next = next_
+        self._clock.now += count * costs.STRING_BYTE + extra
+        target[0] = length
+        target[1] = address
+        return True
 
     def assign(self, target: Descriptor, string: Descriptor, text_start: int) -> None:
         """Make `target` the string, as LET, READ and INPUT do.

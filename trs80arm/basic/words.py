@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Final
 
-from trs80arm.basic import costs
 from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, STRING, Kind
 
 FIRST: Final = 128
@@ -185,14 +184,14 @@ TABLE: Final[tuple[Word, ...]] = (
     _function("FRE", "free_space", "free_after", SINGLE, 156, paced=True),
     _function("INP", "of_byte", "read_port", INTEGER, 389, observes=True),
     _function("POS", "of_anything", "position", INTEGER, 142),
-    _function("SQR", "of_single", "sqr", SINGLE, costs.SQR),
+    _function("SQR", "of_single", "sqr", SINGLE, 0),
     _function("RND", "of_integer", "rnd", SINGLE, 4940, unless_zero=6080),
-    _function("LOG", "of_single", "log", SINGLE, costs.LOG),
-    _function("EXP", "of_single", "exp", SINGLE, costs.EXP),
-    _function("COS", "of_single", "cos", SINGLE, costs.COS),
-    _function("SIN", "of_single", "sin", SINGLE, costs.SIN),
-    _function("TAN", "of_single", "tan", SINGLE, costs.TAN),
-    _function("ATN", "of_single", "atn", SINGLE, costs.ATN),
+    _function("LOG", "of_single", "log", SINGLE, 0),
+    _function("EXP", "of_single", "exp", SINGLE, 0),
+    _function("COS", "of_single", "cos", SINGLE, 0),
+    _function("SIN", "of_single", "sin", SINGLE, 0),
+    _function("TAN", "of_single", "tan", SINGLE, 0),
+    _function("ATN", "of_single", "atn", SINGLE, 0),
     _function("PEEK", "of_integer", "peek", INTEGER, 222, observes=True),
     *_disk_function("CVI", "CVS", "CVD", "EOF", "LOC", "LOF", "MKI$", "MKS$", "MKD$"),
     _function("CINT", "converted", "", INTEGER, 169),
@@ -203,7 +202,7 @@ TABLE: Final[tuple[Word, ...]] = (
     _function("STR$", "of_shown", "str_", STRING, 1360, paced=True),
     _function("VAL", "of_string", "val_", ANY, 3, paced=True),
     _function("ASC", "of_string", "asc_", INTEGER, 425),
-    _function("CHR$", "of_byte", "chr_", STRING, 1620, paced=True),
+    _function("CHR$", "of_code", "chr_", STRING, 1620, paced=True),
     _function("LEFT$", "part_of_string", "left", STRING, 2300, paced=True),
     _function("RIGHT$", "part_of_string", "right", STRING, 2320, paced=True),
     _function("MID$", "part_of_string", "middle", STRING, 2760, paced=True),

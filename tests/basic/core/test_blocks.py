@@ -77,6 +77,22 @@ PROGRAMS = {
         "50 NEXT:PRINT A$;B$;C$;D;E",
         "60 DATA 1,2,3,4,5,6,7,8,9,X",
     ],
+    "strings put together": [
+        '10 CLEAR 140:DIM S$(3):A$="MINIMOVER":X#=1.5:FOR I=0 TO 12',
+        '20 B$=MID$(A$,I/2+1,3)+"-"+RIGHT$(A$,I)+STR$(I/4)+CHR$(65+I)',
+        '30 S$(I AND 3)=LEFT$(STR$(I),2)+MID$(STR$(-I),2)+STR$(I*2):C$=MID$("ROBOT",2,I AND 3)',
+        '40 D$=LEFT$(A$+B$,I)+LEFT$("ARM",0):E$=MID$(LEFT$(A$,3),4)+RIGHT$(CHR$(48+I),1)',
+        "50 IF LEN(B$)>13 THEN PRINT B$;D$;FRE(A$) ELSE E$=E$+S$(I AND 3)+STR$(X#)",
+        "60 T=T+LEN(B$)+LEN(C$)+LEN(D$)+ASC(E$):NEXT:PRINT S$(0);S$(1);S$(2);S$(3);C$;E$;T;FRE(A$)",
+    ],
+    "strings too long": [
+        "10 CLEAR 999:ON ERROR GOTO 50:FOR I=1 TO 8",
+        '20 A$=A$+"0123456789ABCDEF"+A$:NEXT:END',
+        "30 B$=LEFT$(A$,40)+MID$(A$,0)",
+        '40 PRINT LEN(A$);LEN(B$);FRE(A$);RIGHT$(A$,0);S:B$="":A$=CHR$(S-1):END',
+        "50 S=S+ERR:T=T+FRE(A$):IF ERL=20 THEN RESUME 30 ELSE IF ERL=30 THEN RESUME 40",
+        "60 PRINT T;S;ERL:END",
+    ],
     "string space full": [
         "5 CLEAR 40:ON ERROR GOTO 90",
         '10 FOR I=1 TO 9:A$=A$+"ABCDE":B$=A$+"F":C$=B$:NEXT:PRINT A$',

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from trs80arm.basic import characters, costs, room, tokens
 from trs80arm.basic.characters import COMMA, OPEN
+from trs80arm.basic.compiler import pieces
 from trs80arm.basic.compiler.draft import Draft, Mistake
 from trs80arm.basic.compiler.expressions import ExpressionCompiler, listed, to_subscript
 from trs80arm.basic.compiler.values import Expression
@@ -89,7 +90,10 @@ class AssignmentCompiler:
         if target.kind == STRING:
             self._out.cost += costs.STORE_STRING
             self._draft.paced = True
-            self._out.emit(f"assign({target.text}, {value.text})")
+            if value.piece is not None and value.piece.stored:
+                pieces.store(self._out, target.text, value.piece)
+            else:
+                self._out.emit(f"assign({target.text}, {value.text})")
             return
         self._out.cost += costs.store(target.kind, value.held)
         converted = self._expressions.convert.to_kind(value, target.kind)

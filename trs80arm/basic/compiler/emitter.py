@@ -140,6 +140,11 @@ class Emitter:
         self._base = self.indent
 
     @property
+    def in_block(self) -> bool:
+        """Whether the function is a block, and not one statement."""
+        return self._leader is not None
+
+    @property
     def straight(self) -> bool:
         """Whether what is written now is executed by a block on every way that comes here."""
         return self._leader is not None and self.indent == self._base

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from trs80arm.basic import characters, costs, number_costs, room, tokens, words
+from trs80arm.basic import addresses, characters, costs, number_costs, room, tokens, words
 from trs80arm.basic.characters import CLOSE, COMMA, OPEN, QUOTE
+from trs80arm.basic.compiler import pieces
 from trs80arm.basic.compiler.draft import Draft, Mistake
 from trs80arm.basic.compiler.values import Conversions, Expression, constant, settled, wider
 from trs80arm.basic.errors import BasicError, Code
@@ -176,9 +177,11 @@ class ExpressionCompiler:
             right = self._operand()
         if right.kind != STRING:
             raise self._draft.mistake(Code.TM, left, right)
+        out = self._out
         self._draft.paced = True
-        self._out.cost += costs.CONCATENATE
-        return Expression(f"concatenate({left.text}, {right.text})", STRING)
+        out.cost += costs.CONCATENATE
+        value = Expression(f"concatenate({left.text}, {right.text})", STRING)
+        return pieces.with_piece(value, pieces.joined(out, left, right), out)
 
     def _operation(self, left: Expression, operator: int) -> Expression:
         if left.kind == STRING:
@@ -252,7 +255,13 @@ class ExpressionCompiler:
         if code == QUOTE:
             length, address = reader.string_literal()
             out.cost += costs.STRING_LITERAL + costs.STRING_CHARACTER * length
-            return Expression(f"literal({length}, {address})", STRING)
+            call = f"literal({length}, {address})"
+            value = Expression(call, STRING)
+            if address < addresses.PROGRAM or length > characters.LONGEST_STRING:
+                return value
+            start = address - reader.base
+            text = reader.text[start : start + length]
+            return pieces.with_piece(value, pieces.literal(text, call), out)
         if code == tokens.NOT:
             reader.advance()
             return self._complement(self._nested(NOT))
@@ -349,13 +358,20 @@ class ExpressionCompiler:
         scalar = self._scope.scalar(key)
         self._out.cost += costs.VARIABLE + self._scope.search(scalar) + costs.FETCH[key[1]]
         name = self._out.cell(self._scope.cell_name(key), scalar.cell)
-        return Expression(name, key[1], simple=True)
+        value = Expression(name, key[1], simple=True)
+        if key[1] == STRING:
+            return pieces.with_piece(value, pieces.variable(name), self._out)
+        return value
 
     def _element(self, key: Key) -> Expression:
         array, subscripts = self.subscripts(key)
         if array is None:
             return Expression(f"element({self._out.constant(key)}, {listed(subscripts)})", key[1])
-        return Expression(f"{self.array(key)}[{self.index(array, subscripts).text}]", key[1])
+        text = f"{self.array(key)}[{self.index(array, subscripts).text}]"
+        value = Expression(text, key[1])
+        if key[1] == STRING:
+            return pieces.with_piece(value, pieces.element(self._out, text), self._out)
+        return value
 
     def array(self, key: Key) -> str:
         """The name of the elements of an array that exists."""

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Final
 
 from trs80arm.basic import characters, costs, room, tokens, words
-from trs80arm.basic.characters import COMMA, QUOTE
+from trs80arm.basic.characters import AT, COMMA, QUOTE
 from trs80arm.basic.compiler import rounding
 from trs80arm.basic.compiler.assignments import AssignmentCompiler
 from trs80arm.basic.compiler.draft import Draft, Mistake
@@ -182,16 +182,26 @@ class FlowCompiler:
             reader.advance()
         if value.kind == STRING:
             raise self._draft.mistake(Code.TM, value)
-        charged = out.cost
+        charged, plain = out.cost, self._draft.plain
         out.emit(f"if {_truth(value)}:")
         out.indent += 1
+        self._note_place()
         self._branch()
         out.indent -= 1
+        # A block is left behind this branch, so anything may stand in it.
+        self._draft.plain = plain
         reader.position, out.cost = then[0], charged
         if self._find_else():
             self._branch()
             return False
         return True
+
+    def _note_place(self) -> None:
+        """Have it noted where the program is, for a statement behind THEN that may ask."""
+        code = self._reader.skip()
+        word = words.BY_TOKEN.get(code)
+        if self._out.in_block and (code == AT or (word is not None and not word.plain)):
+            self._out.emit(f"now_at({self._out.statement})")
 
     def _branch(self) -> None:
         """What is done in one case: a line number, a statement, or nothing."""

@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from trs80arm.basic import costs, room, words
 from trs80arm.basic.characters import COMMA, OPEN
+from trs80arm.basic.compiler import pieces
 from trs80arm.basic.compiler.draft import Draft, Mistake
 from trs80arm.basic.compiler.expressions import ExpressionCompiler, listed
 from trs80arm.basic.compiler.values import Expression, settled
@@ -106,7 +107,9 @@ class FunctionCompiler:
                     reader.advance()
                     numbers.append(expressions.byte())
                 expressions.close_parenthesis()
-        return _call(word, string.text, *(number.text for number in numbers))
+        value = _call(word, string.text, *(number.text for number in numbers))
+        piece = pieces.part(self._out, word.calls, string, numbers)
+        return pieces.with_piece(value, piece, self._out)
 
     def of_place(self, word: Word) -> Expression:
         """POINT."""
@@ -166,11 +169,14 @@ class FunctionCompiler:
 
     def of_shown(self, word: Word) -> Expression:
         """STR$: what the ROM holds as an integer is shown as one."""
-        return _call(word, self._number().shown)
+        value = self._number()
+        piece = pieces.shown(self._out, value)
+        return pieces.with_piece(_call(word, value.shown), piece, self._out)
 
     def of_single(self, word: Word) -> Expression:
         """A function of a single, whose results are remembered."""
         value = self._number()
+        self._out.cost += costs.BY_POLYNOMIAL[word.calls]
         return Expression(f"{word.calls}[{self._convert.to_single(value).text}]", _kind(word))
 
     def of_integer(self, word: Word) -> Expression:
@@ -183,6 +189,12 @@ class FunctionCompiler:
     def of_byte(self, word: Word) -> Expression:
         """A function of an integer of 0 to 255."""
         return _call(word, self._convert.to_byte(self._number()).text)
+
+    def of_code(self, word: Word) -> Expression:
+        """CHR$."""
+        value = self._convert.to_byte(self._number())
+        piece = pieces.character(self._out, value)
+        return pieces.with_piece(_call(word, value.text), piece, self._out)
 
     def free_space(self, word: Word) -> Expression:
         """FRE: of a string the free string space, of a number what MEM is."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from trs80arm.basic import costs
 from trs80arm.basic.compiler import rounding
@@ -10,6 +11,9 @@ from trs80arm.basic.compiler.emitter import Emitter
 from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, Kind
 from trs80arm.basic.numbers import convert
 from trs80arm.basic.numbers.double import Double
+
+if TYPE_CHECKING:
+    from trs80arm.basic.compiler.pieces import Piece
 
 _DEEP = 6
 """Nesting from which on arithmetic is called, not written in line: Python's parser has limits."""
@@ -27,6 +31,7 @@ class Expression:
         simple: whether the text is a name or a number: it may be written twice without being
             computed twice, or left out without being missed.
         whole: a single here, but the ROM holds an integer where the value fits into one (INT).
+        piece: the characters of a string, where it can be put together in one go.
     """
 
     text: str
@@ -35,6 +40,7 @@ class Expression:
     constant: int | float | None = None
     simple: bool = False
     whole: bool = False
+    piece: Piece | None = None
 
     @property
     def held(self) -> Kind:

@@ -24,6 +24,8 @@ from trs80arm.basic.runtime.storage import Storage
 from trs80arm.basic.runtime.strings import StringFunctions
 from trs80arm.basic.state import State
 
+CHARACTERS: Final = tuple(bytes((code,)) for code in range(256))
+"""What CHR$ gives, by the code."""
 FUNCTIONS: Final[dict[str, Any]] = {
     # Python's own, and the error that a tape statement holds back.
     "abs": abs,
@@ -122,6 +124,9 @@ def environment(state: State) -> dict[str, Any]:
         "memory_room": state.room,
         "literal": state.strings.literal,
         "concatenate": state.strings.concatenate,
+        "bytes_of": state.strings.bytes_of,
+        "keep": state.strings.keep,
+        "characters": CHARACTERS,
         **FUNCTIONS,
         **known_functions(state.clock),
     }

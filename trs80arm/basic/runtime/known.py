@@ -1,4 +1,4 @@
-"""SIN, COS, TAN, ATN, LOG, EXP, SQR and the power at run time, which remember what they gave.
+"""Functions that remember what they gave: SIN and so on, the power, the text of a number.
 
 Programs ask for the same angles and roots again and again: an arm goes round between the same
 places, a picture is symmetrical. What a function gave for the last few thousand arguments is found
@@ -16,7 +16,7 @@ from typing import Any, Final
 from trs80arm.basic import costs
 from trs80arm.basic.errors import BasicError
 from trs80arm.basic.host import Clock
-from trs80arm.basic.numbers import functions
+from trs80arm.basic.numbers import decimal, functions
 
 MOST: Final = 4096
 """Arguments that a function remembers; then it begins anew."""
@@ -77,7 +77,22 @@ def _known_powers(clock: Clock) -> dict[tuple[float, float], float]:
     return Known()
 
 
-def known_functions(clock: Clock) -> dict[str, dict[Any, float]]:
+def _known_texts() -> dict[Any, tuple[bytes, int]]:
+    """What STR$ gives, and T-states beside those of moving its bytes."""
+
+    class Known(dict[Any, tuple[bytes, int]]):
+        def __missing__(self, value: int | float) -> tuple[bytes, int]:
+            text = decimal.number_text(value)
+            time = costs.number_text(value, text) - costs.STRING_BYTE * len(text)
+            if len(self) >= MOST:
+                self.clear()
+            result = self[value] = text.encode("ascii"), time
+            return result
+
+    return Known()
+
+
+def known_functions(clock: Clock) -> dict[str, dict[Any, Any]]:
     """The functions of one machine by their names."""
     return {
         "sin": _known(clock, costs.SIN, functions.sin, costs.EASY_SIN),
@@ -88,4 +103,7 @@ def known_functions(clock: Clock) -> dict[str, dict[Any, float]]:
         "exp": _known(clock, costs.EXP, functions.exp, costs.EASY_EXP),
         "sqr": _known(clock, costs.SQR, functions.sqr, costs.EASY_SQR),
         "power": _known_powers(clock),
+        # 7 and 7.0 are the same key, but not the same time.
+        "shown_integers": _known_texts(),
+        "shown_singles": _known_texts(),
     }
