@@ -13,6 +13,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from types import CellType, FunctionType
 from typing import Any, Final, NamedTuple
 
@@ -24,7 +25,8 @@ from trs80arm.basic.compiler.statements import StatementCompiler
 from trs80arm.basic.control import DIRECT, ForFrame
 from trs80arm.basic.engine import Place
 from trs80arm.basic.errors import BasicError, Code
-from trs80arm.basic.execution import Leave
+from trs80arm.basic.execution import CodeCall, Leave
+from trs80arm.basic.runtime.again import recorded
 from trs80arm.basic.runtime.environment import environment
 from trs80arm.basic.state import State
 from trs80arm.basic.variables import Key
@@ -50,6 +52,7 @@ class Compiled(NamedTuple):
     assumptions: Assumptions
     marks: list[Mark]
     first_line: int
+    calls_code: bool
 
 
 class Written(NamedTuple):
@@ -102,6 +105,8 @@ class Table(dict[int, Function]):
         if compiled.assumptions.fragile:
             self._fragile.append(address)
         function: Function = compiled.function
+        if compiled.calls_code:
+            function = partial(self._owner.call_code, address, function)
         self[address] = function
         return function
 
@@ -192,6 +197,7 @@ class CompiledCode:
             "pace": self.pace,
             "alone": self.step,
         }
+        self._recorded: dict[str, Any] | None = None
         self._array_cells: dict[Key, CellType] = {}
         self._version = state.program.version
         self.statements = Table(self, self._compile_statement)
@@ -219,6 +225,7 @@ class CompiledCode:
         except (BasicError, Leave) as error:
             place.statement, cost = table.failed(address, error)
             clock.now += cost
+            self._note(error, place.statement, cost)
             raise
         place.next = address
 
@@ -228,8 +235,25 @@ class CompiledCode:
         try:
             return table[address]()
         except (BasicError, Leave) as error:
-            self._state.clock.now += table.failed(address, error).cost
+            cost = table.failed(address, error).cost
+            self._state.clock.now += cost
+            self._note(error, address, cost)
             raise
+
+    def _note(self, error: BasicError | Leave, statement: int, cost: int) -> None:
+        """A statement that calls machine code is executed again, and charged once."""
+        if isinstance(error, CodeCall):
+            error.address = statement
+            self._state.code_calls.pending = cost
+
+    def call_code(self, address: int, function: Function) -> int:
+        """Execute a statement that may call machine code, anew or again."""
+        calls = self._state.code_calls
+        calls.begin(address, self._state.clock.now)
+        try:
+            return function()
+        finally:
+            calls.end()
 
     # -- what makes compiled statements invalid -----------------------------------------------
 
@@ -328,6 +352,7 @@ class CompiledCode:
             if seen and (not solid or out.most_cost > _MOST or len(seen) == _LONGEST):
                 asked = scope.state()
                 self._take_back(out, scope, loops, before)
+                out.calls_code = False
                 if fragile:
                     # A longer block takes this one's place when what is missing has been made.
                     scope.restore(asked)
@@ -337,6 +362,9 @@ class CompiledCode:
             paced = found.paced
             if not solid:
                 break
+        if out.calls_code:
+            # It is executed again as a whole, so it stands alone.
+            return self._compile_statement(address, types)
         if here is not None:
             out.leave_for(here)
         try:
@@ -353,8 +381,11 @@ class CompiledCode:
         scope.restore(asked)
 
     def _built(self, out: Emitter, scope: Scope) -> Compiled:
-        function, first_line = out.build(self.environment)
-        return Compiled(function, scope.assumptions(), out.marks, first_line)
+        names = self.environment
+        if out.calls_code:
+            names = self._recorded = self._recorded or recorded(names, self._state)
+        function, first_line = out.build(names)
+        return Compiled(function, scope.assumptions(), out.marks, first_line, out.calls_code)
 
     def _loops(self) -> list[Key]:
         """The variables of the loops that are open now."""

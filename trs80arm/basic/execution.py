@@ -35,6 +35,13 @@ class Leave(Exception):  # noqa: N818 - a way of leaving, not a failure
         self.address = address
 
 
+class CodeCall(Leave):
+    """The statement calls machine code: it is executed again when that is done."""
+
+    def __init__(self) -> None:
+        super().__init__(0)
+
+
 class Answered(Protocol):
     """The variables of an INPUT that is under way."""
 
@@ -122,7 +129,8 @@ class Execution(Activity):
     def _slowly(self, state: State) -> None:
         clock = state.clock
         while clock.now < clock.limit and state.stack[-1] is self:
-            if state.stops and state.stops.before(self.next):
+            again = state.code_calls.again
+            if state.stops and not again and state.stops.before(self.next):
                 # Whoever turns the wheel finds that there is no more time.
                 clock.limit = clock.now
                 return
@@ -132,15 +140,22 @@ class Execution(Activity):
 
     def _one(self, state: State) -> None:
         """One turn of the statement loop with everything that the ROM does in it."""
-        if self.noted is None and self._key(state):
+        again = state.code_calls.again
+        if self.noted is None and not again and self._key(state):
             return
         address = self.next
         ram = state.memory.ram
-        for listener in state.listeners:
-            self._tell(state, listener, address)
+        if not again:
+            for listener in state.listeners:
+                self._tell(state, listener, address)
         self.statement = address
         self.forced_line = None
-        if state.control.trace and not ram[address] and (ram[address + 1] or ram[address + 2]):
+        if (
+            state.control.trace
+            and not again
+            and not ram[address]
+            and (ram[address + 1] or ram[address + 2])
+        ):
             number = state.program.number_at(address + 1)
             if address >= state.program.start - 1:
                 state.output.show(b"<%d>" % number)
@@ -183,8 +198,10 @@ class Execution(Activity):
 
     def _left(self, state: State, leave: Leave) -> None:
         state.engine.stale = False
-        self.noted = None
         self.next = leave.address
+        if isinstance(leave, CodeCall):
+            return
+        self.noted = None
 
     # -- errors -------------------------------------------------------------------------------
 

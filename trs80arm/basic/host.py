@@ -168,6 +168,69 @@ class ArmCommands(Protocol):
         """Carry on with the motion until it ends or `Clock.now` reaches `Clock.limit`."""
 
 
+class Registers(Protocol):
+    """The registers of the Z-80 that ROM routines take and give; numbers of 8 and 16 bits."""
+
+    a: int
+    b: int
+    c: int
+    bc: int
+    de: int
+    hl: int
+    sp: int
+    pc: int
+
+    def settle(self) -> None:
+        """Between two instructions, not halted, interrupts off."""
+
+    @property
+    def halted(self) -> bool:
+        """Whether the processor has executed a HALT."""
+
+    def flags(self, *, carry: bool = False, zero: bool = False, sign: bool = False) -> None:
+        """Set these flags, the others 0."""
+
+
+class Processor(Protocol):
+    """The Z-80 beside BASIC: it executes machine code in RAM, on the machine's own bus.
+
+    The ROM is not there. Code that comes to an address of it is stopped there, and BASIC answers.
+    """
+
+    @property
+    def registers(self) -> Registers:
+        """Its registers."""
+
+    looked: int
+    """The T-state at which code last looked at the keyboard row that BREAK is in."""
+
+    @property
+    def missing(self) -> str:
+        """Why there is none, in one line; empty where there is."""
+
+    def without_rom(self) -> None:
+        """Have `run` return where code comes to the ROM, and note when it looks for BREAK."""
+
+    def answer_live(self, *ranges: tuple[int, int]) -> None:
+        """Let the memory map answer at these ranges of RAM, and not the storage behind it."""
+
+    def run(self, until: int) -> bool:
+        """Execute instructions up to the first one that ends at a T-state or later.
+
+        Returns:
+            Whether it came to an address of the ROM before.
+        """
+
+    def push(self, word: int) -> None:
+        """Put a word on the stack."""
+
+    def pop(self) -> int:
+        """Take a word from the stack."""
+
+    def peek_word(self, address: int) -> int:
+        """A word of memory, low byte first."""
+
+
 @dataclass
 class Host:
     """One machine, as the language sees it."""
@@ -180,3 +243,5 @@ class Host:
     tape: Tape
     arm: ArmCommands | None
     """None on a machine without ARMBASIC, where `@` words are ?SN."""
+    processor: Processor | None = None
+    """None where machine code is none of BASIC's affair."""

@@ -20,7 +20,7 @@ from trs80arm.basic.execution import Execution
 from trs80arm.basic.host import Host
 from trs80arm.basic.outcome import Outcome
 from trs80arm.basic.program import Program
-from trs80arm.basic.state import Listener, State, Stops
+from trs80arm.basic.state import ColdStart, Listener, State, Stops
 from trs80arm.basic.system_area import SystemArea, Workspace
 
 
@@ -35,9 +35,13 @@ class Interpreter:
         state = self.state = State(host, CompiledCode, armbasic=armbasic, blocks=blocks)
         state.memory.attach(*SystemArea.RANGE, SystemArea(state))
         state.memory.attach(addresses.PROGRAM, state.memory.top, Workspace(state))
+        self._switch_on()
+
+    def _switch_on(self) -> None:
+        state = self.state
         system_area.power_on(state.memory.ram)
         state.clear_program()
-        state.stack += [CommandLevel(), MemorySize()]
+        state.stack[:] = [CommandLevel(), MemorySize()]
 
     # -- what a rig looks at ------------------------------------------------------------------
 
@@ -121,6 +125,8 @@ class Interpreter:
                 state.stack[-1].advance(state)
             except BasicError as error:
                 execution.failed(state, error)
+            except ColdStart:
+                self._switch_on()
 
     def step_statement(self) -> None:
         """Execute one statement of the running program, for a debugger's single step.
@@ -137,6 +143,8 @@ class Interpreter:
                 top.advance(state)
         except BasicError as error:
             execution.failed(state, error)
+        except ColdStart:
+            self._switch_on()
 
     def aside(self, crunched: bytes) -> None:
         """Do an assignment or a POKE beside what the machine is doing, in no time.

@@ -14,6 +14,7 @@ from typing import Any, Final, Protocol
 
 from trs80arm.basic import addresses
 from trs80arm.basic.activity import Waiting
+from trs80arm.basic.code_calls import CodeCalls
 from trs80arm.basic.control import Control
 from trs80arm.basic.engine import Engine
 from trs80arm.basic.host import Host
@@ -65,6 +66,10 @@ class Stops:
         return any(stopped)
 
 
+class ColdStart(Exception):  # noqa: N818 - not a failure of ours
+    """Machine code went to the address 0: the machine begins as if it was switched on."""
+
+
 class Activity:
     """One thing that the machine is doing."""
 
@@ -111,6 +116,7 @@ class State:
         strings: string space and temporaries.
         room: the free memory.
         control: loops, subroutines, error trap, DATA pointer.
+        code_calls: what a statement found out that calls machine code.
         seed: of RND, 24 bits.
         stack: what the machine is doing, the topmost last; the bottom is a `Home`.
         outcome: how the last program ended; None while one runs.
@@ -137,6 +143,7 @@ class State:
         self.strings = StringSpace(host.memory, host.clock, self.variables)
         self.control = Control()
         self.room = Room(self.strings, self.variables, self.control)
+        self.code_calls = CodeCalls()
         self.seed = 0
         self.stack: list[Activity] = []
         self.outcome: Outcome | None = None

@@ -167,6 +167,7 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
     memory.attach(PRINTER_START, PRINTER_STOP, printer)
     memory.attach(KEYBOARD_START, KEYBOARD_STOP, matrix)
     memory.attach(VIDEO_START, VIDEO_STOP, video)
+    processor = Processor(clock, memory, matrix, video, ports)
     host = Host(
         clock=clock,
         memory=memory,
@@ -175,8 +176,8 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
         ports=ports,
         tape=tape,
         arm=driver if settings.armbasic else None,
+        processor=processor,
     )
-    processor = Processor(clock, memory, matrix, video, ports)
     basic: Language
     if settings.rom is None:
         basic = Interpreter(host, armbasic=settings.armbasic, blocks=settings.blocks)

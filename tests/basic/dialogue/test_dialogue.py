@@ -13,6 +13,7 @@ from tests.conformance.player import Session
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.dialogue.boot import MemorySize
 from trs80arm.basic.dialogue.command import CommandLevel
+from trs80arm.machine.z80 import chip
 from trs80arm.rig import Rig, RigSettings
 
 
@@ -258,9 +259,14 @@ def test_system_leaves_by_the_roms_own_addresses(session: Session) -> None:
     assert say(session, "/6681") == "/6681\nREADY\n>"
 
 
-def test_jump_to_code_that_is_not_there_is_fc(session: Session) -> None:
+def test_without_the_extra_a_jump_to_code_is_fc_and_says_what_it_needs(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(chip, "available", lambda: False)
     say(session, "SYSTEM")
-    assert say(session, "/32000") == "/32000\n?FC Error\nREADY\n>"
+    assert say(session, "/32000") == (
+        "/32000\nmachine code needs the extra z80: pip install 'trs80arm[z80]'\n?FC Error\nREADY\n>"
+    )
 
 
 def test_system_tape_is_loaded_where_it_says(session: Session) -> None:

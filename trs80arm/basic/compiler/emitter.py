@@ -99,6 +99,7 @@ class Emitter:
         marks: what is known of each line.
         calls: the subroutines that a block has gone into.
         loops: the loops that it goes round in, the innermost last.
+        calls_code: whether machine code may be called.
         followed: where a jump goes that the block is to go on behind, instead of leaving.
         around: the open loop whose body begins where the block does, if there is one.
     """
@@ -123,6 +124,7 @@ class Emitter:
         self.calls: list[Call] = []
         self.loops: list[Loop] = []
         self.followed: int | None = None
+        self.calls_code = False
         self._charged = 0
 
     def lead(self, address: int, frame: Frame) -> None:

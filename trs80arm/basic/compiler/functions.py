@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from trs80arm.basic import costs, room, words
 from trs80arm.basic.characters import COMMA, OPEN
+from trs80arm.basic.code_calls import USR
 from trs80arm.basic.compiler import pieces
 from trs80arm.basic.compiler.draft import Draft, Mistake
 from trs80arm.basic.compiler.expressions import ExpressionCompiler, listed
@@ -41,6 +42,7 @@ class FunctionCompiler:
         """The operand whose word stands here."""
         self._out.cost += word.work
         value = _PARSERS[word.spelling](self, word)
+        self._out.calls_code |= word.calls == USR
         self._draft.observes |= word.observes
         self._draft.plain &= word.plain
         self._draft.paced |= word.paced

@@ -6,6 +6,7 @@ from typing import Final
 
 from trs80arm.basic import costs, room, tokens, words
 from trs80arm.basic.characters import AT, CLOSE, COMMA, NUMBER_SIGN, SEMICOLON
+from trs80arm.basic.code_calls import USR
 from trs80arm.basic.compiler.draft import Draft, Mistake
 from trs80arm.basic.compiler.expressions import ExpressionCompiler
 from trs80arm.basic.compiler.tape import TapeCompiler
@@ -104,6 +105,12 @@ class OutputCompiler:
         if value.kind == STRING:
             out.charge()
             out.emit(f"print_string({value.text})")
+            return
+        if value.text.startswith(f"{USR}("):
+            # The only place for a string that machine code gives.
+            text = out.keep(value.text.replace(USR, "user_value", 1))
+            out.charge()
+            out.emit(f"print_anything({text})")
             return
         text = out.keep(value.shown)
         out.charge()

@@ -1,7 +1,7 @@
 """SYSTEM: machine code from tape, and the jump to it.
 
-There is no Z-80 here. What a tape holds is loaded into memory; a jump leads somewhere only where
-the ROM's own command level is, and anywhere else is ?FC like a USR that was never set up.
+What a tape holds is loaded into memory. A jump to the ROM's own command level leads there; from
+anywhere else on the Z-80 goes on (`machine_code`).
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from trs80arm.basic import costs, cruncher, keyboard
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.addresses import word
 from trs80arm.basic.characters import BLANKS
-from trs80arm.basic.dialogue import line_range
+from trs80arm.basic.dialogue import line_range, machine_code
 from trs80arm.basic.dialogue.line_input import Line, LineInput
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.state import Activity, State
@@ -57,9 +57,11 @@ class SystemCommand(Activity):
             address, position = cruncher.line_number(answer, position)
             if address is None or position < len(answer):
                 return
-        if address not in READY_ENTRIES:
-            raise BasicError(Code.FC)
-        state.return_to_command()
+        assert address is not None
+        if address in READY_ENTRIES:
+            state.return_to_command()
+        else:
+            machine_code.go(state, address)
 
 
 class SystemTape(Activity):

@@ -74,7 +74,7 @@ FUNCTIONS: Final[dict[str, Any]] = {
 ROUTINES: Final[dict[type[Part], tuple[str, ...]]] = {
     Printing: (
         *("to_screen", "to_printer", "print_at", "print_newline", "print_comma", "print_tab"),
-        *("print_string", "print_number"),
+        *("print_string", "print_number", "print_anything"),
         *("using", "using_literal", "using_number", "using_string", "using_end"),
         *("tape_number", "tape_string"),
     ),
@@ -96,7 +96,7 @@ ROUTINES: Final[dict[type[Part], tuple[str, ...]]] = {
         *("begin_input", "begin_tape_input"),
     ),
     Hardware: (
-        *("tape_unit", "begin_tape_print"),
+        *("tape_unit", "begin_tape_print", "user_value"),
         *("arm_step", "arm_close", "arm_set", "arm_reset", "arm_read"),
     ),
     Arithmetic: (

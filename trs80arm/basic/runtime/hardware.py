@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from typing import Any
 
 from trs80arm.basic import addresses
+from trs80arm.basic.code_calls import USR
+from trs80arm.basic.dialogue import machine_code
 from trs80arm.basic.dialogue.arm_motion import ArmMotion
 from trs80arm.basic.dialogue.system import SystemCommand
 from trs80arm.basic.dialogue.tape_statements import Cload, Csave, PrintTape
 from trs80arm.basic.errors import BasicError, Code
-from trs80arm.basic.execution import Leave
+from trs80arm.basic.execution import CodeCall, Leave
 from trs80arm.basic.numbers import rnd
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.runtime.part import Part
@@ -60,10 +62,30 @@ class Hardware(Part):
         self._state.seed = self._state.seed & 0xFF00FF | refresh << 8
 
     def user_routine(self, argument: Any) -> Number:
-        """USR: there is no Z-80, so every routine is the ROM's ?FC."""
-        if isinstance(argument, list):
-            self._strings.free(argument)
-        raise BasicError(Code.FC)
+        """USR where a number is wanted; TM for a string that it gives."""
+        value = self.user_value(argument)
+        if isinstance(value, list):
+            self._strings.free(value)
+            raise BasicError(Code.TM)
+        number: Number = value
+        return number
+
+    def user_value(self, argument: Any) -> Any:
+        """USR: machine code with an argument; the statement is executed again when it is done."""
+        calls = self._state.code_calls
+        if calls.active and calls.replays(USR):
+            if isinstance(argument, list):
+                self._strings.free(argument)
+            value = calls.next()
+            # It was charged to here before the code was called.
+            self._clock.now = calls.resumed - calls.pending
+            return self._strings.new(value) if isinstance(value, bytes) else value
+        if not calls.active:
+            # A subscript in INPUT's list, which is no statement of its own.
+            raise BasicError(Code.FC)
+        machine_code.call(self._state, argument)
+        self._strings.temporaries.clear()
+        raise CodeCall
 
     # -- tape ---------------------------------------------------------------------------------
 

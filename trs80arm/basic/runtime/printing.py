@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from trs80arm.basic import costs
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import decimal
@@ -68,6 +70,13 @@ class Printing(Part):
             if column and column + len(text) + 1 > _SCREEN_WIDTH:
                 self._output.put(b"\r")
         self._output.put(text + b" ")
+
+    def print_anything(self, value: Any) -> None:
+        """What USR gave: a number or a string."""
+        if isinstance(value, list):
+            self.print_string(value)
+        else:
+            self.print_number(value)
 
     def clear_screen(self) -> None:
         """CLS."""

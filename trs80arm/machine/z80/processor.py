@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Final
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.keyboard import Matrix
 from trs80arm.machine.keys import KEYBOARD_START, KEYBOARD_STOP
-from trs80arm.machine.memory import ADDRESSES, RAM_START, Memory
+from trs80arm.machine.memory import ADDRESSES, EMPTY, RAM_START, Memory
 from trs80arm.machine.ports import Ports
 from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
 from trs80arm.machine.z80 import chip as z80
@@ -39,7 +39,7 @@ class Processor:
     Attributes:
         registers: its registers by name.
         looked: the T-state at which code last looked at the keyboard row that BREAK is in, while
-            somebody wants to know (`watch_keyboard`).
+            somebody wants to know (`without_rom`).
     """
 
     def __init__(
@@ -58,13 +58,23 @@ class Processor:
         self.registers = Registers()
         self._live: tuple[tuple[int, int], ...] = ()
         self._keys: bytes | None = None
+        self._guarded = False
         self._start = 0
         self._chip: Z80Machine | None = None
         self._head: memoryview = memoryview(b"")
         self._bytes: memoryview = memoryview(b"")
 
     def __getstate__(self) -> dict[str, Any]:
-        made_anew = {"registers", "_chip", "_head", "_bytes", "_live", "_keys", "_start"}
+        made_anew = {
+            "registers",
+            "_chip",
+            "_head",
+            "_bytes",
+            "_live",
+            "_keys",
+            "_start",
+            "_guarded",
+        }
         kept = {name: value for name, value in self.__dict__.items() if name not in made_anew}
         return kept | {"_registers": self.registers.content()}
 
@@ -80,9 +90,9 @@ class Processor:
     # -- the chip -----------------------------------------------------------------------------
 
     @property
-    def available(self) -> bool:
-        """Whether there is an emulated chip to run code on."""
-        return z80.available()
+    def missing(self) -> str:
+        """Why there is no chip to run code on, in one line; empty where there is."""
+        return "" if z80.available() else z80.NOT_INSTALLED
 
     def power_on(self) -> None:
         """Have a chip.
@@ -119,11 +129,14 @@ class Processor:
         assert self._chip is not None
         self._chip.unmark_addrs(start, length, _BREAKPOINT)
 
-    def watch_keyboard(self) -> None:
-        """Note from now on when code looks at the keyboard; each look then takes longer here."""
-        self.power_on()
-        assert self._chip is not None
-        self._chip.mark_addrs(KEYBOARD_START, KEYBOARD_STOP - KEYBOARD_START, _READ)
+    def without_rom(self) -> None:
+        """Have `run` return where code comes to the ROM, and note when it looks for BREAK."""
+        if not self._guarded:
+            self.stop_at(0, _DEVICES_START)
+            assert self._chip is not None
+            self._chip.mark_addrs(KEYBOARD_START, KEYBOARD_STOP - KEYBOARD_START, _READ)
+            self._bytes[:_DEVICES_START] = bytes((EMPTY,)) * _DEVICES_START
+            self._guarded = True
 
     def answer_live(self, *ranges: tuple[int, int]) -> None:
         """Let the memory map answer at these ranges of RAM, byte by byte, and at no others.
