@@ -279,4 +279,4 @@ def test_system_tape_is_loaded_where_it_says(session: Session) -> None:
     say(session, "SYSTEM", "CODE")
     assert session.rig.waiting is Waiting.SYSTEM
     assert [session.rig.memory.peek(0x7D00 + place) for place in range(3)] == [0xC9, 1, 2]
-    assert say(session, "/") == "/\n?FC Error\nREADY\n>"
+    assert [session.rig.memory.peek(0x40DF + place) for place in range(2)] == [0x00, 0x7D]
