@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trs80arm import files
+from trs80arm import converting, files
 from trs80arm.basic.cruncher import crunch
 from trs80arm.files import FileFormatError, Kind
 from trs80arm.machine import cassette
@@ -220,9 +220,9 @@ def test_convert_writes_the_kind_of_the_target(tmp_path: Path) -> None:
     source, target = tmp_path / "a.txt", tmp_path / "a.bas"
     source.write_text("10 print 1\n20 end\n")
     target.write_text("text that was there before")
-    assert files.convert(source, target) == 2
+    assert converting.convert(source, target).words == "2 lines"
     assert files.kind_of(target.read_bytes()) is Kind.CRUNCHED
-    files.convert(target, tmp_path / "b.txt")
+    converting.convert(target, tmp_path / "b.txt")
     assert (tmp_path / "b.txt").read_text() == "10 PRINT 1\n20 END\n"
 
 

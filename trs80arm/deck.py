@@ -14,8 +14,9 @@ from itertools import islice
 from trs80arm.basic.dialogue.system import SystemTape
 from trs80arm.basic.dialogue.tape_statements import Cload, InputTape, PrintTape, Writing
 from trs80arm.basic.state import Activity
-from trs80arm.machine import cassette
-from trs80arm.machine.cassette import ProgramRecording, Stretch, SystemRecording
+from trs80arm.machine import cassette, tape_files
+from trs80arm.machine.cassette import Stretch
+from trs80arm.machine.tape_files import sign
 from trs80arm.rig import Rig
 
 BYTE_SECONDS = 0.016
@@ -125,20 +126,8 @@ def contents_text(tape: bytes) -> str:
 
 
 def _label(stretch: Stretch) -> str:
-    match stretch.recording:
-        case ProgramRecording(name=name):
-            words = f"program {_sign(name)}"
-        case SystemRecording(name=name):
-            words = f"machine code {name.decode('latin-1').strip()}"
-        case None:
-            return "noise"
-        case _:
-            words = "data"
-    return words if stretch.fault is None else f"{words}, damaged"
-
-
-def _sign(code: int) -> str:
-    return chr(code) if 32 < code < 127 else f"{code:02X}H"
+    words = tape_files.label(stretch.recording)
+    return words if stretch.fault is None or stretch.recording is None else f"{words}, damaged"
 
 
 def _work(rig: Rig) -> tuple[str, float | None]:
@@ -168,7 +157,7 @@ def _wanted(activity: Activity) -> tuple[str, str]:
     match activity:
         case Cload():
             name = activity.wanted
-            return activity.statement, ANY_PROGRAM if name is None else f"program {_sign(name)}"
+            return activity.statement, ANY_PROGRAM if name is None else f"program {sign(name)}"
         case InputTape():
             return "INPUT#", "data"
         case SystemTape():

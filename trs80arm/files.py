@@ -1,5 +1,7 @@
 """Program files: text, crunched and cassette, told apart by what is in them.
 
+A cassette may be bytes or sound.
+
 The terminal's file commands, `trs80arm run` and `trs80arm convert` load and save through here. A
 program is a list of lines, each a number and its crunched text without the zero behind it, as the
 machine holds it.
@@ -13,7 +15,7 @@ from enum import Enum
 from pathlib import Path
 
 from trs80arm import program_text
-from trs80arm.machine import cassette
+from trs80arm.machine import cassette, tape_files
 from trs80arm.machine.cassette import MAX_LINE_NUMBER, FileFormatError, ProgramLine
 from trs80arm.paths import open_to_read
 from trs80arm.saving import write_whole
@@ -22,8 +24,9 @@ __all__ = [
     "MAX_LINE_NUMBER",
     "FileFormatError",
     "Kind",
-    "convert",
+    "ProgramLine",
     "encode_program",
+    "kind_for_suffix",
     "kind_of",
     "load_program",
     "parse_program",
@@ -57,16 +60,23 @@ def kind_of(data: bytes) -> Kind:
     Raises:
         FileFormatError: it is none of them.
     """
+    if tape_files.is_sound(data):
+        return Kind.CASSETTE
     if any(data.startswith(mark) and not any(data[high:20:2]) for mark, high in _WIDE):
         raise FileFormatError("text in UTF-16; a program is plain text: save it as UTF-8")
     if data[:1] == bytes((CRUNCHED_MARK,)):
         return Kind.CRUNCHED
-    if data.lstrip(b"\0")[:1] == _CASSETTE_HEAD[:1] or _CASSETTE_HEAD in data[:_HEAD_WITHIN]:
+    if data.lstrip(b"\0")[:1] == _CASSETTE_HEAD[:1] or _is_cassette(data):
         return Kind.CASSETTE
     zero = data.find(0)
     if zero >= 0:
         raise FileFormatError("neither text nor a crunched program nor a cassette: a zero", zero)
     return Kind.TEXT
+
+
+def _is_cassette(data: bytes) -> bool:
+    head = data[:_HEAD_WITHIN]
+    return _CASSETTE_HEAD in head or tape_files.is_tape(head)
 
 
 def parse_program(data: bytes, *, keep_good: bool = False) -> list[ProgramLine]:
@@ -112,13 +122,15 @@ def read_program(path: Path) -> bytes:
     """
     try:
         with open_to_read(path) as file:
-            data = file.read(LARGEST + 1)
+            data = file.read(_HEAD_WITHIN)
+            largest = tape_files.LONGEST_SOUND if tape_files.is_sound(data) else LARGEST
+            data += file.read(largest + 1 - len(data))
     except OSError as error:
         # What fails while it is read has no name of its own.
         error.filename = error.filename or str(path)
         raise
-    if len(data) > LARGEST:
-        raise FileFormatError(f"{path}: longer than {LARGEST >> 20} MB, which no program is")
+    if len(data) > largest:
+        raise FileFormatError(f"{path}: longer than {largest >> 20} MB, which no program is")
     return data
 
 
@@ -165,36 +177,30 @@ def save_program(path: Path, lines: Iterable[ProgramLine], kind: Kind | None = N
     Args:
         path: the file.
         lines: the program.
-        kind: the kind of file; None for that of the suffix: `.cas` a cassette, `.bas` crunched
-            unless there is a file already and it is text, anything else text.
+        kind: the kind of file; None for that of the suffix: `.cas`, `.500` and `.wav` a cassette,
+            `.bas` crunched unless there is a file already and it is text, anything else text.
 
     Raises:
         FileFormatError: a line cannot be written as text.
         OSError: the file cannot be written; an older one is untouched.
     """
-    write_whole(path, encode_program(lines, kind or _kind_for(path), path.stem))
+    kind = kind or _kind_for(path)
+    content = encode_program(lines, kind, path.stem)
+    if kind is Kind.CASSETTE:
+        content = tape_files.write(content, path.suffix)
+    write_whole(path, content)
 
 
-def convert(source: Path, target: Path, *, keep_good: bool = False) -> int:
-    """Write the program of one file to another, in the kind of its suffix.
-
-    Returns:
-        How many lines were written.
-
-    Raises:
-        FileFormatError: the source is damaged or no program, or cannot be written as text.
-        OSError: a file cannot be read or written.
-    """
-    lines = load_program(source, keep_good=keep_good)
-    save_program(target, lines, _SUFFIXES.get(target.suffix.lower(), Kind.TEXT))
-    return len(lines)
+_SUFFIXES = {".bas": Kind.CRUNCHED} | dict.fromkeys(tape_files.SUFFIXES, Kind.CASSETTE)
 
 
-_SUFFIXES = {".bas": Kind.CRUNCHED, ".cas": Kind.CASSETTE}
+def kind_for_suffix(path: Path) -> Kind:
+    """The kind of file that a suffix stands for; what has none of its own is text."""
+    return _SUFFIXES.get(path.suffix.lower(), Kind.TEXT)
 
 
 def _kind_for(path: Path) -> Kind:
-    kind = _SUFFIXES.get(path.suffix.lower(), Kind.TEXT)
+    kind = kind_for_suffix(path)
     if kind is Kind.CRUNCHED:
         try:
             with open_to_read(path) as file:
@@ -216,9 +222,10 @@ def _first_program(data: bytes) -> tuple[list[ProgramLine], FileFormatError | No
     """The first BASIC program of a cassette; what comes behind it does not matter."""
     other = "nothing that is whole"
     first_fault = None
-    for recording, fault in cassette.walk(data):
+    for entry in tape_files.read(data).entries:
+        fault = entry.fault
         first_fault = first_fault or fault
-        match recording:
+        match entry.recording:
             case cassette.ProgramRecording(lines=lines):
                 return list(lines), fault
             case cassette.SystemRecording(name=name):

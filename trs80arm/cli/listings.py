@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from trs80arm.cli.arguments import A_PATH, A_PROGRAM
-from trs80arm.cli.ending import fail
+from trs80arm.cli.ending import fail, tell
 from trs80arm.cli.options import SETTING_FLAGS, settings_options
 
 
@@ -77,17 +77,36 @@ def check(
 
 @click.command()
 @click.argument("source", type=A_PROGRAM)
-@click.argument("target", type=A_PATH)
+@click.argument("target", type=A_PATH, required=False)
 @click.option("--keep-good", is_flag=True, help="Take what is good of a damaged file.")
-def convert(source: Path, target: Path, keep_good: bool) -> None:
-    """Convert a program file: text, crunched (.bas) or cassette (.cas), by TARGET's suffix."""
-    from trs80arm import files
+@click.option("--name", metavar="LETTER", help="The program of a cassette that is meant.")
+@click.option("--list", "listed", is_flag=True, help="Tell what is in SOURCE; write nothing.")
+def convert(
+    source: Path, target: Path | None, keep_good: bool, name: str | None, listed: bool
+) -> None:
+    """Convert a program or a cassette, or list what is on it.
 
+    By TARGET's suffix: crunched (.bas), cassette as bytes (.cas, .500) or as sound (.wav), or else
+    text. SOURCE is told by what is in it. Sound is a recording of a cassette at 500 baud, digitised
+    in any way. From a cassette to a cassette goes all that is on it, else its first program.
+    """
+    from trs80arm import converting, files
+
+    if listed == (target is not None):
+        raise click.UsageError(
+            "--list writes no TARGET" if listed else "Missing argument 'TARGET'; --list needs none"
+        )
     try:
-        count = files.convert(source, target, keep_good=keep_good)
+        if target is None:
+            for line in converting.listing(source):
+                click.echo(line)
+            return
+        done = converting.convert(source, target, keep_good=keep_good, name=name)
     except files.FileFormatError as error:
         fail(error)
-    click.echo(f"{target}: {count} line{'' if count == 1 else 's'}")
+    for remark in done.remarks:
+        tell(f"{source}: {remark}")
+    click.echo(f"{target}: {done.words}")
 
 
 @click.command()

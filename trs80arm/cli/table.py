@@ -8,7 +8,7 @@ from __future__ import annotations
 
 COMMANDS = {
     "check": ("listings", "check", "Read PROGRAMS without running them, and tell what is wrong."),
-    "convert": ("listings", "convert", "Convert a program file: text, crunched or cassette."),
+    "convert": ("listings", "convert", "Convert a program or a cassette, bytes or sound; list it."),
     "demo": ("terminal", "demo", "Watch the article's pick-and-place task; any key ends it."),
     "export": ("making", "export_", "Write arm and bench, or a run, for other programs."),
     "figure": ("making", "figure", "Draw one of the article's figures from the running model."),

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from trs80arm.machine.tape import SUFFIX
+from trs80arm.machine.tape import SUFFIX, file_content
 from trs80arm.rig import Rig
 from trs80arm.saving import write_whole
 
@@ -32,7 +32,7 @@ class Keepsakes:
     def files(self) -> dict[str, bytes]:
         """What is in no file, by the name that its file would have."""
         rig = self._rig()
-        found = {name + SUFFIX: content for name, content in rig.tape.in_memory.items() if content}
+        found = {name: content for name, content in rig.tape.files.items() if content}
         if paper := rig.printer.in_memory:
             found[PAPER] = paper.encode("latin-1")
         return found
@@ -69,7 +69,7 @@ class Keepsakes:
         written = []
         for name, content in files.items():
             path = _unused(folder / name)
-            write_whole(path, content)
+            write_whole(path, content if name == PAPER else file_content(name, content))
             written.append(path)
         self._safe = files
         return written

@@ -35,16 +35,23 @@ class Peripherals:
 
     def shelf(self) -> list[tuple[str, str]]:
         """The cassettes, by name, and what is on each."""
-        tape = self._session.rig.tape
         found = []
         for name in cassettes_of(self._session.rig):
             try:
-                here = name == tape.cassette
-                content = tape.content if here else tape.look_at(name)
-                found.append((name, contents_text(content)))
+                found.append((name, self._holds(name)))
             except OSError as error:
                 found.append((name, reason(error)))
         return found
+
+    def _holds(self, name: str) -> str:
+        """What is on a cassette; a sound is listened to only when it is put in."""
+        tape = self._session.rig.tape
+        if name == tape.cassette:
+            return contents_text(tape.content)
+        seconds = tape.sound_length(name)
+        if seconds is not None:
+            return f"sound of {round(seconds) // 60}:{round(seconds) % 60:02d}"
+        return contents_text(tape.look_at(name))
 
     def tapes(self) -> None:
         """The shelf, and what can be done at the recorder; one of it is chosen."""
@@ -97,9 +104,11 @@ class Peripherals:
         except BadCassetteName as error:
             self._say(str(error), error=True)
             return
-        self._say(
-            f"Cassette {rig.tape.cassette} is in, rewound: {contents_text(rig.tape.content)}."
-        )
+        content = rig.tape.content
+        if not content and rig.tape.fault is not None:
+            # A sound without a recording; the sitting tells what is wrong with it.
+            return
+        self._say(f"Cassette {rig.tape.cassette} is in, rewound: {contents_text(content)}.")
 
     def rewind(self) -> None:
         """Rewind the cassette that is in."""

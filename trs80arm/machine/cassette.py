@@ -23,6 +23,8 @@ _DATA_END = 0x0D
 PROGRAM_START = 0x42E9
 """Where BASIC keeps its text: 17129 (Level II facts, Crunching)."""
 MAX_LINE_NUMBER = 65529
+NO_END = " no end"
+"""How the message ends of what goes on where the file stops."""
 
 ProgramLine = tuple[int, bytes]
 """A line's number and its crunched text, without link and closing zero."""
@@ -32,11 +34,13 @@ class FileFormatError(ValueError):
     """A program file or cassette that is damaged or no such thing: one clear line.
 
     Attributes:
+        message: what is wrong, without the place.
         offset: where in the file, in bytes from its start; None if it is no place.
     """
 
     def __init__(self, message: str, offset: int | None = None) -> None:
         super().__init__(message if offset is None else f"{message} at byte {offset}")
+        self.message = message
         self.offset = offset
 
 
@@ -103,7 +107,7 @@ def parse_lines(data: bytes, start: int) -> Lines:
         number = data[offset + 2] | data[offset + 3] << 8
         end = data.find(0, offset + 4)
         if end < 0:
-            return ended(f"line {number} has no end", offset)
+            return ended(f"line {number} has{NO_END}", offset)
         if number > MAX_LINE_NUMBER:
             return ended(f"{number} is no line number", offset + 2)
         if lines and number <= lines[-1][0]:
@@ -226,7 +230,7 @@ def _parse_one(data: bytes, start: int) -> tuple[Recording | None, int, FileForm
         return _parse_system(data, start + 1)
     end = data.find(_DATA_END, start)
     if end < 0:
-        return None, len(data), FileFormatError("the data have no end", start)
+        return None, len(data), FileFormatError(f"the data have{NO_END}", start)
     return DataRecording(data[start : end + 1]), end + 1, None
 
 

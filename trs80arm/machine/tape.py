@@ -1,4 +1,4 @@
-"""The cassette recorder and its cassettes, which are `.cas` files in one folder.
+"""The cassette recorder.
 
 The language records and plays bytes; which cassette is in the recorder is the operator's affair. A
 program can reach no other file: it never names one.
@@ -6,181 +6,40 @@ program can reach no other file: it never names one.
 
 from __future__ import annotations
 
-import os
 import re
-import stat
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
-from trs80arm.machine import cassette
+from trs80arm.machine import cassette, tape_files
+from trs80arm.machine.shelves import (
+    SUFFIX,
+    FolderShelf,
+    MemoryShelf,
+    PastShelf,
+    Shelf,
+    file_name,
+    is_cassette_name,
+)
+from trs80arm.machine.tape_files import LONGEST
 from trs80arm.reasons import reason
-from trs80arm.saving import write_whole
 
-SUFFIX = ".cas"
-LONGEST = 16 * 1024 * 1024
-"""Bytes of a cassette that is played: a hundred times both sides of a C-60."""
+__all__ = [
+    "DATA_CASSETTE",
+    "LONGEST",
+    "SUFFIX",
+    "BadCassetteName",
+    "Tape",
+    "file_content",
+    "is_cassette_name",
+]
+
 DATA_CASSETTE = "data"
 """Where PRINT#-1 records while no cassette was put in by hand."""
-_NAME = re.compile(r"""[^./\\:*?"<>|~\x00-\x1f\x7f][^/\\:*?"<>|\x00-\x1f\x7f]{0,99}(?<![ ~])""")
-_RESERVED = re.compile(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?")
 
 
 class BadCassetteName(ValueError):  # noqa: N818
     """No name for a cassette: one that could be another folder's, or no file's at all."""
-
-
-class Shelf(Protocol):
-    """Where cassettes are kept."""
-
-    def names(self) -> list[str]:
-        """The cassettes there are, in order."""
-
-    def load(self, name: str) -> bytes:
-        """What is on a cassette; nothing on a new one."""
-
-    def store(self, name: str, content: bytes) -> None:
-        """Keep what is on a cassette now, whole; OSError if that cannot be done."""
-
-    def set_aside(self, name: str) -> None:
-        """Keep a copy of a cassette that is about to be recorded over."""
-
-    @property
-    def in_memory(self) -> dict[str, bytes]:
-        """What is on the cassettes that are in no file."""
-
-
-class MemoryShelf:
-    """Cassettes that are gone when the program ends."""
-
-    def __init__(self) -> None:
-        self._contents: dict[str, bytes] = {}
-
-    def names(self) -> list[str]:
-        """The cassettes there are, in order."""
-        return sorted(self._contents)
-
-    def load(self, name: str) -> bytes:
-        """What is on a cassette; nothing on a new one."""
-        return self._contents.get(name, b"")
-
-    def store(self, name: str, content: bytes) -> None:
-        """Keep what is on a cassette now."""
-        self._contents[name] = content
-
-    def set_aside(self, name: str) -> None:
-        """Keep no copy: nothing here outlives the program anyway."""
-
-    @property
-    def in_memory(self) -> dict[str, bytes]:
-        """What is on the cassettes: all of them."""
-        return dict(self._contents)
-
-
-class FolderShelf:
-    """Cassettes that are `.cas` files in a folder."""
-
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
-
-    def names(self) -> list[str]:
-        """The cassettes there are, in order; files outside reached by a link are not."""
-        try:
-            found = sorted(self._folder.iterdir())
-        except OSError:
-            return []
-        folder = os.path.realpath(self._folder)
-        stems = [
-            path.stem
-            for path in found
-            if path.suffix in (SUFFIX, SUFFIX.upper())
-            and is_cassette_name(path.stem)
-            and _is_inside(path, folder)
-        ]
-        return list(dict.fromkeys(stems))
-
-    def load(self, name: str) -> bytes:
-        """What is on a cassette; nothing on a new one."""
-        path = self._path(name)
-        if not path.exists():
-            return b""
-        with path.open("rb") as file:
-            content = file.read(LONGEST + 1)
-        if len(content) > LONGEST:
-            raise OSError(f"{path} is longer than any cassette")
-        return content
-
-    def store(self, name: str, content: bytes) -> None:
-        """Write the file whole, or leave it as it was and raise OSError."""
-        self._folder.mkdir(parents=True, exist_ok=True)
-        write_whole(self._path(name), content)
-
-    def set_aside(self, name: str) -> None:
-        """Copy the file to the same name with a `~` behind."""
-        path = self._path(name)
-        if path.exists():
-            write_whole(path.with_name(path.name + "~"), path.read_bytes())
-
-    @property
-    def in_memory(self) -> dict[str, bytes]:
-        """None: all are files."""
-        return {}
-
-    def _path(self, name: str) -> Path:
-        path = self._folder / (name + SUFFIX)
-        capital = path.with_suffix(SUFFIX.upper())
-        if not path.exists() and capital.exists():
-            path = capital
-        if not _is_inside(path, os.path.realpath(self._folder)):
-            raise OSError(f"{path} is no file, or a link that leads out of the tape folder")
-        return path
-
-
-def _is_inside(path: Path, folder: str) -> bool:
-    """Whether it is a file of a real folder, or could become one; nothing that would block."""
-    try:
-        if not stat.S_ISREG(os.stat(path).st_mode):
-            return False
-    except FileNotFoundError:
-        pass
-    except OSError:
-        return False  # A loop of links.
-    return os.path.dirname(os.path.realpath(path)) == folder
-
-
-class PastShelf:
-    """The cassettes of a folder as they were once; what is recorded here stays in memory.
-
-    Args:
-        folder: the cassettes as they are now.
-        contents: what was on those that have been recorded on since; nothing: there was none.
-    """
-
-    def __init__(self, folder: Path, contents: Mapping[str, bytes]) -> None:
-        self._now = FolderShelf(folder)
-        self._contents = dict(contents)
-
-    def names(self) -> list[str]:
-        """The cassettes there were, in order."""
-        there = {name for name, content in self._contents.items() if content}
-        return sorted(set(self._now.names()) - self._contents.keys() | there)
-
-    def load(self, name: str) -> bytes:
-        """What was on a cassette; nothing on a new one."""
-        found = self._contents.get(name)
-        return self._now.load(name) if found is None else found
-
-    def store(self, name: str, content: bytes) -> None:
-        """Keep what is on a cassette now; the file stays as it is."""
-        self._contents[name] = content
-
-    def set_aside(self, name: str) -> None:
-        """Keep no copy: no file is recorded over."""
-
-    @property
-    def in_memory(self) -> dict[str, bytes]:
-        """None: all are, or will be, files."""
-        return {}
 
 
 class Tape:
@@ -275,6 +134,14 @@ class Tape:
         more = self._recording is not None or self.position < self.length or bool(self._unheard)
         return self.running and more
 
+    def sound_length(self, name: str) -> float | None:
+        """How long the sound is that a cassette is in, in seconds; None if it is none.
+
+        Raises:
+            OSError: its file cannot be read.
+        """
+        return None if name in self._unsaved else self._shelf.sound_length(name)
+
     def look_at(self, name: str) -> bytes:
         """What is on a cassette of the shelf; OSError if it cannot be read."""
         return self._unsaved[name] if name in self._unsaved else self._shelf.load(name)
@@ -283,6 +150,11 @@ class Tape:
     def in_memory(self) -> dict[str, bytes]:
         """The cassettes that no file holds: all, without a folder, or what failed to be written."""
         return {**self._shelf.in_memory, **self._unsaved}
+
+    @property
+    def files(self) -> dict[str, bytes]:
+        """The same by the names that their files would have."""
+        return {file_name(name): content for name, content in self.in_memory.items()}
 
     def insert(self, name: str, content: bytes | None = None) -> None:
         """Put in a cassette, rewound; it is a new one if there is none of that name.
@@ -452,6 +324,8 @@ class Tape:
             self._content = self._shelf.load(self._name)
         except OSError as error:
             self._report(error)
+        else:
+            self.fault = self._shelf.remark(self._name) or self.fault
         self.position = min(self.position, self.length)
 
     def _report(self, error: OSError) -> None:
@@ -459,9 +333,9 @@ class Tape:
         self.fault = f"{where}{reason(error)}"
 
 
-def is_cassette_name(name: str) -> bool:
-    """Whether a cassette can be called that, in any folder of any computer."""
-    return bool(_NAME.fullmatch(name)) and not _RESERVED.fullmatch(name)
+def file_content(name: str, content: bytes) -> bytes:
+    """What a cassette's file holds, by the file's name: `.wav` holds the sound of it."""
+    return tape_files.write(content, Path(name).suffix)
 
 
 def _program_cassette(code: int) -> str:
