@@ -32,6 +32,8 @@ _ONE: Final = 0.5
 """A data pulse has more than this part of the strength of the clocks beside it."""
 _SURE: Final = (0.36, 0.64)
 """Between these a bit is in doubt."""
+_TOO_STRONG: Final = 2.0
+"""A data pulse that has more of its clocks' strength may be a click."""
 _AHEAD: Final = 12
 """Cells that are looked at ahead to tell a late clock from a lost one."""
 _LONGEST_GAP: Final = 40
@@ -178,7 +180,7 @@ class _Follower:
             if found:
                 beside = 0.5 * (strength + best_strength)
             ratio = data / beside
-            if _SURE[0] < ratio < _SURE[1]:
+            if _SURE[0] < ratio < _SURE[1] or ratio > _TOO_STRONG:
                 doubtful.append(len(bits))
             bits.append(ratio > _ONE)
             clocks.append(time)
