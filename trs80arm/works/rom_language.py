@@ -21,6 +21,7 @@ from trs80arm.basic.program import Program
 from trs80arm.basic.state import Home, Listener, State, Stops
 from trs80arm.machine.cassette import encode_lines
 from trs80arm.machine.console import Console
+from trs80arm.machine.half_steps import HALF_STEPS, RING
 from trs80arm.machine.keyboard import Matrix
 from trs80arm.machine.keys import Key
 from trs80arm.machine.z80.processor import Processor
@@ -39,7 +40,15 @@ _MESSAGE, _BREAK_MESSAGE = 0x1A06, 0x1930
 _READY: Final = 0x1A19
 _ERROR: Final = 0x41A6
 """In RAM: the exit for Disk BASIC that every error comes by that is not trapped."""
-_MARKS = (_WAIT, _WAIT_ENDS, _WAIT_EDIT, _WAIT_EDIT_ENDS, _DISPLAY, _MESSAGE, _READY, _ERROR)
+_ORIGINS: Final = (31200, 47584, 63968)
+"""Where the Z-80 driver of ARMBASIC stands (`machine/z80/armbasic.asm`)."""
+_MANUAL: Final = tuple(origin + 9 for origin in _ORIGINS)
+"""Its entry for `@SET`."""
+_RING: Final = 64
+"""How far behind its beginning it has Figure 8, by which it is known."""
+_SCAN: Final = 0x002B
+"""Where the keyboard is scanned; an `@SET` that has ended comes by there."""
+_MARKS = (_WAIT, _WAIT_ENDS, _WAIT_EDIT, _WAIT_EDIT_ENDS, _DISPLAY, _MESSAGE, _READY, _ERROR, *_MANUAL)
 # What the stack holds at 0049H when a line is typed, from its top on.
 _IN_LINE_EDITOR, _IN_LINE_INPUT = 0x05E3, 0x0374
 _IN_AUTO: Final = 0x1A57
@@ -94,6 +103,8 @@ class RomLanguage:
         for address in _MARKS:
             processor.stop_at(address)
         self._watched = False
+        if self.waiting is Waiting.SET:
+            processor.stop_at(_SCAN)
 
     def __getstate__(self) -> dict[str, Any]:
         made_anew = {"_program", "_shadow", "_seen", "_watched", "stops"}
@@ -191,7 +202,7 @@ class RomLanguage:
             self._passed = place + 1
             if self._comes_by(place, statement):
                 return
-            if until_waiting and place in (_WAIT, _WAIT_EDIT):
+            if until_waiting and place in (_WAIT, _WAIT_EDIT, *_MANUAL):
                 return
 
     def _pass_time(self, until: int) -> None:
@@ -224,6 +235,11 @@ class RomLanguage:
         elif place in (_WAIT_ENDS, _WAIT_EDIT_ENDS):
             if registers.a:
                 self._key_taken()
+        elif place in _MANUAL:
+            self._begin_manual_mode(place)
+        elif place == _SCAN:
+            self._processor.pass_by(_SCAN)
+            self.waiting = Waiting.NOTHING
         elif place == _DISPLAY:
             self._tell(registers.a)
         elif place == _ERROR:
@@ -263,17 +279,24 @@ class RomLanguage:
             self.waiting = Waiting.PAUSE if stack[0] == _PAUSED else Waiting.EDIT
         elif stack[0] != _IN_LINE_EDITOR or stack[2] != _IN_LINE_INPUT:
             self.waiting = Waiting.INPUT
-        elif stack[3] < 0x0200:
+        elif stack[4] < 0x0200:
             self.waiting = Waiting.MEMORY_SIZE
-        elif stack[3] < 0x0300:
+        elif stack[4] < 0x0300:
             self.waiting = Waiting.SYSTEM
         elif stack[4] == _IN_AUTO:
             self.waiting = Waiting.AUTO
-        elif 0x2100 <= stack[3] < 0x2300:
+        elif 0x2100 <= stack[4] < 0x2300:
             self.waiting = Waiting.INPUT
         else:
             self.waiting = Waiting.COMMAND
             self.outcome = self._before
+
+    def _begin_manual_mode(self, place: int) -> None:
+        ring = place - _MANUAL[0] + _ORIGINS[0] + _RING
+        if self._host.memory.ram[ring : ring + RING] == bytes(HALF_STEPS):
+            self.waiting = Waiting.SET
+            self._idle = None
+            self._processor.stop_at(_SCAN)
 
     def _key_taken(self) -> None:
         if self.waiting is Waiting.COMMAND and self._processor.registers.a == 13:

@@ -275,7 +275,7 @@ STGO:   PUSH HL
 
 ATSET:  CALL DELAY
         PUSH HL
-        CALL MANUAL
+        CALL START+9            ; MANUAL, by its entry
         PUSH AF                 ; the key that ended it is still down,
         CALL NOKEYS             ; and must not be typed into what comes next
         POP  AF
