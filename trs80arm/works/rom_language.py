@@ -48,7 +48,17 @@ _RING: Final = 64
 """How far behind its beginning it has Figure 8, by which it is known."""
 _SCAN: Final = 0x002B
 """Where the keyboard is scanned; an `@SET` that has ended comes by there."""
-_MARKS = (_WAIT, _WAIT_ENDS, _WAIT_EDIT, _WAIT_EDIT_ENDS, _DISPLAY, _MESSAGE, _READY, _ERROR, *_MANUAL)
+_MARKS = (
+    _WAIT,
+    _WAIT_ENDS,
+    _WAIT_EDIT,
+    _WAIT_EDIT_ENDS,
+    _DISPLAY,
+    _MESSAGE,
+    _READY,
+    _ERROR,
+    *_MANUAL,
+)
 # What the stack holds at 0049H when a line is typed, from its top on.
 _IN_LINE_EDITOR, _IN_LINE_INPUT = 0x05E3, 0x0374
 _IN_AUTO: Final = 0x1A57
@@ -103,8 +113,6 @@ class RomLanguage:
         for address in _MARKS:
             processor.stop_at(address)
         self._watched = False
-        if self.waiting is Waiting.SET:
-            processor.stop_at(_SCAN)
 
     def __getstate__(self) -> dict[str, Any]:
         made_anew = {"_program", "_shadow", "_seen", "_watched", "stops"}
@@ -183,6 +191,8 @@ class RomLanguage:
     def _run(self, *, until_waiting: bool, statement: bool) -> None:
         clock, processor = self._host.clock, self._processor
         self._watch(statement or bool(self.listeners) or bool(self.stops))
+        if self.waiting is Waiting.SET:
+            processor.stop_at(_SCAN)
         while clock.now < clock.limit:
             if self._waits_quietly():
                 # Round and round: nothing can happen before a key changes.

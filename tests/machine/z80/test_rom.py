@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.machine.z80.own_rom import own_rom
+from trs80arm.machine import cassette
 from trs80arm.machine.z80.rom import SIZE, Rom, RomError
 from trs80arm.rig import Key, Rig, RigSettings, SnapshotError, Waiting
 
@@ -100,3 +101,24 @@ def test_keys_are_seen_at_their_time(rig: Rig) -> None:
     rig.press(Key.A)
     rig.run_for(0.01)
     assert rig.screen()[0].startswith("HIA")
+
+
+def test_manual_mode_of_the_z80_driver_is_waited_in_until_its_key_0(rig: Rig) -> None:
+    driver = Path(__file__).parents[3] / "programs" / "armbasic-16k.cas"
+    (recording,) = cassette.parse(driver.read_bytes())
+    assert isinstance(recording, cassette.SystemRecording)
+    for address, block in recording.blocks:
+        rig.memory.write(address, block)
+    # LD DE,50; CALL MANUAL; CALL 002BH; JR on the spot
+    rig.memory.write(0x5000, bytes.fromhex("113200 CDE979 CD2B00 18FE"))
+    rig._works.processor.registers.pc = 0x5000
+    rig.basic.waiting = Waiting.NOTHING  # type: ignore[misc]
+    assert rig.run_until_waiting(1) is Waiting.SET
+    rig.restore(rig.snapshot())
+    rig.hold([Key.N1], 0.27)
+    rig.run_for(0.5)
+    assert rig.waiting is Waiting.SET
+    assert 95 <= rig.joints[0] <= 105
+    rig.hold([Key.N0], 0.1)
+    rig.run_for(0.5)
+    assert rig.waiting is Waiting.NOTHING
