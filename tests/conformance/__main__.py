@@ -8,6 +8,7 @@ from collections import Counter
 from pathlib import Path
 
 from tests.conformance import case, player, timing, verdict
+from trs80arm.machine.z80.rom import Rom
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -21,6 +22,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--id", help="only the case of this id")
     parser.add_argument("--show", action="store_true", help="show what differs")
     parser.add_argument("--timing", action="store_true", help="compare the times as well")
+    parser.add_argument("--rom", type=Path, help="a Level II ROM to play them on")
     options = parser.parse_args(arguments)
     passed: Counter[str] = Counter()
     total: Counter[str] = Counter()
@@ -31,16 +33,19 @@ def main(arguments: list[str] | None = None) -> int:
             for one in case.load(options.folder)
             if options.group in (None, one.group) and options.id in (None, one.id)
         ]
+        rom = None if options.rom is None else Rom.read(options.rom)
     except (OSError, ValueError) as error:
         print(error, file=sys.stderr)
         return 2
+    if rom is not None:
+        print(rom.told)
     if not cases:
         print(f"{options.folder}: no such cases", file=sys.stderr)
         return 2
     for one in cases:
         total[one.group] += 1
         try:
-            played = player.play(one)
+            played = player.play(one, rom=rom)
         except Exception as error:  # A machine that fails is a case that fails.
             played = player.Played(end=f"{type(error).__name__}: {error}")
         differences = verdict.compare(one, played)

@@ -13,10 +13,17 @@ from tests.conformance.case import Case, Entry
 from trs80arm.basic.activity import Waiting
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.keys import Key, keys_for
+from trs80arm.machine.z80.rom import Rom
 from trs80arm.rig import Rig, RigSettings
+from trs80arm.works.rom_language import RomLanguage
 
 KEY_TAKEN = 90_930
 """T-states from a key going down to its code being handed over: the debounce pause."""
+_LOOK, _LOOKS = 1_000, 2_000
+"""T-states after which it is looked whether a ROM has taken a key, and how often."""
+_FIRST_LOOK, _FIRST_LOOK_SAVING = 786, 861
+"""T-states of the first look at the keyboard, which the cases count to a segment; those of the
+routine that EDIT and the pause have for it."""
 _MOST_TYPING = 60.0
 """Seconds that the machine may take between two keys of one entry."""
 # SYSTEM and MEMORY SIZE? ask with the ROM's routine for INPUT's line.
@@ -70,7 +77,10 @@ class Session:
 
     def __init__(self, ram: int = 16, memory_size: str = "", *, blocks: bool = True) -> None:
         settings = RigSettings(ram_kib=ram, memory_size=memory_size, armbasic=False, blocks=blocks)
-        self.rig = Rig(settings)
+        self._use(Rig(settings))
+
+    def _use(self, rig: Rig) -> None:
+        self.rig = rig
         self._codes: list[int] = []
         self.rig.listen(lambda code, is_echo: self._codes.append(code))
 
@@ -120,7 +130,12 @@ class Session:
         end = taken + round(seconds * T_STATES_PER_SECOND)
         self._hold(entry, taken, end)
         self.wait(max(0.0, (end - self.rig.clock.now) / T_STATES_PER_SECOND))
-        return self.rig.clock.now - taken
+        return self.stands_at - taken
+
+    @property
+    def stands_at(self) -> int:
+        """When the machine began to wait, if it does: it has stopped there."""
+        return self.rig.clock.now
 
     def _hold(self, entry: Entry, start: int, end: int) -> None:
         events = []
@@ -136,19 +151,72 @@ class Session:
             (self.rig.press if is_down else self.rig.release)(Key(key))
 
 
-_PLAYED: dict[str, Played] = {}
+class RomSession(Session):
+    """A rig whose owner's ROM runs it, and the hands that type on it.
+
+    Args:
+        rom: the ROM.
+        ram: in K.
+        memory_size: the answer to MEMORY SIZE?
+    """
+
+    def __init__(self, rom: Rom, ram: int = 16, memory_size: str = "") -> None:
+        self._use(Rig(RigSettings(ram_kib=ram, memory_size=memory_size, rom=rom)))
+
+    @property
+    def _language(self) -> RomLanguage:
+        basic = self.rig.basic
+        assert isinstance(basic, RomLanguage)
+        return basic
+
+    def press(self, character: str) -> int:
+        """Type one character; the keys are held until the ROM has taken it."""
+        rig = self.rig
+        # The keys before go up, and the ROM sees that.
+        rig.run_to(rig.clock.now + 1)
+        for _ in range(_LOOKS):
+            if rig.console.quiet:
+                break
+            rig.run_to(rig.clock.now + _LOOK)
+        start = rig.clock.now
+        keys = keys_of(character)
+        for key in keys:
+            rig.press(key)
+        for _ in range(_LOOKS):
+            if self._language.key_taken > start:
+                break
+            rig.run_to(rig.clock.now + _LOOK)
+        for key in reversed(keys):
+            rig.release(key)
+        return self._language.key_taken
+
+    @property
+    def stands_at(self) -> int:
+        """When the machine began to wait, if it does."""
+        waiting = self.rig.waiting
+        if waiting is Waiting.NOTHING:
+            return self.rig.clock.now
+        look = _FIRST_LOOK_SAVING if waiting in (Waiting.EDIT, Waiting.PAUSE) else _FIRST_LOOK
+        return self._language.wait_began + look
 
 
-def play_once(case: Case) -> Played:
+_PLAYED: dict[tuple[str, Rom | None], Played] = {}
+
+
+def play_once(case: Case, rom: Rom | None = None) -> Played:
     """Play a whole case, or remember how it went when another test played it."""
-    if case.id not in _PLAYED:
-        _PLAYED[case.id] = play(case)
-    return _PLAYED[case.id]
+    if (case.id, rom) not in _PLAYED:
+        _PLAYED[case.id, rom] = play(case, rom=rom)
+    return _PLAYED[case.id, rom]
 
 
-def play(case: Case, *, blocks: bool = True) -> Played:
-    """Play a whole case, its statements compiled in blocks or one by one."""
-    session = Session(case.ram, case.memory_size, blocks=blocks)
+def play(case: Case, *, blocks: bool = True, rom: Rom | None = None) -> Played:
+    """Play a whole case, its statements compiled in blocks or one by one, or run by a ROM."""
+    session = (
+        Session(case.ram, case.memory_size, blocks=blocks)
+        if rom is None
+        else RomSession(rom, case.ram, case.memory_size)
+    )
     rig = session.rig
     for line in case.program:
         session.play(Entry(line + "\r"), _MOST_TYPING)

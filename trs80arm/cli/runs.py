@@ -78,6 +78,8 @@ def run(programs: tuple[Path, ...], jobs: int | None, junit: Path | None, **give
 
     settings = take_settings(given)
     options = BatchOptions(programs[0], rig=settings.rig(), **given)
+    if options.rig.rom is not None:
+        click.echo(options.rig.rom.told, err=True)
     if len(programs) == 1 and junit is None:
         sys.exit(run_program(options, stopwatch=perf_counter))
     from trs80arm.several import run_programs

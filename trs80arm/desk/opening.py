@@ -29,7 +29,8 @@ def open_session(options: TerminalOptions) -> Session:
         ValueError: a fitting of the machine cannot be.
     """
     program, bench = options.program, bench_for(options.program, options.bench)
-    started_with = (program, options.replay, options.demo or None, options.plain or None)
+    rom = None if options.rig is None else options.rig.rom
+    started_with = (program, options.replay, options.demo or None, options.plain or None, rom)
     greeting = all(choice is None for choice in started_with)
     session = Session(options.rig, bench, options.record, greeting=greeting)
     if options.replay is not None:

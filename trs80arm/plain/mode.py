@@ -164,6 +164,9 @@ class PlainMode:
             The exit code, 0.
         """
         print("\n".join(line for line in self.session.rig.screen() if line), file=self._out)
+        rom = self.session.rig.settings.rom
+        if rom is not None:
+            print(rom.told, file=self._out)
         print("Type .help for help.", file=self._out, flush=True)
         while not self._left:
             self._work()

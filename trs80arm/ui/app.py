@@ -328,6 +328,9 @@ class Trs80Arm(Themed[int]):
                     asyncio.get_running_loop().add_signal_handler(number, self._told_to_end, number)
         if self.recovery.left_over():
             self.say("A program of a session that ended badly is kept: see F2.")
+        rom = self.session.rig.settings.rom
+        if rom is not None:
+            self.say(rom.told)
         if self.options.tour:
             self.tour.begin()
         elif self.session.greeted:

@@ -76,6 +76,7 @@ class RomLanguage:
     Attributes:
         outcome: how the last program, or direct line, ended; None while one runs.
         waiting: what the machine waits for.
+        wait_began: the T-state at which it last began to wait for a key.
         key_taken: the T-state at which the ROM last took a key that it had waited for.
         listeners: watchers of statements; they are not part of a snapshot.
         stops: who may stop a program before a statement; not part of a snapshot either.
@@ -91,6 +92,7 @@ class RomLanguage:
         self._rom = rom
         self.outcome: Outcome | None = None
         self.waiting = Waiting.NOTHING
+        self.wait_began = 0
         self.key_taken = 0
         self.listeners: list[Listener] = []
         self.stops = Stops()
@@ -228,7 +230,9 @@ class RomLanguage:
 
     def _waits_quietly(self) -> bool:
         """Whether the ROM is in a loop that nothing but a key ends, and no key changes."""
-        return self.waiting is not Waiting.NOTHING and self._idle == self._matrix.image
+        if self._idle != self._matrix.image:
+            self._idle = None
+        return self.waiting is not Waiting.NOTHING and self._idle is not None
 
     def _watch(self, wanted: bool) -> None:
         if wanted is not self._watched:
@@ -241,6 +245,7 @@ class RomLanguage:
         if place in (_WAIT, _WAIT_EDIT):
             if self.waiting is Waiting.NOTHING:
                 self._begin_waiting(place)
+                self.wait_began = self._host.clock.now
             self._idle = self._matrix.image if self._console.quiet else None
         elif place in (_WAIT_ENDS, _WAIT_EDIT_ENDS):
             if registers.a:
