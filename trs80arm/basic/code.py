@@ -46,13 +46,18 @@ Function = Callable[[], int]
 
 
 class Compiled(NamedTuple):
-    """One function, and what it takes for granted."""
+    """One function, and what it takes for granted.
+
+    Attributes:
+        reach: the text must stay the same up to this address.
+    """
 
     function: FunctionType
     assumptions: Assumptions
     marks: list[Mark]
     first_line: int
     calls_code: bool
+    reach: int
 
 
 class Written(NamedTuple):
@@ -124,11 +129,12 @@ class Table(dict[int, Function]):
         del variants[:-_VARIANTS]
         return compiled
 
-    def forget_all(self) -> None:
-        """The text is another one."""
-        self.clear()
-        self._kept.clear()
-        self._fragile.clear()
+    def forget_from(self, address: int) -> None:
+        """From an address on the text is another one."""
+        self.cleared()
+        for kept in self._kept.values():
+            for variants in kept.values():
+                variants[:] = [compiled for compiled in variants if compiled.reach < address]
 
     def cleared(self) -> None:
         """The variables are gone."""
@@ -281,10 +287,12 @@ class CompiledCode:
 
     def check_version(self) -> None:
         """Forget what was compiled from another text."""
-        if self._version != self._state.program.version:
-            self._version = self._state.program.version
-            self.statements.forget_all()
-            self.blocks.forget_all()
+        program = self._state.program
+        if self._version != program.version:
+            first = program.same_below(self._version)
+            self._version = program.version
+            self.statements.forget_from(first)
+            self.blocks.forget_from(first)
 
     def types(self) -> bytes:
         """The table of DEFINT and so on, by which compiled statements are kept.
@@ -348,7 +356,7 @@ class CompiledCode:
                 self._take_back(out, scope, loops, before)
                 break
             fragile = scope.assumptions().fragile
-            solid = found.plain and not fragile
+            solid = found.plain and not fragile and not out.calls_code
             if seen and (not solid or out.most_cost > _MOST or len(seen) == _LONGEST):
                 asked = scope.state()
                 self._take_back(out, scope, loops, before)
@@ -385,7 +393,9 @@ class CompiledCode:
         if out.calls_code:
             names = self._recorded = self._recorded or recorded(names, self._state)
         function, first_line = out.build(names)
-        return Compiled(function, scope.assumptions(), out.marks, first_line, out.calls_code)
+        return Compiled(
+            function, scope.assumptions(), out.marks, first_line, out.calls_code, out.reach
+        )
 
     def _loops(self) -> list[Key]:
         """The variables of the loops that are open now."""
@@ -403,6 +413,7 @@ class CompiledCode:
         out.statement = address
         direct = address < program.start - 1
         start = address + 1
+        out.depends_on(start + 1)
         line = DIRECT
         if not _LOWEST <= address < state.memory.top - _LINE_HEAD:
             out.fail(Code.SN)
@@ -422,6 +433,7 @@ class CompiledCode:
             link = program.line_at(address)
             line = 0 if link is None else program.number_at(link)
         reader = Reader(program.text_from(start), start, out)
+        out.depends_on(start + len(reader.text))
         reader.skip()
         compiler = StatementCompiler(reader, out, scope, program, line, loops, state.armbasic)
         goes_on = reader.address if compiler.compile() else None

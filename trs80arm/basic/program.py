@@ -16,8 +16,11 @@ from trs80arm.basic.characters import COLON, QUOTE
 from trs80arm.basic.host import Memory
 
 _RAM_START = 0x4000
+LAST_ADDRESS = 0xFFFF
 _LAST = 0xFFF0
 """No program reaches so far up; the search through a broken one stops here."""
+_REMEMBERED = 100
+"""Changes whose places are known; whoever knows an older text knows none of it any more."""
 LINE_HEAD = 4
 """A line's link and number."""
 
@@ -32,10 +35,12 @@ class Program:
     def __init__(self, memory: Memory) -> None:
         self._memory = memory
         self.version = 0
+        self._changes: list[int] = []
+        """Where each change began, the last one last."""
         self._index: tuple[list[int], list[int]] | None = None
 
     def __getstate__(self) -> dict[str, object]:
-        return {**self.__dict__, "_index": None}
+        return {**self.__dict__, "_index": None, "_changes": []}
 
     @property
     def start(self) -> int:
@@ -60,10 +65,21 @@ class Program:
     def end(self, address: int) -> None:
         set_word(self._memory.ram, addresses.PROGRAM_END, address)
 
-    def changed(self) -> None:
-        """The text was changed from outside, by POKE or by a tape."""
+    def changed(self, first: int = 0) -> None:
+        """The text was changed, by POKE or by a tape, or in here.
+
+        Args:
+            first: the first address where it may be another one.
+        """
         self.version += 1
+        self._changes.append(first)
+        del self._changes[:-_REMEMBERED]
         self._index = None
+
+    def same_below(self, version: int) -> int:
+        """Up to which address the text is what it was in an earlier version."""
+        count = self.version - version
+        return min(self._changes[-count:]) if 0 < count <= len(self._changes) else 0
 
     def _walk(self) -> tuple[list[int], list[int]]:
         """Addresses of the lines' links and their numbers, in the order of the links."""
@@ -216,10 +232,14 @@ class Program:
         rest = bytes(self._memory.ram[stop:end])
         self._memory.write(start, new + rest)
         self.end = end + len(new) - (stop - start)
-        self.mend()
+        self.mend(start)
 
-    def mend(self) -> None:
-        """Set every link to the next line, found by its final zero."""
+    def mend(self, first: int = 0) -> None:
+        """Set every link to the next line, found by its final zero.
+
+        Args:
+            first: where the text, and so the first link, may be another one.
+        """
         ram = self._memory.ram
         address = self.start
         end = self.end
@@ -227,4 +247,4 @@ class Program:
             following = self._text_end(address + LINE_HEAD) + 1
             set_word(ram, address, following & 0xFFFF)
             address = following
-        self.changed()
+        self.changed(first)

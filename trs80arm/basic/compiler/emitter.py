@@ -101,6 +101,7 @@ class Emitter:
         loops: the loops that it goes round in, the innermost last.
         calls_code: whether machine code may be called.
         followed: where a jump goes that the block is to go on behind, instead of leaving.
+        reach: the highest address of the program's text that the function was made from.
         around: the open loop whose body begins where the block does, if there is one.
     """
 
@@ -116,6 +117,7 @@ class Emitter:
         self._stored: set[str] = set()
         self._constants: dict[int, str] = {}
         self._temporaries = 0
+        self.reach = 0
         self._leader: int | None = None
         self.around: ForFrame | None = None
         self._head: list[str] = []
@@ -222,6 +224,10 @@ class Emitter:
             cost, self.cost = self.cost, 0
             self._charged += cost
             self.emit(f"clock.now += {cost}")
+
+    def depends_on(self, address: int) -> None:
+        """The function holds only as long as the text stays the same up to an address."""
+        self.reach = max(self.reach, address)
 
     def allow(self, most: int) -> None:
         """Reckon with T-states that a call will charge by itself, at most so many."""

@@ -17,7 +17,7 @@ from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.control import DIRECT, ForFrame, GosubFrame
 from trs80arm.basic.errors import Code
 from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, STRING
-from trs80arm.basic.program import Program
+from trs80arm.basic.program import LAST_ADDRESS, Program
 from trs80arm.basic.variables import Key
 from trs80arm.basic.words import Word
 
@@ -76,10 +76,17 @@ class FlowCompiler:
         if self._line != DIRECT and number > self._line:
             passed -= program.place(self._line)
         self._out.cost += costs.LINE_PASSED * max(0, passed)
-        address = program.find(number)
+        address = self._find(number)
+        return address - 1
+
+    def _find(self, number: int) -> int:
+        """The address of a line's link; UL."""
+        address = self._program.find(number)
+        # A line that is not there may be put in anywhere.
+        self._out.depends_on(LAST_ADDRESS if address is None else address)
         if address is None:
             raise Mistake(Code.UL)
-        return address - 1
+        return address
 
     def _pass_rest(self) -> None:
         """The rest of the line is passed without a look."""
@@ -449,10 +456,7 @@ class FlowCompiler:
             self._out.emit("set_trap(0)")
             return
         self._out.cost += costs.LINE_PASSED * self._program.place(number)
-        address = self._program.find(number)
-        if address is None:
-            raise Mistake(Code.UL)
-        self._out.emit(f"set_trap({address})")
+        self._out.emit(f"set_trap({self._find(number)})")
 
     def error(self, word: Word) -> None:
         """ERROR n."""
