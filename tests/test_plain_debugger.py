@@ -124,3 +124,17 @@ def test_a_line_is_not_typed_while_the_machine_stands() -> None:
 )
 def test_what_cannot_be_done_is_said(line: str, said: str) -> None:
     assert said in talk("10 A=1", line)
+
+
+def test_a_watch_says_what_changed() -> None:
+    said = talk(
+        *("10 FOR I=1 TO 3", "20 A=I", "30 NEXT", ".watch A", ".watch latch hand", ".watch", "RUN"),
+        *(".go", ".unwatch A", ".watch latch nose", ".unwatch Q"),
+    )
+    assert "Stops behind a change of A." in said
+    assert "A = none\nlatch hand = " in said
+    assert "A none -> 1: before 30: NEXT" in said
+    assert "A 1 -> 2: before 30: NEXT" in said
+    assert "A is not watched any more." in said
+    assert "The latches are base, shoulder," in said
+    assert "Q is not watched." in said

@@ -19,6 +19,7 @@ from trs80arm.deck import Deck, cassettes_of
 from trs80arm.program_text import spell
 from trs80arm.rig import Rig
 from trs80arm.works.named_variables import as_number as as_number
+from trs80arm.works.named_variables import is_name as is_name
 from trs80arm.works.named_variables import stored_value
 
 MOST_ELEMENTS = 16

@@ -488,3 +488,95 @@ def test_who_does_something_else_in_the_past_makes_another_future() -> None:
     desk.session.rig.type("4\r")
     desk.pass_time(2)
     assert desk.value("A") == "4"
+
+
+# -- watches ---------------------------------------------------------------------------------------
+
+
+def changes(desk: Desk, count: int) -> list[str]:
+    """What the next stops say."""
+    said = []
+    for _ in range(count):
+        stop = desk.debugger.stop
+        assert stop is not None
+        assert stop.reason is Reason.WATCH
+        said.append(stop.text)
+        desk.debugger.go()
+        desk.pass_time(2)
+    return said
+
+
+def test_a_watch_stops_behind_each_change_of_a_variable() -> None:
+    desk = Desk("10 FOR I=1 TO 3\n20 A=I*I\n30 NEXT\n40 A=9\n50 END\n")
+    desk.debugger.watch("a")
+    desk.run()
+    assert changes(desk, 3) == [
+        "A none -> 1: before 30: NEXT",
+        "A 1 -> 4: before 30: NEXT",
+        "A 4 -> 9: before 30: NEXT",
+    ]
+    # 9 for 9 is no change.
+    assert desk.debugger.stop is None
+
+
+def test_a_latch_is_watched_through_out_and_through_a_motion_that_ends_where_it_began() -> None:
+    desk = Desk("10 OUT 152,9\n20 OUT 153,1\n30 @STEP 20,16\n40 END\n")
+    desk.debugger.watch("latch  Base")
+    desk.run()
+    first, second = changes(desk, 2)
+    assert first.startswith("latch base ")
+    assert first.endswith("-> 1001: before 20: OUT 153,1")
+    assert "16 times changed: before 40: END" in second or "17 times changed" in second
+
+
+def test_a_byte_of_memory_is_watched() -> None:
+    desk = Desk("10 POKE 20000,7\n20 POKE 20000,8\n30 END\n")
+    desk.debugger.watch("4E20H")
+    desk.run()
+    assert changes(desk, 2)[1] == "4E20H 7 -> 8: before 30: END"
+
+
+def test_a_watch_goes_back_in_time_with_the_machine() -> None:
+    desk = Desk("10 A=1\n20 B=1\n30 A=2\n40 B=2\n50 GOTO 10\n")
+    desk.debugger.watch("A")
+    desk.run()
+    desk.debugger.go()
+    desk.pass_time(1)
+    stop = desk.debugger.stop
+    assert stop is not None
+    assert desk.debugger.back()
+    assert desk.debugger.back()
+    desk.debugger.go()
+    desk.pass_time(1)
+    assert desk.debugger.stop == stop
+
+
+@pytest.mark.parametrize("text", ["", "latch nose", "+", "99999", "A B C D(", "3G00H"])
+def test_what_cannot_be_watched_is_told(text: str) -> None:
+    debugger = Desk("10 END\n").debugger
+    with pytest.raises(ValueError) as failed:
+        debugger.watch(text)
+    assert "\n" not in str(failed.value)
+    assert not debugger.watches
+
+
+def test_a_watch_is_taken_off_by_its_name_and_by_clearing_all() -> None:
+    desk = Desk("10 A=1\n20 A=2\n30 END\n")
+    assert desk.debugger.toggle_watch("A")
+    assert not desk.debugger.toggle_watch("a")
+    with pytest.raises(ValueError, match="A is not watched"):
+        desk.debugger.unwatch("A")
+    desk.debugger.watch("latch hand")
+    desk.debugger.clear()
+    desk.run()
+    assert desk.debugger.stop is None
+
+
+def test_a_watch_outlives_the_machine() -> None:
+    desk = Desk("10 A=1\n20 END\n")
+    desk.debugger.watch("A")
+    desk.session.rig.reset()
+    desk.session.rig.load_text("10 A=5\n20 END\n")
+    desk.run()
+    assert desk.debugger.stop is not None
+    assert desk.debugger.stop.text == "A none -> 5: before 20: END"

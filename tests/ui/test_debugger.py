@@ -313,3 +313,41 @@ async def test_back_from_the_desk_takes_the_arm_with_it(sit_down: Opener) -> Non
         assert sitting.app.session.rig.registers[0] == 0
         await sitting.press("f7")
         assert sitting.app.session.rig.registers[0] == 300
+
+
+@pytest.mark.parametrize(("width", "height"), [(80, 24), (120, 40)])
+def test_a_watch_is_set_by_keys_and_stops_with_what_changed(
+    sit_down: Opener, width: int, height: int
+) -> None:
+    @piloted
+    async def watch() -> None:
+        async with sit_down(width, height) as sitting:
+            sitting.app.session.rig.load_text("10 A=1\n20 OUT 152,9\n30 A=2\n40 GOTO 40\n")
+            await sitting.press("f7")
+            await sitting.settle()
+            for what in ("A", "latch base"):
+                await sitting.press("e")
+                await sitting.settle()
+                asked = sitting.app.screen
+                assert isinstance(asked, AskLine)
+                asked.query_one(Input).value = what
+                await sitting.press("enter")
+                await sitting.settle()
+            assert rows(sitting, "variables")[:2] == ["* A none", "* latch base 0000"]
+            await sitting.press("escape", "f5")
+            told = []
+            for _ in range(3):
+                for _ in range(60):
+                    await sitting.pass_time(0.1)
+                    if isinstance(sitting.app.screen, DebuggerScreen):
+                        break
+                told.append(where(sitting).splitlines()[0])
+                assert told[-1].split(":")[0] in screen_text(sitting.app)
+                await sitting.press("g")
+            assert told == [
+                "A none -> 1: before 20: OUT 152,9",
+                "latch base 0000 -> 1001: before 30: A=2",
+                "A 1 -> 2: before 40: GOTO 40",
+            ]
+
+    watch()

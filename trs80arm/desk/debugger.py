@@ -15,7 +15,9 @@ from enum import Enum
 from typing import Any
 
 from trs80arm import inspection
+from trs80arm.desk import watches
 from trs80arm.desk.session import Session
+from trs80arm.desk.watches import Watch
 from trs80arm.inspection import Spot, next_spot, spot_at
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.rig import Rig
@@ -45,6 +47,7 @@ class Reason(Enum):
 
     STEP = "step"
     BREAKPOINT = "breakpoint"
+    WATCH = "watch"
     LINE = "the line asked for"
     BACK = "back"
     ENDED = "ended"
@@ -139,11 +142,13 @@ class Debugger:
 
     Attributes:
         breakpoints: the lines before which it stops, each with its condition or None.
+        watches: what it stops behind a change of, by name.
     """
 
     def __init__(self, session: Session) -> None:
         self.session = session
         self.breakpoints: dict[int, Condition | None] = {}
+        self.watches: dict[str, Watch] = {}
         self._goal: Callable[[Rig, int], bool] | None = None
         self._goal_reason = Reason.STEP
         self._passed: tuple[int, int] | None = None
@@ -162,11 +167,14 @@ class Debugger:
         self._stop = self._told = None
         self._stops.clear()
         self._outcome = self.rig.basic.outcome
+        names = list(self.watches)
+        self._end_watches()
+        self.watches = {name: watches.watch(lambda: self.rig, name) for name in names}
         self._watch(anew=True)
 
     def _watch(self, *, anew: bool = False) -> None:
         """Be asked before each statement while there is something to stop for, and only then."""
-        wanted = bool(self.breakpoints) or self._goal is not None
+        wanted = bool(self.breakpoints or self.watches) or self._goal is not None
         if self._unstop is not None and (anew or not wanted):
             self._unstop()
             self._unstop = None
@@ -236,18 +244,76 @@ class Debugger:
             self.set(line)
 
     def clear(self, line: int | None = None) -> None:
-        """Do not stop before a line any more; None: before none.
+        """Do not stop before a line any more; None: before none, and watch nothing.
 
         Raises:
             ValueError: it has no breakpoint.
         """
         if line is None:
             self.breakpoints.clear()
+            self._end_watches()
         elif line in self.breakpoints:
             del self.breakpoints[line]
         else:
             raise ValueError(f"line {line} has no breakpoint")
         self._watch()
+
+    def watch(self, text: str) -> str:
+        """Stop from now on before the statement behind which something has changed.
+
+        Args:
+            text: a variable, as `I` or `B$(2)`, a latch, as `latch base`, or an address.
+
+        Returns:
+            Its name.
+
+        Raises:
+            ValueError: it is none of them.
+        """
+        made = watches.watch(lambda: self.rig, text)
+        if made.name in self.watches:
+            made.end()
+        else:
+            self.watches[made.name] = made
+        self._watch()
+        return made.name
+
+    def toggle_watch(self, text: str) -> bool:
+        """Watch something, or do not any more.
+
+        Returns:
+            Whether it is watched now.
+
+        Raises:
+            ValueError: it is nothing that can be watched.
+        """
+        count = len(self.watches)
+        name = self.watch(text)
+        if len(self.watches) == count:
+            self.unwatch(name)
+        return name in self.watches
+
+    def unwatch(self, text: str) -> None:
+        """Do not stop for that any more.
+
+        Raises:
+            ValueError: it was not watched.
+        """
+        words = " ".join(text.split()).casefold()
+        name = next((name for name in self.watches if name.casefold() == words), None)
+        if name is None:
+            raise ValueError(f"{text.strip()} is not watched")
+        self.watches.pop(name).end()
+        self._watch()
+
+    def _end_watches(self) -> None:
+        for each in self.watches.values():
+            each.end()
+        self.watches.clear()
+
+    def _look_again(self) -> None:
+        for each in self.watches.values():
+            each.look_again()
 
     def breakpoint_at(self, rig: Rig, address: int) -> bool:
         """Whether a machine that is about to do the statement at an address stops there."""
@@ -263,6 +329,10 @@ class Debugger:
         moment = (rig.clock.now, address)
         if moment == self._passed:
             return False
+        changes = [change for each in self.watches.values() if (change := each.changed())]
+        if changes and inspection.is_statement(rig, address):
+            self._stand(Reason.WATCH, spot_at(rig, address), address, ", ".join(changes))
+            return True
         if self.breakpoint_at(rig, address):
             reason = Reason.BREAKPOINT
         elif (
@@ -276,17 +346,18 @@ class Debugger:
         self._stand(reason, spot_at(rig, address), address)
         return True
 
-    def _stand(self, reason: Reason, spot: Spot | None, address: int) -> None:
+    def _stand(self, reason: Reason, spot: Spot | None, address: int, changes: str = "") -> None:
         now = self.rig.clock.now
         self._passed = (now, address)
         self._goal = None
         self._used = self._runs = True
-        if reason in (Reason.BREAKPOINT, Reason.LINE):
+        if reason in (Reason.BREAKPOINT, Reason.LINE, Reason.WATCH):
             if not self.session.timeline.behind:
                 self._stops = [time for time in self._stops if time < now]
             self._stops = [*self._stops[1 - _MOST_STOPS :], now]
         self._outcome = None
-        self._halt(Stop(reason, f"{_WORDS[reason]} {spot or 'the end'}", spot))
+        words = f"{changes}: {_WORDS[reason].lower()}" if changes else _WORDS[reason]
+        self._halt(Stop(reason, f"{words} {spot or 'the end'}", spot))
 
     def _halt(self, stop: Stop) -> None:
         self._stop = stop
@@ -306,7 +377,7 @@ class Debugger:
             return
         self._outcome = outcome
         stepped = self._runs and self._goal is not None
-        debugged = self._runs and (bool(self.breakpoints) or self._used)
+        debugged = self._runs and (bool(self.breakpoints or self.watches) or self._used)
         self._runs = self._used = False
         if outcome is self.session.broken_off:
             return
@@ -410,6 +481,7 @@ class Debugger:
             return False
         address = self.rig.basic.next_address
         assert address is not None
+        self._look_again()
         self._stand(Reason.BACK, spot_at(self.rig, address), address)
         return True
 
@@ -417,6 +489,7 @@ class Debugger:
 _WORDS = {
     Reason.STEP: "Before",
     Reason.BREAKPOINT: "Breakpoint before",
+    Reason.WATCH: "Before",
     Reason.LINE: "Before",
     Reason.BACK: "Back before",
 }

@@ -10,6 +10,7 @@ from trs80arm import inspection
 from trs80arm.desk.debugger import Reason
 from trs80arm.desk.memory_view import ROW, parse_address, poke_statement, row_text
 from trs80arm.desk.states import QUICK
+from trs80arm.desk.watches import LATCH_NAMES
 from trs80arm.inspection import MOST_ELEMENTS, line_text
 from trs80arm.plain.command import Group, LineCommand, Sitting
 
@@ -71,6 +72,21 @@ def _clear(sitting: Sitting, words: str) -> None:
         sitting.tell("Cleared.")
 
 
+def _watch(sitting: Sitting, words: str) -> None:
+    debugger = sitting.debugger
+    if not words:
+        rows = [f"{each.name} = {each.value}" for each in debugger.watches.values()]
+        sitting.tell("\n".join(rows) or "Nothing is watched.")
+        return
+    if _trying(sitting, lambda: debugger.watch(words)):
+        sitting.tell(f"Stops behind a change of {words}.")
+
+
+def _unwatch(sitting: Sitting, words: str) -> None:
+    if _trying(sitting, lambda: sitting.debugger.unwatch(words)):
+        sitting.tell(f"{words.strip()} is not watched any more.")
+
+
 def _walk(sitting: Sitting, step: Callable[[], None], words: str) -> None:
     """Step so often, or until there is something else to stop for."""
     debugger = sitting.debugger
@@ -82,7 +98,7 @@ def _walk(sitting: Sitting, step: Callable[[], None], words: str) -> None:
             if debugger.waits_to_stop and sitting.session.rig.basic.next_address is None:
                 sitting.tell("No program runs; it stops before the first statement of the next.")
             return
-        if stop.reason in (Reason.ENDED, Reason.BREAKPOINT):
+        if stop.reason in (Reason.ENDED, Reason.BREAKPOINT, Reason.WATCH):
             return
 
 
@@ -222,7 +238,17 @@ GROUP = Group(
             "[LINE [if I>10]]",
             "The condition compares a variable with a number, a text in quotes, or a variable.",
         ),
-        LineCommand("clear", "do not stop there any more", _clear, "[LINE]"),
+        LineCommand(
+            "clear", "do not stop there any more; alone: nowhere, for nothing", _clear, "[LINE]"
+        ),
+        LineCommand(
+            "watch",
+            "stop behind a change; alone: of what",
+            _watch,
+            "[I|B$(2)|latch base|3C00H]",
+            f"The latches are {', '.join(LATCH_NAMES)}. A motion comes to its end first.",
+        ),
+        LineCommand("unwatch", "do not stop for that any more", _unwatch, "I"),
         LineCommand(
             "step",
             "one statement, into GOSUB",

@@ -25,6 +25,11 @@ _SUFFIXES = {mark: kind for kind, mark in MARKS.items()}
 _NAME = re.compile(r"([A-Z][A-Z0-9]?)[A-Z0-9]*([%!#$]?)(?:\((.*)\))?")
 
 
+def is_name(text: str) -> bool:
+    """Whether that is written as a variable's name, or an element's."""
+    return bool(_NAME.fullmatch(text))
+
+
 def stored_value(basic: Language, name: str) -> Any:
     """What a variable, or an element of an array, holds: a number of the machine's, or text.
 

@@ -108,6 +108,19 @@ class DebugCommands:
         else:
             self.open()
 
+    def watch(self) -> None:
+        """Ask what the machine is to stop behind a change of."""
+        from trs80arm.ui.screens.ask_line import AskLine
+        from trs80arm.ui.screens.debugger import WATCH, WATCH_HINT
+
+        def take(text: str) -> None:
+            watched = self._debugger.toggle_watch(text)
+            self._say(f"{'Watched' if watched else 'Not watched any more'}: {text.strip()}.")
+
+        watched = ", ".join(self._debugger.watches)
+        hint = f"{WATCH_HINT} Watched: {watched}." if watched else WATCH_HINT
+        self._screens.open(AskLine(WATCH, hint, "", take), lambda _: None)
+
     def back(self) -> None:
         """One statement back in time."""
         self._back(self._debugger.back(), "statement")

@@ -39,6 +39,7 @@ VIDEO = 0x3C00
 """The address whose memory is shown first: the tube's."""
 MEMORY_ROWS = 32
 """Rows of memory that are listed."""
+WATCH, WATCH_HINT = "Stop behind a change of", "I, B$(2), latch base or 3C00H; again: no more."
 _TUBE_FRAME = 2
 _MARKS = 2
 """Cells before a line's number: for a breakpoint, and for the line that is next."""
@@ -95,6 +96,7 @@ class DebuggerScreen(Dialog[Leaving]):
         Binding("a", "address", "Address", show=False),
         Binding("p", "poke", "Poke", show=False),
         Binding("c", "clear", "Clear all", show=False),
+        Binding("e", "watch", "Watch", show=False),
         Binding("w", "states", "States", show=False),
         Binding("v", "behind", "View", show=False),
         Binding("shift+f3,ctrl+f3,f15", "quick_save", show=False),
@@ -135,10 +137,11 @@ goes on until the subroutine has returned, `T` to the line that is marked, `G` l
 one statement back in time, `R` back to the breakpoint before: arm, bench, tube and clock as they
 were. Forward again is the same run, until something is done differently.
 
-`Space` sets a breakpoint at the marked line or takes it off, `I` gives it a condition, `C` clears
-all. Left and Right go from the listing to the variables; `Enter` changes the marked one, `L` any,
-by an assignment that the machine checks as it does a typed one. `M` shows memory instead, `A` goes
-to an address, `Enter` or `P` POKEs. `W` lists the saved states, `Shift+F3` saves one quickly,
+`Space` sets a breakpoint at the marked line or takes it off, `I` gives it a condition. `E` keeps an
+eye on a variable, a latch or an address, and stops behind each change; again, and no more. `C`
+clears all. Left and Right go from the listing to the variables; `Enter` changes the marked one, `L`
+any, by an assignment that the machine checks as it does a typed one. `M` shows memory instead, `A`
+goes to an address, `Enter` or `P` POKEs. `W` lists the saved states, `Shift+F3` saves one quickly,
 `Shift+F2` loads it. `V` shows the machine behind, `Escape` closes the debugger; the machine goes
 on standing.
 """
@@ -297,9 +300,16 @@ on standing.
         return None if place is None or place >= len(lines) else lines[place]
 
     def _show_variables(self) -> None:
+        watched = self._debugger.watches
         found = list(inspection.elements(self._debugger.rig, MOST_ELEMENTS))
-        names = [variable.name for variable in found]
-        rows = [f"{each.name:<8}{shown(each.value)}" for each in found]
+        held = {variable.name for variable in found}
+        others = [each for name, each in watched.items() if name not in held]
+        names = [*(each.name for each in others), *(variable.name for variable in found)]
+        rows = [f"* {each.name} {each.value}" for each in others]
+        rows += [
+            f"{'*' if each.name in watched else ' '} {each.name:<8}{shown(each.value)}"
+            for each in found
+        ]
         options = self._variables
         self._fill(options, [Text(row) for row in rows] or [Text("No variables.")])
         self._names = names
@@ -400,9 +410,21 @@ on standing.
         text = now.text if isinstance(now, Condition) else ""
         self.open(AskLine(f"Stop before {line} if", hint, text, take))
 
+    def action_watch(self) -> None:
+        """Ask what to keep an eye on, or to let alone."""
+
+        def take(text: str) -> None:
+            self._debugger.toggle_watch(text)
+            self._show_variables()
+
+        place = self._variables.highlighted or 0
+        marked = self.focused is self._variables and place < len(self._names)
+        self.open(AskLine(WATCH, WATCH_HINT, self._names[place] if marked else "", take))
+
     def action_clear(self) -> None:
-        """No breakpoints any more."""
+        """No breakpoints and no watches any more."""
         self._debugger.clear()
+        self._show_variables()
         line = self._marked_line(self._lines)
         self.show_listing_again(line if line is not None else -1)
 
@@ -414,6 +436,8 @@ on standing.
             place = self._variables.highlighted
             if place is not None and place < len(self._names):
                 name = self._names[place]
+                if not inspection.is_name(name):
+                    return
                 self._ask_change(f"{name}={inspection.value_text(self._debugger.rig, name)}")
         elif self.focused is self._memory:
             self.action_poke()

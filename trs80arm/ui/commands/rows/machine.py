@@ -33,6 +33,13 @@ MACHINE: tuple[Command, ...] = (
         also="breakpoint variables memory poke let inspect step",
     ),
     Command(
+        "watch",
+        lambda to: to.debug.watch(),
+        "Debugger: watch a variable or a latch",
+        "Stop behind each change of a variable, a latch of the card or a byte of memory.",
+        also="breakpoint watchpoint memory address",
+    ),
+    Command(
         "step_back",
         lambda to: to.debug.back(),
         "Debugger: one statement back",
