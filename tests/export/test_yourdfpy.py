@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
-import yourdfpy
 
 from tests.export.poses import ARMS, CLOSE, frames, poses, rig_of
 from trs80arm.arm.models import model_named
@@ -15,6 +15,13 @@ from trs80arm.export.exporting import Export, export
 from trs80arm.export.units import METRES
 from trs80arm.export.urdf import urdf
 from trs80arm.rig import RigSettings
+
+
+def load(path: Path, **how: bool) -> Any:
+    """The arm of a file. The library takes a second to import, which those who do not ask save."""
+    import yourdfpy
+
+    return yourdfpy.URDF.load(str(path), **how)
 
 
 def write(arm: str, folder: Path) -> Path:
@@ -29,7 +36,7 @@ def write(arm: str, folder: Path) -> Path:
 
 @pytest.mark.parametrize("arm", ARMS)
 def test_a_thousand_poses_are_the_same(arm: str, tmp_path: Path) -> None:
-    robot = yourdfpy.URDF.load(str(write(arm, tmp_path)), load_meshes=False)
+    robot = load(write(arm, tmp_path), load_meshes=False)
     worst = 0.0
     for angles, opening in poses(model_named(arm)):
         values = joint_values(angles, opening)
@@ -44,7 +51,7 @@ def test_a_thousand_poses_are_the_same(arm: str, tmp_path: Path) -> None:
 
 
 def test_it_is_a_valid_file_and_every_moving_link_has_its_inertia(tmp_path: Path) -> None:
-    robot = yourdfpy.URDF.load(str(write("minimover5", tmp_path)))
+    robot = load(write("minimover5", tmp_path))
     assert robot.validate(), robot.errors
     moving = [joint.child for joint in robot.robot.joints if joint.type != "fixed"]
     for link in moving:
@@ -54,7 +61,7 @@ def test_it_is_a_valid_file_and_every_moving_link_has_its_inertia(tmp_path: Path
 
 
 def test_parts_are_where_they_lie_with_their_meshes(tmp_path: Path) -> None:
-    robot = yourdfpy.URDF.load(str(write("minimover5", tmp_path)))
+    robot = load(write("minimover5", tmp_path))
     disc = rig_of("minimover5").arm.bench.parts["disc"]
     assert robot.get_transform("disc")[:3, 3] / METRES == pytest.approx(disc.place, abs=CLOSE)
     (low, high) = robot.scene.geometry["disc.stl"].bounds / METRES
@@ -63,5 +70,5 @@ def test_parts_are_where_they_lie_with_their_meshes(tmp_path: Path) -> None:
 
 def test_the_command_writes_the_same_with_its_meshes(tmp_path: Path) -> None:
     export(Export(tmp_path / "arm.urdf", rig=RigSettings()))
-    robot = yourdfpy.URDF.load(str(tmp_path / "arm.urdf"))
+    robot = load(tmp_path / "arm.urdf")
     assert robot.num_actuated_joints == 6
