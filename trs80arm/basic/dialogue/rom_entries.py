@@ -101,9 +101,9 @@ Entry = Callable[[Call], None]
 
 
 def _scan(call: Call, t_states: int) -> int:
-    call.processor.looked = call.state.clock.now
     code = call.state.host.console.scan()
     call.spend(t_states)
+    call.processor.looked = call.state.clock.now
     return code
 
 
