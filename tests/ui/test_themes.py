@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from rich.style import Style
 from textual.widgets import Button
@@ -12,7 +14,7 @@ from tests.ui.screen_text import styles_at
 from trs80arm.drawing.rows import Ink, Paint
 from trs80arm.ui.filming import picture
 from trs80arm.ui.screens.pendant import PendantScreen
-from trs80arm.ui.themes import THEMES
+from trs80arm.ui.themes import GREEN, THEMES, Themed
 
 LEGIBLE = 4.5
 """The contrast that the web's rules ask of text."""
@@ -33,6 +35,40 @@ def contrast(style: Style) -> float:
         luminance(tuple(colour.get_truecolor())) for colour in (style.color, style.bgcolor)
     )
     return (max(one, other) + 0.05) / (min(one, other) + 0.05)
+
+
+class Painted(Themed[None]):
+    """An application with the own themes and nothing else."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        for theme in THEMES:
+            self.register_theme(theme)
+
+
+def test_the_second_application_has_the_colours_of_the_first() -> None:
+    first = Painted()
+    seen = {}
+    for name in first.available_themes:
+        first.theme = name
+        seen[name] = first.get_css_variables(), first.theme_variables
+        # What one does with its variables is nothing to the next.
+        first.theme_variables["primary"] = first.get_css_variables()["primary"] = "none"
+    assert seen["green"][0]["tube"] != seen["amber"][0]["tube"] != seen["nord"][0]["tube"]
+    second = Painted()
+    for name, (variables, own) in seen.items():
+        second.theme = name
+        assert second.get_css_variables() == variables
+        assert second.theme_variables == own | {"primary": second.theme_variables["primary"]}
+        assert second.theme_variables["primary"] != "none"
+
+
+def test_a_theme_put_in_the_place_of_another_has_its_own_colours() -> None:
+    app = Painted()
+    app.theme = "green"
+    before = app.get_css_variables()
+    app.register_theme(replace(GREEN, primary="#123456"))
+    assert app.get_css_variables()["primary"] == "#123456" != before["primary"]
 
 
 @piloted

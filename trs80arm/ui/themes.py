@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container
-from typing import TypeVar
+from typing import ClassVar, TypeVar
 
 from textual.app import App
 from textual.theme import Theme
@@ -101,6 +101,10 @@ THEMES: tuple[Theme, ...] = (GREEN, WHITE, AMBER, CONTRAST, PAPER)
 class Themed(App[Result]):
     """An application with the own themes, and with colours that can be read in every theme."""
 
+    _mixed: ClassVar[dict[str, tuple[Theme, dict[str, str], dict[str, str]]]] = {}
+    """By name of a theme: it, its variables, and those that were changed. Colours are asked for
+    twice before the first frame, and to mix them takes a millisecond and a half."""
+
     def get_theme_variable_defaults(self) -> dict[str, str]:
         """The tube's colours in themes that know no tube: those of any text."""
         colours = self.current_theme.to_color_system().generate()
@@ -108,8 +112,14 @@ class Themed(App[Result]):
 
     def get_css_variables(self) -> dict[str, str]:
         """The theme's variables, those changed that could not be read."""
-        variables = super().get_css_variables()
-        return variables | readable(variables)
+        theme = self.current_theme
+        known = self._mixed.get(theme.name)
+        if known is None or known[0] is not theme:
+            variables = super().get_css_variables()
+            known = self._mixed[theme.name] = (theme, variables, readable(variables))
+        _, variables, changed = known
+        self.theme_variables = dict(variables)
+        return variables | changed
 
 
 def refusal(name: str, available: Container[str]) -> str:
