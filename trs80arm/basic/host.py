@@ -38,6 +38,8 @@ class Memory(Protocol):
 
     ram: bytearray
     """65536 bytes, never more or fewer: the storage behind every address that no region claims."""
+    view: memoryview
+    """The same storage."""
     top: int
     """The first address without RAM: 8000H on a 16K machine."""
 

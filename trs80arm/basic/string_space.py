@@ -8,6 +8,8 @@ Statements, Strings).
 
 from __future__ import annotations
 
+from operator import itemgetter
+
 from trs80arm.basic import addresses, costs
 from trs80arm.basic.characters import LONGEST_STRING
 from trs80arm.basic.errors import BasicError, Code
@@ -58,12 +60,20 @@ class StringSpace:
         ):
             # `Memory.read` is asked only where memory ends: nearly all strings come this way.
             return (
-                bytes(self._ram[address:end])
+                self._memory.view[address:end].tobytes()
                 if end <= self._end
                 else self._memory.read(address, length)
             )
         peek = self._memory.peek
         return bytes([peek(place & 0xFFFF) for place in range(address, end)])
+
+    def characters_of(self, string: Descriptor) -> bytes | bytearray:
+        """The same to be cut and joined: as they come, where they are in string space."""
+        length, address = string
+        end = address + length
+        if addresses.PROGRAM <= self.bottom < address and end <= self._end:
+            return self._ram[address:end]
+        return self.bytes_of(string)
 
     def free_bytes(self) -> int:
         """Collect the garbage and count what is free (FRE of a string)."""
@@ -119,7 +129,7 @@ class StringSpace:
         """Write newly allocated bytes."""
         end = address + len(text)
         if address >= addresses.PROGRAM and end <= self._end:
-            self._ram[address:end] = text
+            self._memory.view[address:end] = text
         else:
             self._memory.write(address, text)
 
@@ -201,7 +211,13 @@ class StringSpace:
             raise BasicError(Code.ST)
         return new
 
-    def keep(self, target: Descriptor, text: bytes, stored: bytes, extra: int) -> bool:
+    def keep(
+        self,
+        target: Descriptor,
+        text: bytes | bytearray,
+        stored: bytes | bytearray,
+        extra: int,
+    ) -> bool:
         """Make `target` a string that was put together elsewhere, if it fits without more ado.
 
         Args:
@@ -226,7 +242,7 @@ class StringSpace:
         ):
             return False
         address = next_ + 1
-        self._ram[address : before + 1] = stored
+        self._memory.view[address : before + 1] = stored
         self.next = next_
         self._clock.now += count * costs.STRING_BYTE + extra
         target[0] = length
@@ -262,30 +278,29 @@ class StringSpace:
         The ROM looks through every descriptor for the highest string that is left, moves it, and
         starts again: the time grows with the square of the number of strings.
         """
-        live: list[Descriptor] = [s for s in self.temporaries if s[0] and self._holds(s)]
-        for scalar in self._variables.order:
-            if scalar.kind == STRING and scalar.value[0] and self._holds(scalar.value):
-                live.append(scalar.value)
-        for array in self._variables.arrays.values():
+        bottom, top = self.bottom, self.top
+        variables = self._variables
+        found: list[Descriptor] = [*self.temporaries]
+        found += [s.cell.cell_contents for s in variables.order if s.kind == STRING]
+        for array in variables.arrays.values():
             if array.kind == STRING:
-                live += [s for s in array.data if s[0] and self._holds(s)]
-        self._clock.now += self._collecting(len(live))
-        live.sort(key=lambda string: string[1], reverse=True)
-        free = self.top
-        memory = self._memory
+                found += array.data
+        live = [string for string in found if string[0] and bottom < string[1] <= top]
+        live.sort(key=itemgetter(1), reverse=True)
+        next_ = top
+        write, read = self._memory.write, self._memory.read
         for string in live:
             length, address = string
-            new = free - length + 1
-            if new != address:
-                memory.write(new, memory.read(address, length))
-                string[1] = new
-            free -= length
-            self._clock.now += length * costs.COLLECT_BYTE
-        self.next = free
+            next_ -= length
+            if next_ + 1 != address:
+                write(next_ + 1, read(address, length))
+                string[1] = next_ + 1
+        self._clock.now += self._collecting(len(live)) + (top - next_) * costs.COLLECT_BYTE
+        self.next = next_
 
     def _collecting(self, live: int) -> int:
         """T-states of a collection of so many live strings, beside moving their bytes."""
-        strings = sum(scalar.kind == STRING for scalar in self._variables.order)
+        strings = self._variables.count(STRING)
         look = costs.COLLECT_PASS + costs.COLLECT_STRING * (strings + len(self.temporaries))
         look += costs.COLLECT_NUMBER * (len(self._variables.order) - strings)
         for array in self._variables.arrays.values():
@@ -293,6 +308,3 @@ class StringSpace:
             if array.kind == STRING:
                 look += costs.COLLECT_STRING_ARRAY + costs.COLLECT_ELEMENT * len(array.data)
         return (live + 1) * look + live * (costs.COLLECT_LIVE + costs.COLLECT_COMPARED * live)
-
-    def _holds(self, string: Descriptor) -> bool:
-        return self.bottom < string[1] <= self.top

@@ -210,6 +210,10 @@ class Variables:
             self._of_kind = {kind: counted[kind] for kind in SIZES}
         return self._of_kind
 
+    def count(self, kind: Kind) -> int:
+        """How many simple variables of a kind exist."""
+        return self._counts()[kind]
+
     def clear(self, start: int) -> None:
         """Forget all of them; the tables begin at `start`."""
         self.start = start

@@ -198,7 +198,7 @@ TABLE: Final[tuple[Word, ...]] = (
     _function("CSNG", "converted", "", SINGLE, 220),
     _function("CDBL", "converted", "", DOUBLE, 247),
     _function("FIX", "rounding", "fix", None, 306),
-    _function("LEN", "of_string", "len_", INTEGER, 254),
+    _function("LEN", "length", "len_", INTEGER, 254),
     _function("STR$", "of_shown", "str_", STRING, 1360, paced=True),
     _function("VAL", "of_string", "val_", ANY, 3, paced=True),
     _function("ASC", "of_string", "asc_", INTEGER, 425),

@@ -32,7 +32,7 @@ expressions = st.recursive(
 )
 
 
-def _after(room: int, targets: list[str], texts: list[str]) -> tuple[object, ...]:
+def _after(room: int, targets: list[str], texts: list[str], compared: str) -> tuple[object, ...]:
     machine = Machine()
     lines = [
         f"{20 + i} {name}={text}"
@@ -41,7 +41,8 @@ def _after(room: int, targets: list[str], texts: list[str]) -> tuple[object, ...
     machine.load(
         f'10 CLEAR {room}:A$="ARM"+"BASIC":C$(1)="X"+A$:FOR I=0 TO 5:I%=7-I:I#=I/3',
         *lines,
-        "80 NEXT:PRINT FRE(A$)",
+        f"70 T=T*4-(A$={compared})-2*(B$<{compared})-(A$<>B$)+LEN(A$)",
+        "80 NEXT:PRINT T;FRE(A$)",
     )
     machine.do("RUN", seconds=100)
     state = machine.basic.state
@@ -57,12 +58,13 @@ def _after(room: int, targets: list[str], texts: list[str]) -> tuple[object, ...
     st.integers(15, 400),
     st.lists(st.sampled_from(["A$", "B$", "C$(1)", "C$(I)"]), min_size=1, max_size=3),
     st.lists(expressions, min_size=3, max_size=3),
+    leaves,
 )
 def test_put_together_or_step_by_step_is_the_same(
-    room: int, targets: list[str], texts: list[str]
+    room: int, targets: list[str], texts: list[str], compared: str
 ) -> None:
-    at_once = _after(room, targets, texts)
+    at_once = _after(room, targets, texts, compared)
     with mock.patch.object(StringSpace, "keep", return_value=False):
-        assert _after(room, targets, texts) == at_once
+        assert _after(room, targets, texts, compared) == at_once
     with mock.patch.object(pieces, "with_piece", lambda value, *_: value):
-        assert _after(room, targets, texts) == at_once
+        assert _after(room, targets, texts, compared) == at_once

@@ -152,7 +152,7 @@ class ExpressionCompiler:
             self._reader.position = self._operand_end
             self._out.cost += costs.COMPARE_STRINGS
             self._out.allow(costs.MOST_COMPARED)
-            test = _string_relation(left, right, relation)
+            test = _string_relation(left, right, relation, self._draft.depth)
         else:
             self._out.cost += costs.binary("compare", left.held, right.held)
             test = self._number_relation(left, right, relation)
@@ -448,10 +448,16 @@ def listed(values: list[Expression]) -> str:
     return ", ".join(value.text for value in values)
 
 
-def _string_relation(left: Expression, right: Expression, relation: str | None) -> str:
+def _string_relation(left: Expression, right: Expression, relation: str | None, depth: int) -> str:
+    operands, equal, compare = f"{left.text}, {right.text}", "string_equal", "string_compare"
+    if depth < pieces.MOST - 1 and pieces.plain(left) and pieces.plain(right):
+        # No temporary comes or goes, and there is room for one more on each side.
+        assert left.piece is not None
+        assert right.piece is not None
+        operands, equal, compare = f"{left.piece.text}, {right.piece.text}", "alike", "order"
     if relation is None:
-        return f"always(string_compare({left.text}, {right.text}), 0)"
+        return f"always({compare}({operands}), 0)"
     if relation in ("==", "!="):
         negation = "not " if relation == "!=" else ""
-        return f"{negation}string_equal({left.text}, {right.text})"
-    return f"string_compare({left.text}, {right.text}) {relation} 0"
+        return f"{negation}{equal}({operands})"
+    return f"{compare}({operands}) {relation} 0"

@@ -160,10 +160,18 @@ class FunctionCompiler:
 
     def of_string(self, word: Word) -> Expression:
         """A function of a string; TM."""
+        return _call(word, self._string().text)
+
+    def length(self, word: Word) -> Expression:
+        """LEN: that of a variable is the first thing in its descriptor."""
+        value = self._string()
+        return Expression(f"{value.text}[0]", INTEGER) if value.simple else _call(word, value.text)
+
+    def _string(self) -> Expression:
         value = self._argument()
         if value.kind != STRING:
             raise self._draft.mistake(Code.TM, value)
-        return _call(word, value.text)
+        return value
 
     def of_number(self, word: Word) -> Expression:
         """A function of a number of any type."""

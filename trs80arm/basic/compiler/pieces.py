@@ -65,13 +65,19 @@ def literal(characters: bytes, call: str) -> Piece:
 
 def variable(name: str) -> Piece:
     """A simple variable."""
-    return Piece(f"bytes_of({name})", name)
+    return Piece(f"characters_of({name})", name)
 
 
 def element(out: Emitter, text: str) -> Piece:
     """An element of an array: found before, since its subscripts may be wrong."""
     name = out.temporary()
-    return Piece(f"bytes_of({name})", name, hoisted=((name, text),))
+    return Piece(f"characters_of({name})", name, hoisted=((name, text),))
+
+
+def plain(value: Expression) -> bool:
+    """Whether an expression is a literal or a simple variable."""
+    piece = value.piece
+    return piece is not None and not (piece.stored or piece.lines or piece.hoisted)
 
 
 def shown(out: Emitter, value: Expression) -> Piece | None:

@@ -88,7 +88,7 @@ ROUTINES: Final[dict[type[Part], tuple[str, ...]]] = {
         *("scalar_reference", "element_reference", "clear_all", "clear_strings"),
     ),
     StringFunctions: (
-        *("assign", "string_equal", "string_compare"),
+        *("assign", "string_equal", "string_compare", "alike", "order"),
         *("first_code", "free_strings", "text_at"),
     ),
     DataReader: (
@@ -124,7 +124,7 @@ def environment(state: State) -> dict[str, Any]:
         "memory_room": state.room,
         "literal": state.strings.literal,
         "concatenate": state.strings.concatenate,
-        "bytes_of": state.strings.bytes_of,
+        "characters_of": state.strings.characters_of,
         "keep": state.strings.keep,
         "characters": CHARACTERS,
         **FUNCTIONS,

@@ -10,15 +10,18 @@ from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.variables import NO_STRING, Descriptor
 
+Characters = bytes | bytearray
 _SIGNS = (b"+", b"-")
 
 
-def _compared(first: bytes, second: bytes) -> int:
+def _compared(first: Characters, second: Characters) -> int:
     """How many pairs of bytes are looked at until the order is known."""
-    shorter = min(len(first), len(second))
-    if first[:shorter] == second[:shorter]:
-        return shorter
-    return next(place for place in range(shorter) if first[place] != second[place]) + 1
+    count = 0
+    for one, other in zip(first, second, strict=False):
+        count += 1
+        if one != other:
+            return count
+    return count
 
 
 class StringFunctions(Part):
@@ -32,15 +35,24 @@ class StringFunctions(Part):
         """Whether two strings are the same."""
         strings = self._strings
         second = strings.take(right)
-        first = strings.take(left)
-        self._clock.now += costs.STRING_COMPARED * _compared(first, second)
-        return first == second
+        return self.alike(strings.take(left), second)
 
     def string_compare(self, left: Descriptor, right: Descriptor) -> int:
         """-1, 0 or 1, by bytes, the shorter first."""
         strings = self._strings
         second = strings.take(right)
-        first = strings.take(left)
+        return self.order(strings.take(left), second)
+
+    def alike(self, first: Characters, second: Characters) -> bool:
+        """Whether the characters of two strings are the same."""
+        if first == second:
+            self._clock.now += costs.STRING_COMPARED * len(first)
+            return True
+        self._clock.now += costs.STRING_COMPARED * _compared(first, second)
+        return False
+
+    def order(self, first: Characters, second: Characters) -> int:
+        """-1, 0 or 1 for the characters of two strings."""
         self._clock.now += costs.STRING_COMPARED * _compared(first, second)
         return (first > second) - (first < second)
 
