@@ -9,9 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.contact.contacts import Contact
+from trs80arm.arm.contact.moment import Moment, Name
+from trs80arm.arm.contact.recurrence import Recurrence, question
 from trs80arm.arm.contact.rotations import apply_back
 from trs80arm.arm.forces import Burden
 from trs80arm.arm.grip import Grip
@@ -25,8 +28,39 @@ HAIR, BREATH = 0.75, 2.5
 """Half-steps of cable by which a part, or what gives a little, may measure otherwise."""
 YIELDING = 0.1
 """Part of the cable's way by which what is between the fingers gives way, rather than resists."""
+KNOWN = 512
+"""Looks of which it is known what was seen."""
 
 Five = tuple[float, float, float, float, float]
+
+
+class Sight(NamedTuple):
+    """What was seen of the fingers after a tick, parts by their order in it.
+
+    Attributes:
+        grip: where the fingers have met something, and how it strains them; None where that is as
+            it was, as what sleeps in the grip stays there.
+        met: as `Grasp` remembers it.
+        between: on what both fingers press.
+        holds: whether they carry that.
+        closely: whether the next tick has to be looked at closely.
+        burdens: as in `Grasp`.
+        pushed: as in `Grasp`.
+        leaned_on: as in `Grasp`.
+        alone: as in `Grasp`.
+        presser: what presses most on the arm, or None.
+    """
+
+    grip: tuple[int, float] | None
+    met: tuple[float, int] | None
+    between: list[Name]
+    holds: bool
+    closely: bool
+    burdens: tuple[Burden, ...]
+    pushed: Five
+    leaned_on: bool
+    alone: bool
+    presser: list[Name]
 
 
 class Grasp:
@@ -55,6 +89,12 @@ class Grasp:
         self._telling = telling
         self._met: tuple[float, int] | None = None
         self._tightest = 0
+        self._closely = False
+        self._sights: Recurrence[Sight] = Recurrence(KNOWN)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What was seen before is seen again.
+        return {**self.__dict__, "_closely": False, "_sights": Recurrence(KNOWN)}
 
     def clear(self) -> None:
         """Begin anew: what touches the arm is seen on the first tick, if anything strains it."""
@@ -67,6 +107,74 @@ class Grasp:
 
         Args:
             loaded: whether anything rests in the hand.
+        """
+        recurs = self._bench.scene.recurs
+        if recurs is None or not self._all_in(recurs[1]):
+            self._look(loaded=loaded)
+            return
+        asked, moment = recurs
+        parts, grip = self._bench.parts, self.grip
+        held = [parts[name].held for name in moment.names]
+        asked += question(loaded, grip.cable, grip.contact, self._met, held)
+        known = self._sights.get(asked)
+        if known is None:
+            presser, saw = self._look(loaded=loaded)
+            self._sights.keep(asked, self._sight(moment, presser, saw=saw))
+        else:
+            self._see_again(moment, known)
+
+    def _all_in(self, moment: Moment) -> bool:
+        """Whether all that matters to the hand is among what was concerned in a tick."""
+        parts, names, links = self._bench.parts, moment.names, self._linkage.names
+        if len(parts) == len(names):
+            return True
+        return all(
+            name in names
+            or not (
+                part.held
+                or (part.touching and not {*names, *links}.isdisjoint(part.touching))
+            )
+            for name, part in parts.items()
+        )
+
+    def _sight(self, moment: Moment, presser: str | None, *, saw: bool) -> Sight:
+        """What was seen."""
+        grip = self.grip
+        return Sight(
+            (grip.contact, grip.strain) if saw else None,
+            self._met,
+            moment.told(self.between),
+            grip.part is not None,
+            self._closely,
+            self.burdens,
+            self.pushed,
+            self.leaned_on,
+            self.alone,
+            moment.told([] if presser is None else [presser]),
+        )
+
+    def _see_again(self, moment: Moment, sight: Sight) -> None:
+        """See the same again."""
+        if sight.grip is not None:
+            self.grip.contact, self.grip.strain = sight.grip
+            self._met = sight.met
+            if sight.closely:
+                self._bench.scene.look_closely()
+            self.between = tuple(moment.named(sight.between))
+            self._have(self.between if sight.holds else ())
+        self.burdens, self.pushed = sight.burdens, sight.pushed
+        self.leaned_on, self.alone = sight.leaned_on, sight.alone
+        presser = moment.named(sight.presser)
+        self.met = said(presser[0]) if presser else None
+
+    def _look(self, *, loaded: bool) -> tuple[str | None, bool]:
+        """`look`, anew.
+
+        Args:
+            loaded: whether anything rests in the hand.
+
+        Returns:
+            What presses most on the arm, and whether it was looked at what is between the fingers.
         """
         parts, contacts = self._bench.parts, self._bench.scene.contacts
         left, right = self._linkage.fingers
@@ -83,7 +191,9 @@ class Grasp:
             self._measure()
             self._hold()
         self.weigh(loaded=loaded)
-        self.met = self._presser()
+        presser = self._presser()
+        self.met = None if presser is None else said(presser)
+        return presser, not sleeping
 
     @property
     def firm(self) -> bool:
@@ -151,14 +261,14 @@ class Grasp:
         # Fingers that have met the same, or are about to: it is known where.
         room = self._room
         met = None if room is None else (scene.met_at[5] - room) * steps
-        grip.strain = 0.0
+        grip.strain, self._closely = 0.0, False
         if pressed and (met is not None or self._between()):
             before, self._met = self._met, (opening * steps, grip.cable)
             resists = before is not None and (
                 before[0] - self._met[0] <= YIELDING * max(0, before[1] - grip.cable) + HAIR / 3
             )
             if not resists:
-                scene.look_closely()
+                self._look_closely()
             if met is not None and (resists or before is None):
                 self._met_with(met, HAIR)
                 return
@@ -168,13 +278,18 @@ class Grasp:
         else:
             self._met = None
             if met is not None:
-                scene.look_closely()
+                self._look_closely()
                 self._met_with(met, HAIR)
                 return
         # What is pushed along or squared gives way: only what it resists with strains the cable.
         grip.contact = 0
         if pressed and self._closes_on_something:
             grip.strain = scene.torques[5] / model.stiffness[5] * steps
+
+    def _look_closely(self) -> None:
+        """Have the next tick be looked at closely."""
+        self._closely = True
+        self._bench.scene.look_closely()
 
     @property
     def _room(self) -> float | None:
@@ -304,7 +419,7 @@ class Grasp:
             name = other if one in links else one if other in links else None
             if name is not None and contact.pressure > 0:
                 forces[name] = forces.get(name, 0.0) + contact.pressure
-        return said(max(forces, key=lambda name: forces[name])) if forces else None
+        return max(forces, key=lambda name: forces[name]) if forces else None
 
 
 def _beyond(start: str, pairs: set[tuple[str, str]]) -> set[str]:

@@ -38,6 +38,8 @@ GAP = NEAR + SPARE
 """Inches from which on something is surely not looked at."""
 SWEPT = 256
 """Motions known of which it was found what they sweep over."""
+MEASURED = 512
+"""Places of the arm of which it is known what room it has there."""
 AXES = 6
 """Ways along which two solids are seen apart in turn, at most."""
 
@@ -104,6 +106,7 @@ class Surroundings:
         self._empty: _Mine | None = None
         self._mine: _Mine | None = None
         self._swept: Recurrence[Swept] = Recurrence(SWEPT)
+        self._measured: Recurrence[Room] = Recurrence(MEASURED)
         self._stands: list[Fixed] = []
 
     def __getstate__(self) -> dict[str, object]:
@@ -111,6 +114,7 @@ class Surroundings:
             "_empty": None,
             "_mine": None,
             "_swept": Recurrence(SWEPT),
+            "_measured": Recurrence(MEASURED),
             "_stands": [],
         }
         return {**self.__dict__, **again}
@@ -201,7 +205,12 @@ class Surroundings:
         """
         scene = self._bench.scene
         if near is not None:
-            return self._measured_of(joints, near)
+            # Of a load nothing else matters but where it is in the hand.
+            loads = [(load.form, load.carried) for load in scene.carried]
+            about = [(piece, None if solid is None else solid.told) for piece, solid in near]
+            asked = question(joints, loads, about)
+            known = self._measured.get(asked)
+            return known or self._measured.keep(asked, self._measured_of(joints, near))
         mine = self._linkage.standing(joints, scene.carried)
         least = FAR
         for thing in scene.fixed.values():

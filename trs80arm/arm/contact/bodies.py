@@ -189,9 +189,17 @@ class Body:
         x, y, z = apply(matrix(self.turn), self.shape.offset)
         return self.place[0] + x, self.place[1] + y, self.place[2] + z
 
-    def put(self, place: Vector, turn: Quaternion) -> None:
-        """Be somewhere else."""
-        self.place, self.turn, self._solids = place, turn, None
+    def put(
+        self, place: Vector, turn: Quaternion, placed: list[Placed] | None = None
+    ) -> None:
+        """Be somewhere else.
+
+        Args:
+            place: of the centre of mass.
+            turn: of the frame.
+            placed: the solids of a body of this form there, if they are known.
+        """
+        self.place, self.turn, self._solids = place, turn, placed
         if self._asleep and self._carried is None:
             self._tell()
 

@@ -15,6 +15,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.contact.rotations import Matrix
 from trs80arm.arm.contact.solids import Solid
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
@@ -48,6 +49,7 @@ class Placed:
         "_levels",
         "_normals",
         "_place",
+        "_told",
         "_turn",
         "_vertices",
         "middle",
@@ -69,6 +71,14 @@ class Placed:
         self._levels: list[float] | None = None
         self._edges: list[Vector] | None = None
         self._box: tuple[Vector, Vector] | None = None
+        self._told: bytes | None = None
+
+    @property
+    def told(self) -> bytes:
+        """What it is and where: of two with the same everything is the same to the last bit."""
+        if self._told is None:
+            self._told = question(self.solid.form, self._place, self._turn)
+        return self._told
 
     @property
     def radius(self) -> float:

@@ -17,6 +17,7 @@ from trs80arm.arm.contact.bounds import outside, spheres_within
 from trs80arm.arm.contact.carrying import Carrying
 from trs80arm.arm.contact.contacts import Contact, Key
 from trs80arm.arm.contact.driven import DrivenArm
+from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.contact.rest import CALM_TICKS
@@ -47,6 +48,7 @@ class End:
     asleep: bool
     carried: tuple[Vector, Matrix] | None
     touching: tuple[Name, ...]
+    placed: list[Placed]
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +83,9 @@ class Moment:
         arm: of the scene.
         carrying: what its hand carries.
         memory: forces of the step before.
+
+    Attributes:
+        names: of those bodies.
     """
 
     def __init__(
@@ -88,8 +93,8 @@ class Moment:
     ) -> None:
         self._bodies = concerned
         self._arm, self._carrying, self._memory = arm, carrying, memory
-        self._names = [body.name for body in concerned]
-        self._numbers: dict[str, int] = {name: k for k, name in enumerate(self._names)}
+        self.names = [body.name for body in concerned]
+        self._numbers: dict[str, int] = {name: k for k, name in enumerate(self.names)}
         self._rested = [self._resting(body) for body in concerned]
         self._places = [body.place for body in concerned]
 
@@ -100,7 +105,7 @@ class Moment:
             fixed: what stands fast, by name.
             others: what else it hangs on.
         """
-        arm, told = self._arm, self._told
+        arm, told = self._arm, self.told
         # Names decide nothing but in what order what leans on each other is gone through.
         ranks = told(sorted([*self._numbers, *arm.names, *fixed]))
         return question(
@@ -128,7 +133,7 @@ class Moment:
         Args:
             contacts: of its last step, as solved.
         """
-        arm, told = self._arm, self._told
+        arm, told = self._arm, self.told
         rested = dict(enumerate(self._rested))
         now = {k: self._resting(body) for k, body in enumerate(self._bodies)}
         # In the order in which the memory has them; what is not in it any more before that.
@@ -139,6 +144,7 @@ class Moment:
                 End(
                     *(body.place, body.turn, body.velocity, body.spin),
                     *(body.still, body.asleep, body.carried, tuple(told(body.touching))),
+                    body.placed,
                 )
                 for body in self._bodies
             ],
@@ -150,31 +156,30 @@ class Moment:
             [(self._key(contact.key), contact) for contact in contacts],
         )
 
-    def repeat(self, outcome: Outcome) -> list[Contact]:
-        """Have the same come of this tick.
-
-        Returns:
-            The contacts of its last step, as solved.
-        """
+    def repeat(self, outcome: Outcome) -> None:
+        """Have the same come of this tick."""
         for body, end in zip(self._bodies, outcome.ends, strict=True):
             body.velocity, body.spin, body.still = end.velocity, end.spin, end.still
-            body.touching = tuple(self._named(end.touching))
+            body.touching = tuple(self.named(end.touching))
             if end.place != body.place or end.turn != body.turn:
-                body.put(end.place, end.turn)
+                body.put(end.place, end.turn, end.placed)
             if end.carried != body.carried:
                 body.carried = end.carried
             if end.asleep != body.asleep:
                 body.asleep = end.asleep
         self._arm.repeat(*outcome.arm)
         self._carrying.found = outcome.hold
-        self._carrying.gripped = self._named(outcome.gripped)
+        self._carrying.gripped = self.named(outcome.gripped)
         memory = self._memory
         memory.last = self._unpressed(outcome.last)
         for k, pressed in outcome.resting:
-            name = self._names[k]
+            name = self.names[k]
             memory.resting.pop(name, None)
             if pressed is not None:
                 memory.resting[name] = self._unpressed(pressed)
+
+    def contacts(self, outcome: Outcome) -> list[Contact]:
+        """The contacts of the last step of a tick of which the same has come, as solved."""
         contacts = []
         for told, contact in outcome.contacts:
             key = self._unkey(told)
@@ -188,19 +193,21 @@ class Moment:
 
     # Names
 
-    def _told(self, names: Iterable[str]) -> list[Name]:
+    def told(self, names: Iterable[str]) -> list[Name]:
+        """Names, of those that are concerned by their order."""
         numbers = self._numbers
         return [numbers.get(name, name) for name in names]
 
-    def _named(self, told: Iterable[Name]) -> list[str]:
-        return [self._names[name] if isinstance(name, int) else name for name in told]
+    def named(self, told: Iterable[Name]) -> list[str]:
+        """Names, as they were told of such a tick."""
+        return [self.names[name] if isinstance(name, int) else name for name in told]
 
     def _key(self, key: Key) -> tuple[Name, Name, int]:
         numbers, (one, other, solids) = self._numbers, key
         return numbers.get(one, one), numbers.get(other, other), solids
 
     def _unkey(self, key: tuple[Name, Name, int]) -> Key:
-        names, (one, other, solids) = self._names, key
+        names, (one, other, solids) = self.names, key
         return (
             names[one] if isinstance(one, int) else one,
             names[other] if isinstance(other, int) else other,

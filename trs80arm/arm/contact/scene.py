@@ -64,9 +64,10 @@ class Scene:
         carrying: how what rests in its hand is held.
         time: T-state of the last tick.
         plates: let into the table.
-        contacts: of the last step, with what was found there; no part of the scene's state.
         met_at: the joints as they were where those contacts were found; no part of it either.
         went_on: whether the last tick went on as the one before: its contacts are still those.
+        recurs: the last tick as a question, if all that came of it follows from that; no part of
+            the scene's state.
         steps: of the solver so far, for measuring.
         solved: islands solved so far, for measuring.
     """
@@ -79,9 +80,11 @@ class Scene:
         self.carrying = Carrying()
         self.time = 0
         self.plates: list[Plate] = []
-        self.contacts: list[Contact] = []
+        self._contacts: list[Contact] = []
+        self._again: tuple[Moment, Outcome] | None = None
         self.met_at: list[float] = [0.0] * 6
         self.went_on = False
+        self.recurs: tuple[bytes, Moment] | None = None
         self.steps = 0
         self.solved = 0
         self._seconds = TICK
@@ -97,8 +100,9 @@ class Scene:
 
     def __getstate__(self) -> dict[str, Any]:
         # What was measured is no part of what is.
-        gone: dict[str, Any] = {"contacts": [], "met_at": [0.0] * 6, "went_on": False}
-        state = {**self.__dict__, **gone, "steps": 0, "solved": 0, "_reach": 0.0, "_far": False}
+        gone: dict[str, Any] = {"_contacts": [], "_again": None, "met_at": [0.0] * 6, "went_on": False}
+        gone |= {"recurs": None, "steps": 0, "solved": 0, "_reach": 0.0, "_far": False}
+        state = {**self.__dict__, **gone}
         # Who does what is asked of the bodies again; what was found before is found again.
         del state["_roster"], state["_outcomes"]
         return state
@@ -236,7 +240,7 @@ class Scene:
         for name in names:
             self._sleep(self.bodies[name], {}, in_hand=True)
         self.carrying.hold(self.driven, self.contacts, names)
-        self.contacts = []
+        self._contacts = []
 
     # The arm
 
@@ -268,6 +272,14 @@ class Scene:
     def arm_still(self) -> int:
         """Ticks for which the arm has been commanded nowhere else."""
         return self.driven.still
+
+    @property
+    def contacts(self) -> list[Contact]:
+        """Of the last step, with what was found there; no part of the scene's state."""
+        if self._again is not None:
+            moment, outcome = self._again
+            self._contacts, self._again = moment.contacts(outcome), None
+        return self._contacts
 
     # Time
 
@@ -305,7 +317,7 @@ class Scene:
 
         While something turns fast it is done in several steps.
         """
-        self.time = self.due
+        self.time, self.recurs = self.due, None
         arm = self.driven
         moved = arm.moved
         arm.moved = False
@@ -326,10 +338,12 @@ class Scene:
         known = self._outcomes.get(asked)
         if moment is not None and known is not None:
             self._repeat(moment, known)
+            self.recurs = asked, moment
         else:
             self._part(before, after, 0, self._stride * FINEST, moved)
             if moment is not None and self._was_near(moment):
                 self._outcomes.keep(asked, self._outcome(moment))
+                self.recurs = asked, moment
         arm.commands = arm.reached = after
         if self._coast is None:
             self._stride = 1
@@ -368,7 +382,8 @@ class Scene:
     def _repeat(self, moment: Moment, known: _Result) -> None:
         """Have come of this tick what came of one that began like it."""
         outcome, met_at, self._fastest, self._steady, self._seconds = known
-        self.contacts, self.met_at = moment.repeat(outcome), list(met_at)
+        moment.repeat(outcome)
+        self._again, self.met_at = (moment, outcome), list(met_at)
 
     def _part(
         self, before: list[float], after: list[float], start: int, end: int, moved: bool
@@ -426,7 +441,7 @@ class Scene:
             or self._ending(arm_mobile, reach, mobiles).dives
         ):
             return False
-        self.contacts, self.met_at = contacts, list(arm.joints)
+        self._contacts, self._again, self.met_at = contacts, None, list(arm.joints)
         self._memory.keep(contacts, h, self.bodies)
         links, joints = arm.links, list(arm.joints)
         if arm_mobile is not None:
