@@ -31,6 +31,8 @@ SWEPT = 4
 """Motions whose room is remembered while nothing else moves."""
 CLOSELY = 8
 """Ticks for which it does not pay to look at what is swept over by half of them."""
+PARTS = 64
+"""Of a burst, by which what is asked of a piece of it is rounded, so that it recurs."""
 HALVED = 2
 """How often a motion is halved before it is looked at place by place."""
 
@@ -253,8 +255,7 @@ class Outlook:
         while pieces:
             begin, end, near_here = pieces.pop()
             if near_here is None:
-                ranges = self._ranges(here, ahead, ticks[begin], ticks[end - 1])
-                near_here = self._near(ranges)
+                near_here = self._near_between(here, ahead, ticks[begin], ticks[end - 1])
             if not near_here:
                 continue
             if end - begin > max(CLOSELY, len(ticks) >> HALVED):
@@ -266,6 +267,21 @@ class Outlook:
             if clear < end - begin:
                 return begin + clear
         return len(ticks)
+
+    def _near_between(
+        self, here: Standing, ahead: Ahead, since: int, until: int
+    ) -> Sequence[Near]:
+        """What the arm may come near to from one T-state to another, nothing in its way."""
+        # A little more than that recurs, whenever the burst begins.
+        begins = min([turning.first for turning in ahead.turnings])
+        lasts = ahead.ends + 1 - begins
+        first, last = (since - begins) * PARTS // lasts, -((begins - until) * PARTS // lasts)
+        earlier, later = begins + first * lasts // PARTS, begins - (-last * lasts // PARTS)
+        if ahead.repeats is not None and not self._near(
+            self._known_ranges(here, ahead, (first, last), (earlier, later))
+        ):
+            return ()
+        return self._near(self._found_ranges(here, ahead, since, until))
 
     def _wanted(self, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
         """Where motors want the arm's six coordinates, 6 x places, for positions of the rotors."""
@@ -289,13 +305,30 @@ class Outlook:
 
     def _ranges(self, here: Standing, ahead: Ahead, since: int, until: int) -> Ranges:
         """Between what the joints are from one T-state to another, nothing in their way."""
-        repeats = ahead.repeats
-        if repeats is None or not ahead.is_all(since, until):
+        if ahead.repeats is None or not ahead.is_all(since, until):
             return self._found_ranges(here, ahead, since, until)
-        asked = question(repeats, here.rotors, here.loaded and self._bench.scene.joints[5])
+        return self._known_ranges(here, ahead, None, (since, until))
+
+    def _known_ranges(
+        self,
+        here: Standing,
+        ahead: Ahead,
+        part: tuple[int, int] | None,
+        between: tuple[int, int],
+    ) -> Ranges:
+        """The same for a part of a burst that recurs, remembered.
+
+        Args:
+            here: where the arm is.
+            ahead: the burst.
+            part: from which of its `PARTS` to which; None for all of it.
+            between: T-states.
+        """
+        opening = here.loaded and self._bench.scene.joints[5]
+        asked = question(ahead.repeats, here.rotors, opening, part)
         known = self._known.get(asked)
         if known is None:
-            known = self._known.keep(asked, self._found_ranges(here, ahead, since, until))
+            known = self._known.keep(asked, self._found_ranges(here, ahead, *between))
         return known
 
     def _found_ranges(self, here: Standing, ahead: Ahead, since: int, until: int) -> Ranges:

@@ -40,6 +40,8 @@ SWEPT = 256
 """Motions known of which it was found what they sweep over."""
 MEASURED = 512
 """Places of the arm of which it is known what room it has there."""
+BESIDE = 8
+"""Sleepers by each of these motions of which it is known what comes near them."""
 AXES = 6
 """Ways along which two solids are seen apart in turn, at most."""
 
@@ -74,11 +76,20 @@ class Swept(NamedTuple):
         sweep: itself.
         around: an upright box about it.
         near: what of what stands fast it comes near to, and the table.
+        pieces: what comes near to solids that sleep, by what these are and where.
     """
 
     sweep: Sweep
     around: tuple[Vector, Vector]
     near: Sequence[Near]
+    pieces: Recurrence[Sequence[int]]
+
+    def pieces_near(self, solid: Placed) -> Sequence[int]:
+        """Which pieces of the arm come near to a solid that sleeps."""
+        known = self.pieces.get(solid.told)
+        if known is None:
+            known = self.pieces.keep(solid.told, self.sweep.pieces_near(solid, (), GAP))
+        return known
 
 
 @dataclass(slots=True)
@@ -251,7 +262,7 @@ class Surroundings:
         found = list(swept.near)
         for body in self._bench.scene.sleepers(*swept.around):
             for solid in body.placed:
-                found += [(piece, solid) for piece in swept.sweep.pieces_near(solid, (), GAP)]
+                found += [(piece, solid) for piece in swept.pieces_near(solid)]
         return found
 
     def _sweep(self, ranges: Ranges) -> Swept:
@@ -269,7 +280,8 @@ class Surroundings:
             for solid in thing.placed:
                 pieces = sweep.pieces_near(solid, thing.passes, GAP)
                 found += [(piece, solid) for piece in pieces]
-        return self._swept.keep(asked, Swept(sweep, sweep.around(GAP), found))
+        known = Swept(sweep, sweep.around(GAP), found, Recurrence(BESIDE))
+        return self._swept.keep(asked, known)
 
     def places_clear(self, joints: Floats, near: Sequence[Near]) -> int:
         """At how many of some places in a row the arm has room, with what it carries.
