@@ -130,10 +130,7 @@ class Grasp:
             return True
         return all(
             name in names
-            or not (
-                part.held
-                or (part.touching and not {*names, *links}.isdisjoint(part.touching))
-            )
+            or not (part.held or (part.touching and not {*names, *links}.isdisjoint(part.touching)))
             for name, part in parts.items()
         )
 

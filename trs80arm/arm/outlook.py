@@ -268,9 +268,7 @@ class Outlook:
                 return begin + clear
         return len(ticks)
 
-    def _near_between(
-        self, here: Standing, ahead: Ahead, since: int, until: int
-    ) -> Sequence[Near]:
+    def _near_between(self, here: Standing, ahead: Ahead, since: int, until: int) -> Sequence[Near]:
         """What the arm may come near to from one T-state to another, nothing in its way."""
         # A little more than that recurs, whenever the burst begins.
         begins = min([turning.first for turning in ahead.turnings])

@@ -189,9 +189,7 @@ class Body:
         x, y, z = apply(matrix(self.turn), self.shape.offset)
         return self.place[0] + x, self.place[1] + y, self.place[2] + z
 
-    def put(
-        self, place: Vector, turn: Quaternion, placed: list[Placed] | None = None
-    ) -> None:
+    def put(self, place: Vector, turn: Quaternion, placed: list[Placed] | None = None) -> None:
         """Be somewhere else.
 
         Args:

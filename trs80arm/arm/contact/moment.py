@@ -236,9 +236,13 @@ def concerned(
         memory: forces of the step before.
         arm: of the scene.
     """
-    waiting = [] if arm.linkage is None else _beside(arm, roster)
-    waiting += [*roster.awake.values(), *roster.carried.values()]
+    waiting = [*roster.awake.values(), *roster.carried.values()]
     waiting += [bodies[name] for key in memory.last for name in key[:2] if name in bodies]
+    surely = {body.name: body for body in waiting}
+    if len(surely) <= FEW and _alone(surely, bodies, roster, arm):
+        return roster.ordered(surely.values())
+    if arm.linkage is not None:
+        waiting += _beside(arm, roster)
     found: dict[str, Body] = {}
     while waiting:
         body = waiting.pop()
@@ -254,6 +258,29 @@ def concerned(
     return roster.ordered(found.values())
 
 
+def _alone(
+    surely: Mapping[str, Body], bodies: Mapping[str, Body], roster: Roster, arm: DrivenArm
+) -> bool:
+    """Whether nothing else can be near to an arm and some bodies, or touch them."""
+    if len(surely) == len(bodies):
+        return True
+    if any(
+        name in bodies and name not in surely for body in surely.values() for name in body.touching
+    ):
+        return False
+    low, high = ((math.inf,) * 3, (-math.inf,) * 3) if arm.linkage is None else arm.around
+    (a, b, c), (d, e, f) = low, high
+    for body in surely.values():
+        (x, y, z), r = body.place, body.shape.radius
+        a, b, c = min(a, x - r), min(b, y - r), min(c, z - r)
+        d, e, f = max(d, x + r), max(e, y + r), max(f, z + r)
+    if a > d:
+        return True
+    r = NEARBY
+    around = (a - r, b - r, c - r), (d + r, e + r, f + r)
+    return all(body.name in surely or outside(body, around) for body in roster.near(*around))
+
+
 def _beside(arm: DrivenArm, roster: Roster) -> list[Body]:
     """What sleeps near a link of an arm."""
     (a, b, c), (d, e, f) = arm.around
@@ -263,5 +290,6 @@ def _beside(arm: DrivenArm, roster: Roster) -> list[Body]:
         body
         for body in roster.near(*around)
         if not outside(body, around)
-        and any(link.near(solid, r) for solid in body.placed for link in arm.solids)
+        # Most often it is by the fingers.
+        and any(link.near(solid, r) for solid in body.placed for link in reversed(arm.solids))
     ]

@@ -100,7 +100,12 @@ class Scene:
 
     def __getstate__(self) -> dict[str, Any]:
         # What was measured is no part of what is.
-        gone: dict[str, Any] = {"_contacts": [], "_again": None, "met_at": [0.0] * 6, "went_on": False}
+        gone: dict[str, Any] = {
+            "_contacts": [],
+            "_again": None,
+            "met_at": [0.0] * 6,
+            "went_on": False,
+        }
         gone |= {"recurs": None, "steps": 0, "solved": 0, "_reach": 0.0, "_far": False}
         state = {**self.__dict__, **gone}
         # Who does what is asked of the bodies again; what was found before is found again.
@@ -517,7 +522,7 @@ class Scene:
 
     def _something_spins(self) -> bool:
         """Whether any plate turns."""
-        return any(plate.spin for plate in self.plates)
+        return bool(self.plates) and any(plate.spin for plate in self.plates)
 
     def _go_on(self, coast: Coast, share: float) -> None:
         """A step in which everything goes on as it went in the one before."""
