@@ -165,8 +165,11 @@ class MiniMover:
         hand's cable in ways of its own.
         """
         world = self._world
-        if world.grip.strain or not all(motor.settled for motor in self.motors):
+        if world.grip.strain:
             return False
+        for motor in self.motors:
+            if not motor.settled:
+                return False
         return (world.free and not self._bears) or (world.gripped and self._pull is None)
 
     def advance(self, time: int) -> None:
@@ -187,12 +190,12 @@ class MiniMover:
 
     def _tick(self, time: int) -> None:
         """Let all ticks up to a T-state pass."""
-        world = self._world
-        while world.due <= time:
+        world, scene = self._world, self.bench.scene
+        while scene.due <= time:
             if world.idle:
                 world.skip(time)
                 break
-            self._time = max(self._time, world.due)
+            self._time = max(self._time, scene.due)
             world.tick()
             if self._bears:
                 self._give_way()
@@ -304,13 +307,13 @@ class MiniMover:
         Something presses on the arm or is pushed by it, the hand is pulled at or has something
         heavy in it, or its cable is too tight. Full load is nothing to a motor that stands.
         """
-        world = self._world
-        if world.untouched:
-            return self._pull is not None
-        if self._pull is not None or world.strained or world.grip.squeeze > self._most_squeeze:
+        if self._pull is not None:
             return True
-        burdens = world.burdens()
-        return sum([burden.weight for burden in burdens]) > self.model.full_load
+        grasp, grip = self._world.grasp, self._world.grip
+        if any(grasp.pushed) or grip.squeeze > self._most_squeeze:
+            return True
+        burdens = grasp.burdens
+        return bool(burdens) and sum([each.weight for each in burdens]) > self.model.full_load
 
     def _give_way(self) -> None:
         """Motors that stand and bear more than they hold are turned by it.
@@ -405,10 +408,10 @@ class MiniMover:
         if self._stops_off > 0:
             self._stops_off -= 1
         else:
-            if beyond_stop(latch, step, self.drive, rotors):
+            self._stops_off = steps_to_stops(self.drive, rotors)
+            if not self._stops_off and beyond_stop(latch, step, self.drive, rotors):
                 rotors[latch] -= step
                 return Reason.STOP
-            self._stops_off = steps_to_stops(self.drive, rotors)
         world.moved(rotors, latch)
         if not (self._bears or world.grip.squeeze):
             return None

@@ -46,6 +46,7 @@ class World:
 
     Attributes:
         grip: the hand's hold.
+        grasp: what it has in its grip, and what presses on the arm.
         linkage: links and fingers as solids.
         around: how far everything is.
     """
@@ -61,9 +62,10 @@ class World:
         self._jumped = False
         self._busy = True
         self._loaded = False
+        self._commanded: tuple[Sequence[int], bool, list[float]] | None = None
         self.linkage = ArmLinkage(self.model, settings)
         self._telling = Telling(bench)
-        self._grasp = Grasp(bench, self.linkage, self.grip, self._telling)
+        self.grasp = Grasp(bench, self.linkage, self.grip, self._telling)
         self.around = Surroundings(bench, self.linkage)
         self._feeding = Feeding(bench, self.linkage, self.around)
         self._outlook = Outlook(bench, drive, self.grip, self.around, self._feeding)
@@ -79,7 +81,7 @@ class World:
     def __getstate__(self) -> dict[str, Any]:
         # What is carried is seen where it is.
         self.show()
-        return dict(self.__dict__)
+        return {**self.__dict__, "_commanded": None}
 
     def start(self) -> None:
         """Begin: everything on the bench comes to rest, feeders give their first parts."""
@@ -92,10 +94,10 @@ class World:
         if not any(bench.scene.torques):
             bench.scene.put_arm(commands)
         self._feeding.begin()
-        self._grasp.clear()
+        self.grasp.clear()
         self._changed()
         # Some may have come to lie on the hand.
-        self._grasp.weigh(loaded=self._loaded)
+        self.grasp.weigh(loaded=self._loaded)
         bench.news.clear()
         self._telling.clear()
         self._ticked[:] = self._rotors
@@ -122,7 +124,7 @@ class World:
         Its cables may still ease off.
         """
         scene = self.bench.scene
-        return scene.quiet and self.bench.cell.stands and (self._grasp.alone or not self._strained)
+        return scene.quiet and self.bench.cell.stands and (self.grasp.alone or not self._strained)
 
     @property
     def gripped(self) -> bool:
@@ -130,7 +132,7 @@ class World:
 
         Then nothing moves as long as nothing but the hand does.
         """
-        return self.bench.scene.gripped and self._grasp.firm and self.bench.cell.stands
+        return self.bench.scene.gripped and self.grasp.firm and self.bench.cell.stands
 
     def skip(self, time: int) -> None:
         """Let ticks pass, up to a T-state, that would change nothing."""
@@ -140,8 +142,10 @@ class World:
     def tick(self) -> None:
         """Let a tick pass; contact is looked at if there can be any."""
         gripped, strained = self.gripped, self._strained
-        if (gripped and self._tick_gripping()) or (self.free and self._tick_freely(strained)):
-            self.bench.scene.time = self.due
+        scene = self.bench.scene
+        free = scene.quiet and self.bench.cell.stands and (self.grasp.alone or not strained)
+        if (gripped and self._tick_gripping()) or (free and self._tick_freely(strained)):
+            scene.time = scene.due
             self._ticked[:] = self._rotors
             if not (gripped or self._loaded):
                 # Nothing was near the fingers.
@@ -160,12 +164,12 @@ class World:
         if not self.bench.scene.quiet:
             return False
         commands = self.wanted
-        carrying, picks_up = self.bench.scene.carrying, self._grasp.picks_up
+        carrying, picks_up = self.bench.scene.carrying, self.grasp.picks_up
         if not carrying.goes_on(commands) or (picks_up and not carrying.flat):
             return False
         self.bench.scene.squeeze(commands)
         if picks_up:
-            self._grasp.pick_up()
+            self.grasp.pick_up()
             self._changed()
         return True
 
@@ -225,19 +229,22 @@ class World:
         self._ticked[:] = self._rotors
         self._outlook.forget()
         if not scene.went_on:
-            self._grasp.look(loaded=self._loaded)
+            self.grasp.look(loaded=self._loaded)
         self._telling.look(asleep)
         self._changed()
         self._feed()
         resting = scene.quiet and self.bench.cell.stands
-        giving = self._strained and not self._grasp.leaned_on and scene.arm_still < GIVEN
+        giving = self._strained and not self.grasp.leaned_on and scene.arm_still < GIVEN
         self._busy = not resting or giving
 
     @property
     def _strained(self) -> bool:
         """Whether what touches the arm, but for its load, stretches its cables."""
         scene = self.bench.scene
-        return any(scene.torques[:5]) or (scene.torques[5] != 0.0 and not scene.carried)
+        a, b, c, d, e, f = scene.driven.torques
+        if a or b or c or d or e:
+            return True
+        return f != 0.0 and not scene.carried
 
     # The arm
 
@@ -313,14 +320,21 @@ class World:
         return self.commands(self._rotors)
 
     def commands(self, rotors: Sequence[int]) -> list[float]:
-        """Where they would want them with the rotors there."""
+        """Where they would want them with the rotors there; not to be changed."""
+        # Its cable goes on past nothing only against what is between the fingers.
+        taut = self.grip.contact > 0 and self.bench.scene.torques[5] > 0
+        if self._commanded is not None:
+            there, so, commands = self._commanded
+            if so == taut and there == rotors:
+                return commands
         base, shoulder, elbow, left, right = self.drive.driven(rotors)
         cable = self.drive.cable(rotors)
-        # Its cable goes on past nothing only against what is between the fingers.
-        if not (self.grip.contact and self.bench.scene.torques[5] > 0):
-            cable = max(0, cable)
+        if cable < 0 and not taut:
+            cable = 0
         opening = min(self.model.hand.range, cable / self.model.hand_steps)
-        return [base, shoulder, elbow, left, right, opening]
+        commands = [base, shoulder, elbow, left, right, opening]
+        self._commanded = list(rotors), taut, commands
+        return commands
 
     @property
     def angles(self) -> JointAngles:
@@ -342,22 +356,22 @@ class World:
         not in it but among the burdens: it weighs on the motors, and what it takes to set it in
         motion the rotors' trailing makes up for.
         """
-        a, b, c, d, e = self._grasp.pushed
+        a, b, c, d, e = self.grasp.pushed
         return a, b, c, d, e, 16 * self.grip.force
 
     def torque(self, motor: Motor) -> float:
         """One of the same."""
-        return 16 * self.grip.force if motor is HAND else self._grasp.pushed[motor]
+        return 16 * self.grip.force if motor is HAND else self.grasp.pushed[motor]
 
     @property
     def strained(self) -> bool:
         """Whether anything presses on the arm or is pushed by it."""
-        return any(self._grasp.pushed)
+        return any(self.grasp.pushed)
 
     @property
     def untouched(self) -> bool:
         """Whether nothing bears on the motors but the arm's own weight."""
-        grasp = self._grasp
+        grasp = self.grasp
         return not (self.grip.squeeze or grasp.burdens or any(grasp.pushed))
 
     @property
@@ -368,11 +382,11 @@ class World:
     @property
     def met(self) -> str | None:
         """Name of what presses most on the arm, or None."""
-        return self._grasp.met
+        return self.grasp.met
 
     def burdens(self) -> tuple[Burden, ...]:
         """What hangs in the hand, all that stands on it included."""
-        return self._grasp.burdens
+        return self.grasp.burdens
 
     @property
     def bearing(self) -> tuple[Sequence[tuple[float, Vector]], int]:
@@ -380,13 +394,13 @@ class World:
 
         That is burdens with their places, and the cable at which the fingers have met something.
         """
-        burdens = [(burden.weight, burden.place) for burden in self._grasp.burdens]
+        burdens = [(burden.weight, burden.place) for burden in self.grasp.burdens]
         return burdens, self.grip.contact
 
     @property
     def hold(self) -> tuple[float, float]:
         """Ounces of all on which both fingers press, and the coefficient of its friction."""
-        return self._grasp.hold
+        return self.grasp.hold
 
     # What lies ahead
 
@@ -430,7 +444,7 @@ class World:
         """Have some parts go along with the hand."""
         self.bench.scene.take(names)
         self._loaded = True
-        self._grasp.weigh(loaded=True)
+        self.grasp.weigh(loaded=True)
 
     def let_loose(self) -> None:
         """Have what goes along with the hand be looked at again."""

@@ -353,27 +353,23 @@ def _rates(
     loaded: bool,
 ) -> Six:
     """Rates at which joints go from where they are to where they are wanted in the end."""
-    a, b, c, d, e, f = (
-        ((there - here) + EASE * _followed(here, then, there) / seconds) / (seconds + EASE)
-        for there, here, then in zip(after, joints, before, strict=True)
-    )
+    late = seconds + EASE
+    found = []
+    for there, here, then in zip(after, joints, before, strict=True):
+        # How much of its motor's way a joint goes along with at once: all of it, but for what only
+        # takes back a strain, which presses until it is gone.
+        if there > then:
+            least = here if here > then else then
+            followed = there - (there if there < least else least)
+        elif here == there and here:
+            found.append(0.0)
+            continue
+        else:
+            most = here if here < then else then
+            followed = there - (there if there > most else most)
+        found.append(((there - here) + EASE * followed / seconds) / late)
+    a, b, c, d, e, f = found
     return a, b, c, d, e, 0.0 if loaded else f
-
-
-def _followed(here: float, then: float, there: float) -> float:
-    """How much of its motor's way a joint goes along with at once.
-
-    Args:
-        here: where the joint is.
-        then: where the motor had it.
-        there: where it has it now.
-
-    Returns:
-        All of the way, but for what of it only takes back a strain: that presses until it is gone.
-    """
-    if there > then:
-        return there - min(max(then, here), there)
-    return there - max(min(then, here), there)
 
 
 def _reach(link: Link, solid: Placed) -> list[float]:
