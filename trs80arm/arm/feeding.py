@@ -167,6 +167,14 @@ class Feeding:
                 return False
         return True
 
+    @property
+    def bars(self) -> list[object]:
+        """All that `places_unfed` depends on, besides the places."""
+        return [
+            (feeder.x, feeder.y, feeder.radius, self._barred.get(number))
+            for number, feeder in self.vacant.items()
+        ]
+
     def places_unfed(self, joints: Floats) -> int:
         """At how many of some places in a row no vacant feeder can give its next part.
 

@@ -27,6 +27,8 @@ ABOUT = 0.05
 """Radians, and inches of the opening, about a place in which room is looked for at once."""
 KNOWN = 256
 """Bursts of which it is known between what they leave the joints."""
+FED = 64
+"""Bursts of which it is known when a feeder may give its next part."""
 SWEPT = 4
 """Motions whose room is remembered while nothing else moves."""
 CLOSELY = 8
@@ -75,11 +77,13 @@ class Outlook:
         self._swept: list[Ranges] = []
         self._easing: list[list[float]] = []
         self._known: Recurrence[Ranges] = Recurrence(KNOWN)
+        self._fed: Recurrence[int] = Recurrence(FED)
 
     def __getstate__(self) -> dict[str, Any]:
         # How far things are is found anew; when it was looked at hangs on how a run is cut.
         again: dict[str, Any] = {"_looked": None, "_about": None, "_swept": [], "_easing": []}
-        return {**self.__dict__, **again, "_known": Recurrence(KNOWN)}
+        again |= {"_known": Recurrence(KNOWN), "_fed": Recurrence(FED)}
+        return {**self.__dict__, **again}
 
     # Room somewhere
 
@@ -240,7 +244,23 @@ class Outlook:
         """On how many ticks in a row no feeder can give its next part."""
         if self._feeding.surely_unfed(ranges):
             return len(ticks)
-        return self._feeding.places_unfed(self._unstrained(here, _on_ticks(here, ahead, ticks)))
+        if ahead.repeats is None:
+            return self._feeding.places_unfed(self._unstrained(here, _on_ticks(here, ahead, ticks)))
+        opening = here.loaded and self._bench.scene.joints[5]
+        asked = question(ahead.repeats, here.rotors, opening, self._feeding.bars)
+        known = self._fed.get(asked)
+        if known is None:
+            known = self._fed.keep(asked, self._time_unfed(here, ahead))
+        return len(ticks[: len(range(ticks[0], _begins(ahead) + known, TICK_STATES))])
+
+    def _time_unfed(self, here: Standing, ahead: Ahead) -> int:
+        """T-states from the beginning of a burst in which no feeder can give its next part."""
+        begins = _begins(ahead)
+        writes = [ahead.half_steps(order)[0] for order in range(len(ahead.turnings))]
+        # What is written is done on the ticks after it.
+        times = np.concatenate(([begins], np.unique(np.concatenate(writes)) + 1))
+        unfed = self._feeding.places_unfed(self._unstrained(here, _on_ticks(here, ahead, times)))
+        return int(times[unfed]) - begins if unfed < len(times) else ahead.ends + 2 - begins
 
     def _swept_clear(self, here: Standing, ahead: Ahead, ticks: range, near: Sequence[Near]) -> int:
         """On how many ticks in a row the arm has room, by what it sweeps over between them.
@@ -271,7 +291,7 @@ class Outlook:
     def _near_between(self, here: Standing, ahead: Ahead, since: int, until: int) -> Sequence[Near]:
         """What the arm may come near to from one T-state to another, nothing in its way."""
         # A little more than that recurs, whenever the burst begins.
-        begins = min([turning.first for turning in ahead.turnings])
+        begins = _begins(ahead)
         lasts = ahead.ends + 1 - begins
         first, last = (since - begins) * PARTS // lasts, -((begins - until) * PARTS // lasts)
         earlier, later = begins + first * lasts // PARTS, begins - (-last * lasts // PARTS)
@@ -432,7 +452,14 @@ class Outlook:
         return self._easing[ticks] if ticks < len(self._easing) else None
 
 
-def _on_ticks(here: Standing, ahead: Ahead, ticks: Sequence[int]) -> npt.NDArray[np.int64]:
+def _begins(ahead: Ahead) -> int:
+    """T-state of a burst's first half-step."""
+    return min([turning.first for turning in ahead.turnings])
+
+
+def _on_ticks(
+    here: Standing, ahead: Ahead, ticks: Sequence[int] | npt.NDArray[np.int64]
+) -> npt.NDArray[np.int64]:
     """Positions of all rotors on some ticks, 6 x ticks."""
     rotors = np.empty((6, len(ticks)), dtype=np.int64)
     rotors[:] = np.array(here.rotors)[:, None]

@@ -53,18 +53,24 @@ class Passage:
             that they stay in step, that no joint comes to its end, and that the hand neither opens
             nor closes as far as it can.
         shares: by latch, what `Uses.within` is at most.
+        rings: by latch, T-states that a ring of half-steps takes at least; of motors that make more
+            half-steps than that.
         uses: by latch, of those that were asked for.
         hurried: latches of motors that may fall behind, or are when it begins.
         late: T-states after its last half-step at which each turning motor is done with it; None as
             long as nobody has asked.
+        tails: of each turning motor, how many T-states before its last half-step those of the last
+            ring and one were; None as long as nobody has asked.
     """
 
     pitched: tuple[int, int]
     torques: Mapping[int, float] | None
     shares: Mapping[int, int]
+    rings: Mapping[int, int] = field(default_factory=dict)
     hurried: Sequence[int] = ()
     uses: dict[int, Uses] = field(default_factory=dict)
     late: list[int] | None = None
+    tails: list[list[int]] | None = None
 
 
 def known_passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) -> Passage:
@@ -106,7 +112,7 @@ def _passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) -> Pass
     for order, turning in enumerate(ahead.turnings):
         if turning.latch in hurried and behind(arm, ahead, order) is None:
             return Passage(pitched, None, {})
-    shares = {}
+    shares, rings = {}, {}
     margin, burdens = arm.settings.speed_margin, arm.world.burdens()
     ends = starmap(nearest_and_farthest, (*spans[1:3], _pitches(arm, pitched)))
     upper, fore, hand = (max(a, -b) for a, b in ends)
@@ -118,9 +124,10 @@ def _passage(arm: MiniMover, ahead: Ahead, stop: tuple[int, int] | None) -> Pass
             torque = min(torque, arm.strength.most(kind, burdens, (upper, fore, hand)))
         torques[latch], shares[latch] = torque, 0
         if turning.steps > RING:
-            rate = PER_RING / max(1, ahead.closest(order)) / margin
+            rings[latch] = ahead.closest(order)
+            rate = PER_RING / max(1, rings[latch]) / margin
             shares[latch] = per_cent(arm.strength.curves[kind].used(torque, rate))
-    return Passage(pitched, torques, shares, hurried)
+    return Passage(pitched, torques, shares, rings, hurried)
 
 
 def late(arm: MiniMover, ahead: Ahead, passage: Passage) -> list[int]:
@@ -152,6 +159,15 @@ def late(arm: MiniMover, ahead: Ahead, passage: Passage) -> list[int]:
                 stood[each.latch] = here[each.latch] + turned
         found.append(period_at(arm, turning.latch, turning.turn, stood))
     return found
+
+
+def tails(ahead: Ahead) -> list[list[int]]:
+    """As in `Passage`."""
+    return [
+        [turning.last - at for at in ahead.moments(k, max(0, steps - RING - 1), steps)]
+        for k, turning in enumerate(ahead.turnings)
+        for steps in (turning.steps,)
+    ]
 
 
 def _hand_stays(arm: MiniMover, paid: tuple[int, int], stop: tuple[int, int] | None) -> bool:

@@ -41,7 +41,12 @@ def note_stride(arm: MiniMover, ahead: Ahead, burst: Ahead, passage: Passage) ->
         latch, gap, pulses = turning.latch, turning.gap, arm.motors[turning.latch].pulses
         curve = arm.strength.curves[arm.motor_kinds[latch]]
         # Rings of pulses that the stride begins and ends, and those that end in it.
-        if passage.shares[latch] > arm.peaks[latch]:
+        seldom = passage.shares[latch] <= arm.peaks[latch]
+        ring = passage.rings.get(latch)
+        if seldom and ring is not None and turning.first - pulses[-1] >= ring:
+            # Between the motions it stood for longer than a ring takes.
+            continue
+        if not seldom:
             used = _known(arm, burst, passage, latch).within
             if used > arm.peaks[latch] and ahead is not burst:
                 used = _worked_out(arm, ahead, order).within

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING
 from trs80arm.arm.ahead import Ahead, look_ahead
 from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.model import HAND, LEFT_WRIST
-from trs80arm.arm.motors import RING, ROWS
-from trs80arm.arm.passage import known_passage, late
+from trs80arm.arm.motors import ROWS
+from trs80arm.arm.passage import known_passage, late, tails
 from trs80arm.arm.peaks import note_stride
 from trs80arm.pulses import NOTHING, Burst
 
@@ -57,11 +57,12 @@ def stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> Burst 
         found = look_ahead(arm.motors, before)
         assert found is not None
         ahead = found
-        behind = late(arm, ahead, passage)
+        behind, ends = late(arm, ahead, passage), tails(ahead)
     else:
         behind = passage.late = passage.late or late(arm, ahead, passage)
+        ends = passage.tails = passage.tails or tails(ahead)
     note_stride(arm, ahead, whole, passage)
-    _arrive(arm, ahead, behind)
+    _arrive(arm, ahead, behind, ends)
     return rest
 
 
@@ -89,24 +90,26 @@ def _load_stays(arm: MiniMover, ahead: Ahead, pitched: tuple[int, int]) -> bool:
     return turned / per_radian < world.tilt()
 
 
-def _arrive(arm: MiniMover, ahead: Ahead, late: Sequence[int]) -> None:
+def _arrive(
+    arm: MiniMover, ahead: Ahead, late: Sequence[int], ends: Sequence[Sequence[int]]
+) -> None:
     """Leave the arm as the burst leaves it.
 
     Args:
         arm: the arm.
         ahead: the burst.
         late: T-states after its last half-step at which each turning motor is done with it.
+        ends: how long before that the last ones of each were.
     """
     turnings = ahead.turnings
     here, there = arm.rotors, list(arm.rotors)
-    for order, (turning, after) in enumerate(zip(turnings, late, strict=True)):
+    for turning, after, pulses in zip(turnings, late, ends, strict=True):
         there[turning.latch] += turning.net
-        motor = arm.motors[turning.latch]
-        steps = turning.steps
-        motor.asked(ahead.moments(order, max(0, steps - RING - 1), steps), turning.turn)
-        motor.follow(steps)
-        motor.moved = turning.last
-        motor.done = turning.last + after
+        motor, last = arm.motors[turning.latch], turning.last
+        motor.asked([last - by for by in pulses], turning.turn)
+        motor.follow(turning.steps)
+        motor.moved = last
+        motor.done = last + after
         motor.field = (motor.field if motor.row >= 0 else motor.rotor) + turning.net
         motor.rotor += turning.net
         motor.row = ROWS[turning.nibble]
