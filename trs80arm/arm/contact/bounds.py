@@ -9,6 +9,9 @@ from trs80arm.arm.contact.bodies import Body
 from trs80arm.arm.contact.manifold import Manifold, Placed, between
 from trs80arm.arm.shapes import Vector, dot, minus
 
+NEARBY = 0.5
+"""Inches from all that is concerned in a tick to all that is not, at least."""
+
 
 def greatest_speed(speed: Sequence[float], radius: float) -> float:
     """A bound on the speed of any point of a body, inches a second.

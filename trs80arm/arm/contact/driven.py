@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
-from trs80arm.arm.contact.bounds import spheres_around
+from trs80arm.arm.contact.bounds import NEARBY, spheres_around
 from trs80arm.arm.contact.clock import TICK
 from trs80arm.arm.contact.contacts import Contact, Mobile
 from trs80arm.arm.contact.manifold import Placed
@@ -27,6 +27,8 @@ EASE = 0.02
 """Seconds in which the friction of the cables lets a strain ease off: nothing is shot away."""
 EASED = 5e-5
 """Radians, and inches of the opening, by which a coordinate may lag that nothing holds back."""
+BESIDE = 8
+"""Solids of which it is known whether they are near to the arm that stands somewhere."""
 STANDINGS = 256
 """Places of the arm whose links are known at once."""
 HELD_FAST = 1e3
@@ -69,6 +71,19 @@ class Standing:
     def around(self) -> tuple[Vector, Vector]:
         """An upright box around the spheres about all links."""
         return spheres_around(self.solids, [0.0] * len(self.solids))
+
+    @cached_property
+    def _beside(self) -> Recurrence[bool]:
+        return Recurrence(BESIDE)
+
+    def beside(self, solid: Placed) -> bool:
+        """Whether a solid is within `NEARBY` of a link."""
+        known = self._beside.get(solid.told)
+        if known is None:
+            # Most often it is by the fingers.
+            near = any(link.near(solid, NEARBY) for link in reversed(self.solids))
+            known = self._beside.keep(solid.told, near)
+        return known
 
     @cached_property
     def fingers(self) -> tuple[str, ...]:
@@ -149,6 +164,11 @@ class DrivenArm:
     def around(self) -> tuple[Vector, Vector]:
         """An upright box around the spheres about all links."""
         return self._there.around
+
+    def beside(self, solids: Sequence[Placed]) -> bool:
+        """Whether any of some solids is within `NEARBY` of a link."""
+        there = self._there
+        return any(there.beside(solid) for solid in solids)
 
     @property
     def names(self) -> Sequence[str]:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from trs80arm.arm.contact.bodies import Body, Fixed
-from trs80arm.arm.contact.bounds import outside, spheres_within
+from trs80arm.arm.contact.bounds import NEARBY, outside, spheres_within
 from trs80arm.arm.contact.carrying import Carrying
 from trs80arm.arm.contact.contacts import Contact, Key
 from trs80arm.arm.contact.driven import DrivenArm
@@ -25,8 +25,6 @@ from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.rotations import Matrix, Quaternion
 from trs80arm.arm.shapes import Vector
 
-NEARBY = 0.5
-"""Inches from all that is concerned to all that is not, at least."""
 FEW = 4
 """Bodies concerned in a tick that is remembered, at most."""
 
@@ -278,7 +276,14 @@ def _alone(
         return True
     r = NEARBY
     around = (a - r, b - r, c - r), (d + r, e + r, f + r)
-    return all(body.name in surely or outside(body, around) for body in roster.near(*around))
+    for other in roster.near(*around):
+        if other.name in surely or outside(other, around):
+            continue
+        if arm.beside(other.placed):
+            return False
+        if any(spheres_within(body, other, NEARBY) for body in surely.values()):
+            return False
+    return True
 
 
 def _beside(arm: DrivenArm, roster: Roster) -> list[Body]:
@@ -289,7 +294,5 @@ def _beside(arm: DrivenArm, roster: Roster) -> list[Body]:
     return [
         body
         for body in roster.near(*around)
-        if not outside(body, around)
-        # Most often it is by the fingers.
-        and any(link.near(solid, r) for solid in body.placed for link in reversed(arm.solids))
+        if not outside(body, around) and arm.beside(body.placed)
     ]

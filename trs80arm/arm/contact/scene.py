@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed, Link, Linkage
-from trs80arm.arm.contact.bounds import greatest_speed
+from trs80arm.arm.contact.bounds import NEARBY, greatest_speed
 from trs80arm.arm.contact.carrying import Carrying, carry
 from trs80arm.arm.contact.clock import TICK, TICK_STATES
 from trs80arm.arm.contact.coasting import Coast
@@ -23,7 +23,7 @@ from trs80arm.arm.contact.driven import GRAVITY, DrivenArm
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.meeting import MARGIN, Meeting, islands, presses
 from trs80arm.arm.contact.memory import Memory
-from trs80arm.arm.contact.moment import NEARBY, Moment, Outcome, concerned
+from trs80arm.arm.contact.moment import Moment, Outcome, concerned
 from trs80arm.arm.contact.prospect import Prospect
 from trs80arm.arm.contact.recurrence import Recurrence
 from trs80arm.arm.contact.rest import CALM_TICKS, Group, calm, groups, leaning
