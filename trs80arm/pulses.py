@@ -326,12 +326,28 @@ class Pulses:
         if count > _FEW:
             near, rest = self.split(count)
             return near.columns(), rest
+        if len(self.trains) == 1:
+            return self._first_of_one(self.trains[0], count)
         writes = self._first(count)
         done = [0] * len(self.trains)
         for _, order, _ in writes:
             done[order] += 1
         trains = [train.rest(steps) for train, steps in zip(self.trains, done, strict=True)]
         return self._columns_of(writes), self._with(trains, self._rows_after(done))
+
+    def _first_of_one(self, train: Train, count: int) -> tuple[Columns, Pulses]:
+        """`first` of a burst that is one train."""
+        start, over, under = self.start, self.over, self.under
+        phase, rise, parts = train.phase, train.over, train.under
+        motor, way, ring = train.motor, train.direction, self.ring
+        row, round_it, steps = self.rows[motor], len(ring), train.steps(count)
+        done = len(steps)
+        writes = Columns(
+            [start + (phase + step * rise) // parts * over // under for step in steps],
+            [motor] * done,
+            [ring[(row + way * number) % round_it] for number in range(1, done + 1)],
+        )
+        return writes, self._with([train.rest(done)], self._rows_after([done]))
 
     def until(self, time: int) -> tuple[Pulses, Pulses]:
         """As in `Burst`."""

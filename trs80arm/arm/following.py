@@ -13,7 +13,7 @@ from trs80arm.pulses import Burst
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
 
-SHORT = 14
+SHORT = 16
 """Writes in a burst below which they are done one by one."""
 FEW = 4
 """Writes done one by one where something may happen, before it is looked at again."""

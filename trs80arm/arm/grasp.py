@@ -115,11 +115,11 @@ class Grasp:
         asked, moment = recurs
         parts, grip = self._bench.parts, self.grip
         held = [parts[name].held for name in moment.names]
-        asked += question(loaded, grip.cable, grip.contact, self._met, held)
-        known = self._sights.get(asked)
+        all_asked = asked, question(loaded, grip.cable, grip.contact, self._met, held)
+        known = self._sights.get(all_asked)
         if known is None:
             presser, saw = self._look(loaded=loaded)
-            self._sights.keep(asked, self._sight(moment, presser, saw=saw))
+            self._sights.keep(all_asked, self._sight(moment, presser, saw=saw))
         else:
             self._see_again(moment, known)
 

@@ -10,6 +10,7 @@ what is not any more.
 from __future__ import annotations
 
 import marshal
+from collections.abc import Hashable
 from typing import Any, Generic, TypeVar
 
 _PLAIN = 2
@@ -32,13 +33,13 @@ class Recurrence(Generic[Answer]):
 
     def __init__(self, most: int) -> None:
         self._most = most
-        self._answers: dict[bytes, Answer] = {}
+        self._answers: dict[Hashable, Answer] = {}
 
-    def get(self, question: bytes) -> Answer | None:
+    def get(self, question: Hashable) -> Answer | None:
         """The answer, if the question was asked lately."""
         return self._answers.get(question)
 
-    def keep(self, question: bytes, answer: Answer) -> Answer:
+    def keep(self, question: Hashable, answer: Answer) -> Answer:
         """Know an answer from now on; the one known longest is forgotten for it.
 
         Returns:
