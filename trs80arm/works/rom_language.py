@@ -254,6 +254,7 @@ class RomLanguage:
             self._begin_manual_mode(place)
         elif place == _SCAN:
             self._processor.pass_by(_SCAN)
+            self._passed = 0  # To step over it would mark it again.
             self.waiting = Waiting.NOTHING
         elif place == _DISPLAY:
             self._tell(registers.a)

@@ -37,6 +37,7 @@ FETCH:  EQU  0x4003             ; vector of RST 10H, which fetches characters
 STRTOP: EQU  0x40A0             ; end of string space
 TYPE:   EQU  0x40AF             ; type of the number at hand: 2, 4 or 8 bytes
 MEMTOP: EQU  0x40B1             ; end of memory for BASIC
+BEGUN:  EQU  0x40E6             ; where the statement begins that is done
 NUMBER: EQU  0x4121             ; the number at hand; a double one begins
 DOUBLE: EQU  0x411D             ; four bytes before it
 
@@ -286,9 +287,10 @@ ATCLOS: CALL DELAY
         CALL C,NOKEYS
 ENDED:  POP  HL
         RET  NC
-        DEC  HL
-        RST  0x10
-        JP   STOP               ; as if a STOP stood here: Break in
+        LD   HL,(BEGUN)
+        XOR  A
+        JP   STOP               ; as if a STOP stood here: Break in; CONT
+                                ; begins the statement again
 
 DELAY:  RST  0x10               ; D, or what it is when it is not there
         LD   DE,NORMAL
