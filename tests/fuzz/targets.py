@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
-from tests.fuzz import documents, machines, phrases
+from tests.fuzz import codes, documents, machines, phrases
 from tests.fuzz.target import Target
 
 TARGETS: Final[dict[str, Target]] = {
-    target.name: target for target in (*machines.TARGETS, *documents.TARGETS, *phrases.TARGETS)
+    target.name: target
+    for target in (*codes.TARGETS, *machines.TARGETS, *documents.TARGETS, *phrases.TARGETS)
 }

@@ -24,7 +24,10 @@ class NoProcessorError(Exception):
 @cache
 def available() -> bool:
     """Whether the package is there; it is not loaded to find out."""
-    return find_spec("z80") is not None
+    try:
+        return find_spec("z80") is not None
+    except ValueError:
+        return False  # Somebody has shut it out.
 
 
 def new_chip() -> tuple[Z80Machine, memoryview]:
