@@ -59,10 +59,22 @@ def test_the_front_page_has_every_command_in_80_columns() -> None:
 
 
 def test_the_first_frame_waits_for_no_large_dialog() -> None:
-    modules = loaded_after("import trs80arm.ui.start")
+    modules = loaded_after("import trs80arm.ui.start, trs80arm.ui.app")
     screens = {name for name in modules if name.startswith("trs80arm.ui.screens.")}
     small = ("desk", "dialog", "marking_list", "palette")
     assert screens == {f"trs80arm.ui.screens.{name}" for name in small}
+
+
+def test_what_cannot_be_used_is_told_without_textual() -> None:
+    modules = loaded_after(
+        "from pathlib import Path\n"
+        "from trs80arm.options import TerminalOptions\n"
+        "from trs80arm.ui import start\n"
+        "start._has_terminal = lambda: True\n"
+        "assert start.run_terminal(TerminalOptions(program=Path('/nowhere/a.bas'))) == 2"
+    )
+    assert "trs80arm.desk.opening" in modules
+    assert modules.isdisjoint({"textual", "rich"})
 
 
 def test_the_line_mode_starts_without_textual() -> None:

@@ -9,6 +9,7 @@ import signal
 import sys
 import threading
 import time
+from typing import TYPE_CHECKING
 
 from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
@@ -16,15 +17,10 @@ from trs80arm.desk.places import state_folder
 from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.reasons import one_line
 from trs80arm.shown import message
-from trs80arm.ui import themes
-from trs80arm.ui.app import Trs80Arm
-from trs80arm.ui.terminal.pixels import (
-    NOT_ASKED,
-    NoPixelsError,
-    PixelScreen,
-    find_pixels,
-    may_have_pixels,
-)
+
+if TYPE_CHECKING:
+    from trs80arm.ui.app import Trs80Arm
+    from trs80arm.ui.terminal.pixels import PixelScreen
 
 SERVER = "TRS80ARM_SERVER"
 """The environment variable with the number of the process that serves this one to a browser."""
@@ -48,6 +44,10 @@ def run_terminal(options: TerminalOptions) -> int:
     except UNUSABLE as error:
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
+    # What cannot be used is told before Textual is there.
+    from trs80arm.ui import themes
+    from trs80arm.ui.app import Trs80Arm
+
     app = Trs80Arm(session, options, state_folder())
     if why := themes.refusal(options.theme, app.available_themes):
         print(f"trs80arm: {message(why)}", file=sys.stderr)
@@ -74,6 +74,8 @@ def run_terminal(options: TerminalOptions) -> int:
 
 def _pixels(app: Trs80Arm, options: TerminalOptions) -> PixelScreen | str:
     """The pixels of this terminal, or why there are none; asked before Textual reads it."""
+    from trs80arm.ui.terminal.pixels import NOT_ASKED, NoPixelsError, find_pixels, may_have_pixels
+
     if options.arm is not ArmStyle.PIXELS and not may_have_pixels(os.environ):
         return NOT_ASKED
     try:
