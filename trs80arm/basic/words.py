@@ -111,13 +111,13 @@ def _operator(spelling: str) -> Word:
 
 TABLE: Final[tuple[Word, ...]] = (
     _statement("END", "commands.end"),
-    _statement("FOR", "flow.for_", work=1850, plain=True),
+    _statement("FOR", "loops.for_", work=1850, plain=True),
     _statement("RESET", "hardware.reset_block", "plot", work=1480, observes=True, plain=True),
     _statement("SET", "hardware.set_block", "plot", work=1480, observes=True, plain=True),
     _statement("CLS", "hardware.clear_screen", "clear_screen", work=95),
     *_disk("CMD"),
     _statement("RANDOM", "hardware.random", "randomize"),
-    _statement("NEXT", "flow.next_", work=2440, plain=True),
+    _statement("NEXT", "loops.next_", work=2440, plain=True),
     _statement("DATA", "commands.data", plain=True),
     _statement("INPUT", "assignments.input"),
     _statement("DIM", "assignments.dim", "dimension", work=243),

@@ -20,6 +20,7 @@ from trs80arm.basic.compiler.expressions import ExpressionCompiler
 from trs80arm.basic.compiler.flow import FlowCompiler
 from trs80arm.basic.compiler.functions import FunctionCompiler
 from trs80arm.basic.compiler.hardware import HardwareCompiler
+from trs80arm.basic.compiler.loops import LoopCompiler
 from trs80arm.basic.compiler.output import OutputCompiler
 from trs80arm.basic.compiler.reader import Reader
 from trs80arm.basic.compiler.scope import Scope
@@ -82,15 +83,16 @@ class StatementCompiler:
 
     @cached_property
     def flow(self) -> FlowCompiler:
-        """GOTO, IF, FOR and so on."""
+        """GOTO, IF and so on."""
         return FlowCompiler(
-            self._draft,
-            self.expressions,
-            self.assignments,
-            self._statement,
-            self._program,
-            self._line,
-            self._loops,
+            self._draft, self.expressions, self._statement, self._program, self._line
+        )
+
+    @cached_property
+    def loops(self) -> LoopCompiler:
+        """FOR and NEXT."""
+        return LoopCompiler(
+            self._draft, self.expressions, self.assignments, self._line, self._loops
         )
 
     @cached_property
@@ -193,6 +195,7 @@ _PARTS = {
     "assignments": AssignmentCompiler,
     "commands": CommandCompiler,
     "flow": FlowCompiler,
+    "loops": LoopCompiler,
     "hardware": HardwareCompiler,
     "output": OutputCompiler,
     "tape": TapeCompiler,

@@ -1,0 +1,232 @@
+"""FOR and NEXT: loops that a block goes round in itself, loops around it, and any others."""
+
+from __future__ import annotations
+
+import math
+
+from trs80arm.basic import costs, room, tokens, words
+from trs80arm.basic.characters import COMMA
+from trs80arm.basic.compiler import rounding
+from trs80arm.basic.compiler.assignments import AssignmentCompiler
+from trs80arm.basic.compiler.draft import Draft, Mistake
+from trs80arm.basic.compiler.emitter import Loop
+from trs80arm.basic.compiler.expressions import ExpressionCompiler
+from trs80arm.basic.control import ForFrame
+from trs80arm.basic.errors import Code
+from trs80arm.basic.kinds import DOUBLE, INTEGER, STRING
+from trs80arm.basic.variables import Key
+from trs80arm.basic.words import Word
+
+
+class LoopCompiler:
+    """FOR and NEXT.
+
+    Args:
+        draft: the statement.
+        expressions: who reads limits and steps.
+        assignments: who reads the variable of a FOR.
+        line: the number of the line that is compiled, 65535 for a direct one.
+        loops: the variables of the open loops, the guess for a bare NEXT.
+    """
+
+    def __init__(
+        self,
+        draft: Draft,
+        expressions: ExpressionCompiler,
+        assignments: AssignmentCompiler,
+        line: int,
+        loops: list[Key],
+    ) -> None:
+        self._draft = draft
+        self._reader = draft.reader
+        self._out = draft.out
+        self._scope = draft.scope
+        self._expressions = expressions
+        self._assignments = assignments
+        self._line = line
+        self._loops = loops
+
+    def _scalar(self, key: Key) -> str:
+        """The name of the variable itself, for the loops that it runs."""
+        return self._out.constant(self._scope.object(key))
+
+    def for_(self, word: Word) -> None:
+        """FOR: variable, limit and step; an open loop of the same variable is dropped."""
+        out, reader = self._out, self._reader
+        out.cost += word.work
+        start = reader.state()
+        key = self._expressions.name()
+        reader.restore(start)
+        target = self._assignments.target(arrays=False)
+        self._draft.expect(tokens.EQUAL)
+        self._assignments.store(target, self._expressions.expression())
+        scalar = self._scalar(key)
+        out.emit("if frames[-1].scalar is not None:")
+        out.emit(f"  drop_loop({scalar})")
+        state = reader.state()
+        reader.skip_statement()
+        body = reader.address
+        reader.restore((state[0], out.cost))
+        self._draft.expect(tokens.TO)
+        if key[1] in (STRING, DOUBLE):
+            raise Mistake(Code.TM)
+        to_kind = self._expressions.convert.to_kind
+        with self._draft.deeper(room.LIMIT):
+            limit = out.keep(to_kind(self._expressions.number(), key[1]).text)
+        by: int | float | None = 1 if key[1] == INTEGER else 1.0
+        step = repr(by)
+        with self._draft.deeper(room.STEP):
+            if reader.code == tokens.STEP:
+                out.cost += words.BY_TOKEN[tokens.STEP].work
+                reader.advance()
+                value = to_kind(self._expressions.number(), key[1])
+                step, by = value.text, value.constant
+        opened = f"open_loop({scalar}, {limit}, {step}, {body}, {self._line})"
+        self._loops.append(key)
+        if by is None or not _usual(by):
+            out.emit(opened)
+            return
+        # A loop that is opened again with the same limit is the same.
+        before = out.constant([ForFrame(self._scope.object(key), math.nan, by, body, self._line)])
+        frame = out.keep(f"{before}[0]")
+        out.emit(
+            f"if {frame}.limit == {limit} and memory_room.plenty and len(frames) < {room.FEW}:"
+        )
+        out.emit(f"  frames.append({frame})")
+        out.emit("else:")
+        out.emit(f"  {frame} = {before}[0] = {opened}")
+        if out.straight and reader.address == body:
+            out.begin_loop(Loop(key, body, frame, limit, by))
+
+    def next_(self, word: Word) -> None:
+        """NEXT [names]: step, compare, and go back to the body or on."""
+        if self._reader.at_end:
+            self._step_loop(word, None)
+            del self._loops[-1:]
+            return
+        while True:
+            key = self._expressions.name()
+            scalar = self._scope.scalar(key)
+            self._out.cost += costs.VARIABLE + self._scope.search(scalar)
+            if not self._scope.exists(key):
+                self._out.emit(f"create({self._out.constant(key)})")
+            self._step_loop(word, key)
+            del self._loops[-1:]
+            if self._reader.code != COMMA:
+                return
+            self._reader.advance()
+
+    def _step_loop(self, word: Word, key: Key | None) -> None:
+        """One loop's step: at once when the innermost loop is the expected one."""
+        out = self._out
+        guess = key or (self._loops[-1] if self._loops else None)
+        if guess is None or guess[1] in (STRING, DOUBLE):
+            out.cost += word.work
+            self._slow_step(key)
+            return
+        if out.straight and out.loops and out.loops[-1].key == guess:
+            self._step_in_block(word, out.loops[-1])
+            return
+        integer = guess[1] == INTEGER
+        out.cost += costs.NEXT_INTEGER if integer else word.work
+        cell = self._scope.scalar(guess).cell
+        name = out.cell(self._scope.cell_name(guess), cell, stored=True)
+        charged = out.cost
+        around = out.around
+        if around and around.scalar is self._scope.object(guess) and _usual(around.step):
+            self._step_around(name, guess, around.step)
+            out.cost = charged
+        out.emit("f = frames[-1]")
+        out.emit(f"if f.scalar is {self._scalar(guess)}:")
+        out.indent += 1
+        if integer:
+            out.emit(f"{name} = t = integer_step({name}, f.step)")
+            out.emit("if (t <= f.limit if f.up > 0 else goes_on(t, f)):")
+        else:
+            out.emit(f"if {rounding.short_step(name, 'f.step')} <= f.top:")
+            out.indent += 1
+            out.emit(f"{name} = s")
+            out.go_to_loop_body()
+            out.indent -= 1
+            stepped = rounding.sum_(name, "+", "f.step", f"add({name}, f.step)")
+            out.emit(f"{name} = t = {stepped}")
+            out.emit("if goes_on(t, f):")
+        out.indent += 1
+        out.go_to_loop_body()
+        out.indent -= 1
+        out.emit("frames.pop()")
+        out.indent -= 1
+        out.emit("else:")
+        out.indent += 1
+        out.cost = charged
+        self._slow_step(key)
+        out.indent -= 1
+
+    def _step_around(self, name: str, key: Key, step: float) -> None:
+        """The short way of the loop whose body begins where this block does."""
+        out = self._out
+        frame, limit = out.know_loop_around(self._scalar(key), step)
+        out.emit(f"if {frame} is frames[-1] and {_short_step(name, key, step, limit)}:")
+        out.indent += 1
+        out.emit(f"{name} = s")
+        out.go_to_start()
+        out.indent -= 1
+
+    def _step_in_block(self, word: Word, loop: Loop) -> None:
+        """The step of a loop whose body is in this function, from its FOR on."""
+        out = self._out
+        integer = loop.key[1] == INTEGER
+        out.cost += costs.NEXT_INTEGER if integer else word.work
+        name = out.cell(
+            self._scope.cell_name(loop.key), self._scope.scalar(loop.key).cell, stored=True
+        )
+        charged = out.cost
+        out.emit(f"if frames[-1] is {loop.frame}:")
+        out.indent += 1
+        out.emit(f"if {_short_step(name, loop.key, loop.step, loop.limit)}:")
+        out.indent += 1
+        out.emit(f"{name} = s")
+        out.go_round()
+        out.indent -= 1
+        if integer:
+            out.emit(f"{name} = integer_step({name}, {loop.step!r})")
+        else:
+            out.emit(f"{name} = t = add({name}, {loop.step!r})")
+            out.emit(f"if t {_until(loop.step)} {loop.limit}:")
+            out.indent += 1
+            out.go_round()
+            out.indent -= 1
+        out.emit("frames.pop()")
+        out.indent -= 1
+        out.emit("else:")
+        out.indent += 1
+        out.cost = charged
+        self._slow_step(loop.key)
+        out.indent -= 1
+        out.end_loop()
+
+    def _slow_step(self, key: Key | None) -> None:
+        wanted = "None" if key is None else self._scalar(key)
+        self._out.emit(f"t = step_loop({wanted})")
+        self._out.emit("if t:")
+        self._out.indent += 1
+        self._out.go_to_found("t")
+        self._out.indent -= 1
+
+
+def _usual(step: float) -> bool:
+    """Whether a step has a short way."""
+    return bool(step) if isinstance(step, int) else rounding.is_near(step)
+
+
+def _until(step: float) -> str:
+    """How a loop's variable is compared with the limit."""
+    return "<=" if step > 0 else ">="
+
+
+def _short_step(name: str, key: Key, step: float, limit: str) -> str:
+    """Text that is true where a step is exact and the loop goes on; the next value is `s`."""
+    by = f"({step!r})"
+    # What does not pass the limit is an integer.
+    value = f"(s := {name} + {by})" if key[1] == INTEGER else rounding.short_step(name, by)
+    return f"{value} {_until(step)} {limit}"
