@@ -138,3 +138,20 @@ def test_a_watch_says_what_changed() -> None:
     assert "A is not watched any more." in said
     assert "The latches are base, shoulder," in said
     assert "Q is not watched." in said
+
+
+def test_machine_code_is_stepped_through() -> None:
+    pytest.importorskip("z80", reason="the extra z80 is not installed")
+    said = talk(
+        *("10 FOR I=0 TO 3:READ A:POKE 28672+I,A:NEXT", "20 POKE 16526,0:POKE 16527,112"),
+        *("30 X=USR(0)", "40 DATA 62,5,60,201", ".codebreak 7002H", ".codebreak", "RUN", ".cpu"),
+        *(".code 7000H", ".codestep", ".codebreak 28674", ".codebreak nowhere", ".codestep 0"),
+    )
+    assert "Stops at 7002H." in said
+    assert "Breakpoint at 7002H: INC A" in said
+    assert re.search(r"PC 7002  SP [0-9A-F]{4}  AF 05", said)
+    assert "  7000 3E05     LD A,05H\n*>7002 3C       INC A" in said
+    assert "At 7003H: RET" in said
+    assert "Does not stop any more at 7002H." in said
+    assert "Nowhere is no address" in said
+    assert "How often? A number from 1 to 1000." in said

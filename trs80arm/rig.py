@@ -39,6 +39,7 @@ from trs80arm.machine.ports import LineListener
 from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
+from trs80arm.machine.z80.processor import Processor
 from trs80arm.snapshots import SnapshotError
 from trs80arm.works.beginnings import switch_on, switched_on
 from trs80arm.works.devices import Language, RigSettings, Works, assemble
@@ -496,6 +497,11 @@ class Rig:
         return NamedVariables(self._works.basic, self.change)
 
     @property
+    def processor(self) -> Processor:
+        """The Z-80 and its registers."""
+        return self._works.processor
+
+    @property
     def memory(self) -> Memory:
         """The memory map."""
         return self._works.memory
@@ -653,6 +659,17 @@ class Rig:
             A function that ends it.
         """
         return attach(self._observers.stops.conditions, condition)
+
+    def stop_code_before(self, condition: Callable[[int], bool]) -> Callable[[], None]:
+        """Stop the machine before each instruction of machine code for which `condition` holds.
+
+        The condition is given the instruction's address. It is asked in `run_to` and `run_for`
+        alone, which then come back early; the next run goes on with the instruction, asking again.
+
+        Returns:
+            A function that ends it.
+        """
+        return attach(self._observers.code_stops.conditions, condition)
 
     def watch_latches(self, observer: Observer) -> Callable[[], None]:
         """Clip a logic analyser on the card.

@@ -49,6 +49,7 @@ class Reason(Enum):
     BREAKPOINT = "breakpoint"
     WATCH = "watch"
     LINE = "the line asked for"
+    CODE = "machine code"
     BACK = "back"
     ENDED = "ended"
 
@@ -445,6 +446,12 @@ class Debugger:
         if address is not None:
             self._stand(Reason.STEP, spot_at(self.rig, address), address)
             self._passed = None
+
+    def stand_in_code(self, text: str) -> None:
+        """Stand before an instruction of machine code, for a reason in words."""
+        self._goal = None
+        self._used = self._runs = True
+        self._halt(Stop(Reason.CODE, text, next_spot(self.rig)))
 
     def go(self) -> None:
         """Let time go on."""

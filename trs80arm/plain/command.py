@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
+from trs80arm.desk.code_debugger import CodeDebugger
 from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.pendant import Pendant
@@ -41,6 +42,7 @@ class Sitting:
         tour: the first five minutes, step by step.
         pendant: teaches them.
         debugger: stops the machine, and moves it on and back.
+        code: stops machine code, and moves it on.
         states: the saved states.
         ask: asks its user; the next line is the answer.
         tell: says something.
@@ -57,6 +59,7 @@ class Sitting:
     tour: Tour
     pendant: Pendant
     debugger: Debugger
+    code: CodeDebugger
     states: States
     ask: LineAsking
     tell: Tell

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from typing import TextIO
 
 from trs80arm.deck import Deck
+from trs80arm.desk.code_debugger import CodeDebugger
 from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.happenings import Happenings
@@ -111,6 +112,7 @@ class PlainMode:
 
         leaving = Leaving(session, lesson, self._recovery, files, ask, show, self._end)
         self._pendant = Pendant(session, lesson, self._tell_typed)
+        debugger = Debugger(session)
         return Sitting(
             session=session,
             files=files,
@@ -120,7 +122,8 @@ class PlainMode:
             lesson=lesson,
             tour=Tour(session, lesson, files, state / TOUR_FILE, ask, say),
             pendant=self._pendant,
-            debugger=Debugger(session),
+            debugger=debugger,
+            code=CodeDebugger(debugger),
             states=States(state / STATES),
             ask=ask,
             tell=self._tell,

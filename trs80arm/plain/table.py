@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trs80arm.plain import arm, debugging, machine, pendant, peripherals, teaching
+from trs80arm.plain import arm, debugging, machine, pendant, peripherals, processor, teaching
 from trs80arm.plain.command import Group, LineCommand, Sitting
 
 COLUMN = 26
@@ -32,6 +32,7 @@ GROUPS: tuple[Group, ...] = (
     teaching.GROUP,
     peripherals.GROUP,
     debugging.GROUP,
+    processor.GROUP,
     Group(
         "This program",
         (

@@ -40,6 +40,8 @@ class Observers:
     """Told everything that the operator does; the rig itself tells them."""
     stops: Stops = field(default_factory=Stops)
     """Asked before every statement whether the machine is to stop there."""
+    code_stops: Stops = field(default_factory=Stops)
+    """Asked before every instruction of machine code whether the machine is to stop there."""
     replaced: list[tuple[str, bytes]] = field(default_factory=list)
     """What was on cassettes of the tape folder before they were recorded on, in order."""
 
@@ -48,6 +50,7 @@ class Observers:
         works.console.listeners = self.codes
         works.basic.listeners = self.statements
         works.basic.stops = self.stops
+        works.processor.stops = self.code_stops
         works.tape.replaced = self.replaced
         works.card.observers = self.latches
         works.driver.reset_observers = self.resets

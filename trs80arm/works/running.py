@@ -55,16 +55,18 @@ class Running:
             raise ValueError("the clock does not go that far")
         works = self._works
         works.asked = max(works.asked, target)
-        stops = self._observers.stops
-        stops.heeded, stops.reached = True, False
+        all_stops = (self._observers.stops, self._observers.code_stops)
+        for stops in all_stops:
+            stops.heeded, stops.reached = True, False
         try:
             while works.clock.now < target:
                 self._turn(target, until_waiting=works.typist.looks_up)
-                if stops.reached:
+                if any(stops.reached for stops in all_stops):
                     works.asked = works.clock.now
                     return False
         finally:
-            stops.heeded = False
+            for stops in all_stops:
+                stops.heeded = False
         return True
 
     def run_until(self, condition: Callable[[], bool], seconds: float) -> bool:

@@ -8,7 +8,7 @@ Who runs it (`basic`, or the machine with a user's ROM) says which addresses are
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from trs80arm.machine.clock import Clock
 from trs80arm.machine.keyboard import Matrix
@@ -33,11 +33,22 @@ _KEYBOARDS: Final = (KEYBOARD_STOP - KEYBOARD_START) // 256
 _BREAKPOINT, _READ, _WRITE = 1, 2, 4
 
 
+class Stops(Protocol):
+    """Who may stop code before an instruction: a debugger. True while there is anybody."""
+
+    def __bool__(self) -> bool:
+        """Whether anybody is to be asked."""
+
+    def before(self, address: int) -> bool:
+        """Whether code is to stop before the instruction at an address."""
+
+
 class Processor:
     """The Z-80 of one machine.
 
     Attributes:
         registers: its registers by name.
+        stops: who may stop code before an instruction; not part of a snapshot.
         looked: the T-state at which code last looked at the keyboard row that BREAK is in, while
             somebody wants to know (`without_rom`).
     """
@@ -56,6 +67,7 @@ class Processor:
     def _begin(self) -> None:
         """Have registers, and no chip yet."""
         self.registers = Registers()
+        self.stops: Stops | None = None
         self._live: tuple[tuple[int, int], ...] = ()
         self._keys: bytes | None = None
         self._guarded = False
@@ -66,6 +78,7 @@ class Processor:
 
     def __getstate__(self) -> dict[str, Any]:
         made_anew = {
+            "stops",
             "registers",
             "_chip",
             "_head",
@@ -165,7 +178,11 @@ class Processor:
 
         Returns:
             Whether it came to an address of `stop_at` before; its instruction is not executed.
+            Where somebody of `stops` has it stop, nothing is left of the clock's time.
         """
+        return self._run(until, self.stops)
+
+    def _run(self, until: int, stops: Stops | None) -> bool:
         self.power_on()
         clock, chip = self._clock, self._chip
         assert chip is not None
@@ -179,8 +196,15 @@ class Processor:
         try:
             while clock.now < until:
                 self._start = clock.now
+                longest = LONGEST
+                if stops:
+                    if stops.before(self.registers.pc):
+                        # Whoever turns the wheel finds that there is no more time.
+                        clock.limit = clock.now
+                        return False
+                    longest = 1
                 head[FRAME_TICK] = b"\0\0\0\0"
-                head[TICKS_TO_STOP] = min(until - clock.now, LONGEST).to_bytes(4, "little")
+                head[TICKS_TO_STOP] = min(until - clock.now, longest).to_bytes(4, "little")
                 stopped = chip.run() & _BREAKPOINT
                 clock.now = self._start + self._passed
                 if stopped:
@@ -200,7 +224,8 @@ class Processor:
         pc = self.registers.pc
         self._chip.unmark_addrs(pc, 1, _BREAKPOINT)
         try:
-            self.run(self._clock.now + 1)
+            # Whether to stop here was asked when it came here.
+            self._run(self._clock.now + 1, None)
         finally:
             self._chip.mark_addrs(pc, 1, _BREAKPOINT)
 

@@ -9,13 +9,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from trs80arm.desk.asking import Say
-from trs80arm.desk.debugger import Debugger
+from trs80arm.desk.debugger import Debugger, Reason, Stop
 from trs80arm.desk.pacing import Pacer
 from trs80arm.desk.session import Session
 from trs80arm.desk.states import QUICK, StateError, States
 from trs80arm.ui.asking import Screens
 
 if TYPE_CHECKING:
+    from trs80arm.desk.code_debugger import CodeDebugger
     from trs80arm.ui.screens.debugger import Leaving
 
 STANDS = "Stopped: F7 does a statement, F6 goes on, Ctrl+X opens the debugger."
@@ -53,6 +54,7 @@ class DebugCommands:
         self._at_desk = at_desk
         self._is_open = False
         self._was_paused = False
+        self._code: CodeDebugger | None = None
 
     def look(self) -> None:
         """Show where the machine has come to stand, if it has since the last look."""
@@ -61,7 +63,7 @@ class DebugCommands:
             return
         self._pacer.pause(True)
         if self._at_desk():
-            self.open()
+            self._open_page(stop)
         else:
             self._say(stop.text)
 
@@ -75,6 +77,32 @@ class DebugCommands:
         self._is_open = True
         screen = DebuggerScreen(self._debugger, self._states, self.quick_save, self._load)
         self._screens.open(screen, self._left)
+
+    def open_processor(self) -> None:
+        """Stop time, and open the debugger's page for machine code."""
+        from trs80arm.ui.screens.processor import ProcessorScreen
+
+        self._was_paused = self._pacer.paused
+        self._pacer.pause(True)
+        self._debugger.new_stop()
+        self._is_open = True
+        self._screens.open(ProcessorScreen(self.code), self._left)
+
+    def _open_page(self, stop: Stop) -> None:
+        """Open the page for what the machine stands in."""
+        if stop.reason is Reason.CODE:
+            self.open_processor()
+        else:
+            self.open()
+
+    @property
+    def code(self) -> CodeDebugger:
+        """What stops machine code; made when it is wanted first."""
+        if self._code is None:
+            from trs80arm.desk.code_debugger import CodeDebugger
+
+            self._code = CodeDebugger(self._debugger)
+        return self._code
 
     def _left(self, leaving: Leaving) -> None:
         """The debugger was closed."""

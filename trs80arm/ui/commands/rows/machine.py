@@ -33,6 +33,13 @@ MACHINE: tuple[Command, ...] = (
         also="breakpoint variables memory poke let inspect step",
     ),
     Command(
+        "processor",
+        lambda to: to.debug.open_processor(),
+        "Debugger: the processor",
+        "Registers, instructions, stack and memory of machine code; steps and breakpoints.",
+        also="z80 machine code registers disassembly assembler usr system step breakpoint",
+    ),
+    Command(
         "watch",
         lambda to: to.debug.watch(),
         "Debugger: watch a variable or a latch",
