@@ -333,6 +333,15 @@ class Rig:
         self._use(assemble(self.settings, old.arm, old))
         switch_on(self._works, self._running)
 
+    def push_reset(self) -> None:
+        """Push the button at the machine's back: out of machine code to READY, program kept.
+
+        It is the Z-80's non-maskable interrupt. BASIC itself is broken off with BREAK; while it
+        is at work the button does nothing.
+        """
+        self._record("push_reset")
+        self._works.basic.push_reset()
+
     def set_bench(self, bench: Bench) -> None:
         """Clear the table and set up another bench.
 

@@ -257,3 +257,22 @@ def test_a_million_random_bytes() -> None:
             assert rig.waiting is not Waiting.NOTHING
             rig.reset()
             assert rig.waiting is Waiting.COMMAND
+
+
+def test_the_reset_button_leads_to_ready() -> None:
+    rig = program("F3 3A 40 38 18 FB", "20 X=USR(0)")
+    rig.run_for(1)
+    rig.push_reset()
+    assert rig.run_until_waiting(1) is Waiting.COMMAND
+    rig.type("LIST 20\n")
+    assert "20 X=USR(0)" in printed(rig)
+
+
+def test_the_reset_button_leaves_basic_alone() -> None:
+    rig = Rig()
+    rig.load_text("10 GOTO 10")
+    rig.type("RUN\n")
+    rig.run_for(1)
+    rig.push_reset()
+    rig.run_for(1)
+    assert rig.waiting is Waiting.NOTHING

@@ -13,6 +13,7 @@ from trs80arm.basic import addresses, aside, editing, execution, system_area
 from trs80arm.basic.activity import Waiting
 from trs80arm.basic.code import CompiledCode
 from trs80arm.basic.control import DIRECT
+from trs80arm.basic.dialogue import machine_code
 from trs80arm.basic.dialogue.boot import MemorySize
 from trs80arm.basic.dialogue.command import CommandLevel
 from trs80arm.basic.errors import BasicError
@@ -154,6 +155,10 @@ class Interpreter:
             ValueError: it is another statement, or not one alone.
         """
         aside.do(self.state, crunched)
+
+    def push_reset(self) -> None:
+        """The reset button: from machine code to READY; BASIC itself has BREAK."""
+        machine_code.push_reset(self.state)
 
     # -- instead of the keyboard --------------------------------------------------------------
 

@@ -383,6 +383,7 @@ ACTIONS: dict[str, tuple[Callable[[Any], Any], ...]] = {
     "press": (_key,),
     "release": (_key,),
     "release_all": (),
+    "push_reset": (),
     "hold": (_keys, partial(fit, Annotated[float, Range(0, LONGEST_HOLD)])),
     "type": (partial(fit, str),),
     "stop_typing": (),

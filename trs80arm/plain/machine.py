@@ -82,6 +82,11 @@ GROUP = Group(
             lambda sitting, _: sitting.proof.read(),
             more="The line that is chosen is listed.",
         ),
+        LineCommand(
+            "button",
+            "push the reset button: out of machine code to READY",
+            lambda sitting, _: sitting.session.rig.push_reset(),
+        ),
         LineCommand("screen", "read the tube", _screen),
         LineCommand(
             "record",

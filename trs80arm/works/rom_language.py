@@ -17,7 +17,7 @@ from trs80arm.basic.control import DIRECT
 from trs80arm.basic.errors import Code
 from trs80arm.basic.host import Host
 from trs80arm.basic.outcome import Ending, Outcome
-from trs80arm.basic.program import Program
+from trs80arm.basic.program import LINE_HEAD, Program
 from trs80arm.basic.state import Home, Listener, State, Stops
 from trs80arm.machine.cassette import encode_lines
 from trs80arm.machine.console import Console
@@ -65,6 +65,9 @@ _IN_AUTO: Final = 0x1A57
 _PAUSED: Final = 0x1DA5
 _PRINTED_BY_BASIC: Final = range(0x032A, 0x0348)
 """Where PRINT's own output routine calls the display from; everybody else echoes."""
+_STRING_SPACE: Final = 0x40A0
+_ROOM: Final = 200
+"""Bytes that a program leaves free for the stack at least."""
 _LINE_NUMBER, _ERROR_CODE, _ERROR_LINE = 0x40A2, 0x409A, 0x40EA
 _HALT_LOOK: Final = 65_536
 """T-states after which it is looked whether the processor has halted."""
@@ -337,11 +340,20 @@ class RomLanguage:
     # -- instead of the keyboard --------------------------------------------------------------
 
     def load_lines(self, lines: Iterable[tuple[int, bytes]]) -> None:
-        """Replace the program by crunched lines, as a tape that was loaded would."""
+        """Replace the program by crunched lines, as a tape that was loaded would.
+
+        What does not fit is left out, from the first such line on.
+        """
         memory = self._host.memory
         start = self._program.start
-        room = memory.top - start - 200
-        content = encode_lines(lines, start)[:room]
+        room = word(memory.ram, _STRING_SPACE) - start - _ROOM
+        fitting: list[tuple[int, bytes]] = []
+        for number, text in lines:
+            room -= len(text) + LINE_HEAD + 1
+            if room < 0:
+                break
+            fitting.append((number, text))
+        content = encode_lines(fitting, start)
         memory.ram[start : start + len(content)] = content
         end = start + len(content)
         for pointer in (PROGRAM_END, 0x40FB, 0x40FD):
@@ -349,6 +361,13 @@ class RomLanguage:
         set_word(memory.ram, 0x40FF, start - 1)
         set_word(memory.ram, 0x40D6, word(memory.ram, 0x40B1))
         self._seen = -1
+
+    def push_reset(self) -> None:
+        """The reset button: the processor goes to 0066H, and the ROM to READY."""
+        self._processor.interrupt()
+        self.waiting = Waiting.NOTHING
+        self._idle = None
+        self._passed = 0
 
     def aside(self, crunched: bytes) -> None:
         """Nothing is done beside what the ROM does."""

@@ -122,3 +122,12 @@ def test_manual_mode_of_the_z80_driver_is_waited_in_until_its_key_0(rig: Rig) ->
     rig.hold([Key.N0], 0.1)
     rig.run_for(0.5)
     assert rig.waiting is Waiting.NOTHING
+
+
+def test_the_reset_button_begins_at_0066(rig: Rig) -> None:
+    rig.memory.write(0x5000, b"\x18\xfe")
+    rig._works.processor.registers.pc = 0x5000
+    rig.push_reset()
+    rig.run_for(0.1)
+    assert rig.screen()[0].startswith("HIHI")
+    assert rig.waiting is Waiting.INPUT

@@ -79,6 +79,12 @@ def go(state: State, address: int) -> None:
     state.begin(MachineCode())
 
 
+def push_reset(state: State) -> None:
+    """The reset button ends machine code, whatever it waits for."""
+    if any(isinstance(activity, MachineCode) for activity in state.stack):
+        stop(state, DIRECT, 0, Ending.END)
+
+
 class MachineCode(Activity):
     """The processor executes what is in RAM."""
 

@@ -122,6 +122,10 @@ class MachineCommands:
         """Switch the machine off and on, asking when a program would be lost."""
         self._files.if_program_may_go("Off and on", self._reset)
 
+    def push_reset(self) -> None:
+        """Push the button at the machine's back."""
+        self._session.rig.push_reset()
+
     def _reset(self) -> None:
         self._session.reset()
         self._pacer.pause(False)

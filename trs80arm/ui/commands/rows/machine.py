@@ -125,6 +125,13 @@ MACHINE: tuple[Command, ...] = (
         also="fast turbo",
     ),
     Command(
+        "push_reset",
+        lambda to: to.machine.push_reset(),
+        "Machine: reset button",
+        "Out of machine code to READY; the program stays.",
+        also="nmi interrupt",
+    ),
+    Command(
         "reset",
         lambda to: to.machine.reset(),
         "Machine: off and on",
