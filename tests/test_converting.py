@@ -132,3 +132,15 @@ def test_the_command_lists_converts_and_complains(tape: Path) -> None:
     assert failed.exit_code == 2
     assert failed.stderr.count("\n") == 1
     assert "noise.wav: " in failed.stderr
+
+
+def test_a_program_is_not_saved_over_a_recording(tmp_path: Path) -> None:
+    path = tmp_path / "old.wav"
+    path.write_bytes(sound_file(ONE))
+    before = path.read_bytes()
+    lines = files.load_program(path)
+    with pytest.raises(FileFormatError, match="is a recording of sound; save under another name"):
+        files.save_program(path, lines)
+    assert path.read_bytes() == before
+    files.save_program(tmp_path / "new.wav", lines)
+    assert files.load_program(tmp_path / "new.wav") == lines

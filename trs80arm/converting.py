@@ -55,7 +55,7 @@ def convert(
             if name is not None:
                 raise FileFormatError("no cassette, on which programs have names")
             lines = files.parse_program(data, keep_good=keep_good)
-            files.save_program(target, lines, files.kind_for_suffix(target))
+            files.write_program(target, lines, files.kind_for_suffix(target))
             return Converted(_lines(len(lines)), ())
         if name is None and files.kind_for_suffix(target) is Kind.CASSETTE:
             return _copy(tape, target, keep_good=keep_good)

@@ -26,12 +26,14 @@ __all__ = [
     "Kind",
     "ProgramLine",
     "encode_program",
+    "holds_sound",
     "kind_for_suffix",
     "kind_of",
     "load_program",
     "parse_program",
     "read_program",
     "save_program",
+    "write_program",
 ]
 
 LARGEST = 16 * 1024 * 1024
@@ -181,14 +183,31 @@ def save_program(path: Path, lines: Iterable[ProgramLine], kind: Kind | None = N
             `.bas` crunched unless there is a file already and it is text, anything else text.
 
     Raises:
-        FileFormatError: a line cannot be written as text.
+        FileFormatError: a line cannot be written as text, or there is a recording of sound.
         OSError: the file cannot be written; an older one is untouched.
     """
+    if holds_sound(path):
+        # Somebody's old tape, perhaps the only copy.
+        raise FileFormatError(f"{path} is a recording of sound; save under another name")
+    write_program(path, lines, kind)
+
+
+def write_program(path: Path, lines: Iterable[ProgramLine], kind: Kind | None = None) -> None:
+    """The same, over a recording of sound too."""
     kind = kind or _kind_for(path)
     content = encode_program(lines, kind, path.stem)
     if kind is Kind.CASSETTE:
         content = tape_files.write(content, path.suffix)
     write_whole(path, content)
+
+
+def holds_sound(path: Path) -> bool:
+    """Whether there is a file of that name, and it is a sound."""
+    try:
+        with open_to_read(path) as file:
+            return tape_files.is_sound(file.read(12))
+    except OSError:
+        return False
 
 
 _SUFFIXES = {".bas": Kind.CRUNCHED} | dict.fromkeys(tape_files.SUFFIXES, Kind.CASSETTE)

@@ -16,7 +16,7 @@ from textual.widgets.option_list import Option
 from trs80arm.desk.asking import ProgramQuestion, Shelf
 from trs80arm.desk.places import program_files
 from trs80arm.desk.reach import Reach
-from trs80arm.files import FileFormatError, parse_program
+from trs80arm.files import FileFormatError, holds_sound, parse_program
 from trs80arm.inspection import line_text
 from trs80arm.paths import is_file, read_beginning
 from trs80arm.reasons import reason
@@ -189,6 +189,8 @@ def preview(path: Path) -> str:
     """The beginning of a program file as LIST would show it, or why it cannot be opened."""
     try:
         content = read_beginning(path, MOST_BYTES + 1)
+        if holds_sound(path):
+            return "A cassette as sound: it is listened to when it is opened."
         if len(content) > MOST_BYTES:
             return "Too large for a program of the TRS-80."
         lines = parse_program(content)
