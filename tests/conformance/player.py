@@ -130,7 +130,8 @@ class Session:
         end = taken + round(seconds * T_STATES_PER_SECOND)
         self._hold(entry, taken, end)
         self.wait(max(0.0, (end - self.rig.clock.now) / T_STATES_PER_SECOND))
-        return self.stands_at - taken
+        # With keys at times a segment lasts until the last one was let go.
+        return (self.rig.clock.now if entry.keys else self.stands_at) - taken
 
     @property
     def stands_at(self) -> int:
