@@ -9,17 +9,18 @@ import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from functools import cache
+from itertools import takewhile
 from pathlib import Path
 
 import pytest
 
-from tests.machine.armbasic_z80.assembled import maker
-from tests.machine.armbasic_z80.board import lateness, patterns
+from tests.machine.armbasic_z80.assembled import driver, maker
+from tests.machine.armbasic_z80.board import Board, lateness, patterns
 from tests.machine.bench_top import Analyser, Write
 from tests.own_places import PROGRAMS
 from tests.rig.test_bundled_programs import ANSWERS, ENDLESS, LONGEST, SETS
 from trs80arm.arm import benchfile
-from trs80arm.machine.card import Peripheral
+from trs80arm.machine.card import Latch, Peripheral
 from trs80arm.machine.coordination import Pace
 from trs80arm.machine.z80.rom import Rom
 from trs80arm.operator import Hold, parse_holds
@@ -343,7 +344,7 @@ class AsItClosed:
 
 def note_motions(rig: Rig, run: Run) -> None:
     """Take note of the motions that the built-in driver begins."""
-    driver = rig.driver
+    built_in = rig.driver
 
     def noting(begin: Callable[..., None], closes: bool) -> Callable[..., None]:
         def noted(delay: int | None = None, *rest: object) -> None:
@@ -355,7 +356,7 @@ def note_motions(rig: Rig, run: Run) -> None:
         return noted
 
     for name in ("step", "close", "set"):
-        setattr(driver, name, noting(getattr(driver, name), name == "close"))
+        setattr(built_in, name, noting(getattr(built_in, name), name == "close"))
 
 
 def first_tick(rig: Rig) -> int:
@@ -364,11 +365,10 @@ def first_tick(rig: Rig) -> int:
         time = rig.driver.next_tick
         assert time is not None
         return time
-    processor, begun = rig._works.processor, rig.clock.now
-    processor.watch_keyboard()
-    while processor.looked < begun:
-        rig.run_to(rig.clock.now + 100)
-    return processor.looked
+    board = Board()
+    assert board.call_at(driver().origin + 9, de=NORMAL, limit=20_000) is False
+    assert board.looked is not None
+    return rig.clock.now + board.looked
 
 
 def jog(rig: Rig, holds: Iterable[Hold]) -> None:
@@ -413,8 +413,9 @@ def test_a_program_writes_what_it_writes_with_the_built_in_driver(name: str) -> 
     rig.watch_latches(written)
     note_motions(rig, reference)
     play(rig, name, seconds)
-    for motion, follower in zip(reference.motions, reference.motions[1:], strict=False):
-        motion.stop = follower.first
+    begins = [motion.first for motion in reference.motions]
+    for motion, behind in zip(reference.motions, [*begins[1:], None], strict=True):
+        motion.stop = motion.first + _own(reference.writes[motion.first : behind], motion)
     closes = [motion for motion in reference.motions if motion.closes]
 
     other, mine = under_the_rom(), Analyser()
@@ -429,13 +430,8 @@ def test_a_program_writes_what_it_writes_with_the_built_in_driver(name: str) -> 
     assert count > 5
     assert patterns(mine.writes[:count]) == patterns(reference.writes[:count])
     for motion in reference.motions:
-        last = motion.first
-        end = motion.stop or count
-        # What BASIC writes with OUT or @RESET behind a motion has its own times.
-        times = [time for time, _, _ in reference.writes[motion.first : min(end, count)]]
-        last += len([time for time in times if _on_tick(time, motion)])
-        if last > motion.first:
-            span = slice(motion.first, last)
+        span = slice(motion.first, min(motion.stop, count))
+        if mine.writes[span]:
             late = lateness(mine.writes[span], reference.writes[span], motion.start)
             assert max(map(abs, late)) <= TOLERANCE * _period(motion)
 
@@ -445,6 +441,17 @@ def _period(motion: Motion) -> float:
     return over / under
 
 
-def _on_tick(time: int, motion: Motion) -> bool:
+def _own(writes: Iterable[Write], motion: Motion) -> int:
+    """How many of the writes from its beginning on are a motion's.
+
+    What BASIC writes behind it with OUT or @RESET has times of its own.
+    """
+    return len(list(takewhile(lambda write: _on_tick(write, motion), writes)))
+
+
+def _on_tick(write: Write, motion: Motion) -> bool:
+    """Whether a write may be one of a motion."""
+    time, latch, nibble = write
     pace = Pace(motion.start, motion.delay)
-    return time == pace.time(pace.first_tick_from(time))
+    moves = nibble and (latch == Latch.HAND if motion.closes else latch != Latch.AUXILIARY)
+    return bool(moves) and time == pace.time(pace.first_tick_from(time))
