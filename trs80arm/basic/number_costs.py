@@ -81,6 +81,11 @@ SINGLE_DOWN: Final = 8976
 SINGLE_COUNT: Final = 50
 SINGLE_SHIFT: Final = -88
 SINGLE_ZERO: Final = -6286
+_WHOLE: Final = tuple(
+    SINGLE_TEXT + SINGLE_UP * (6 - length) + SINGLE_SHIFT * 24 for length in range(7)
+)
+_TENS: Final[tuple[int, ...]] = (10**6, 10**5, 10**4, 1000, 100, 10, 1)
+"""By the digits of a whole single: its text, beside its digits, and what makes six of them."""
 TEXT_CHARACTER: Final = 15
 DOUBLE_TEXT: Final = 31900
 DOUBLE_ZERO: Final = -23300
@@ -204,6 +209,13 @@ def text(value: Number, shown: str) -> int:
         shown: what it came to.
     """
     negative = NEGATIVE if shown[0] == "-" else 0
+    figures = shown[1:]
+    length = len(figures)
+    if type(value) is float and value and length <= decimal.SINGLE_DIGITS and figures.isdigit():
+        # A whole number: bringing it to six digits rounds nothing.
+        size = (int(figures) * _TENS[length]).bit_length()
+        total = TEXT_CHARACTER * (length + 1) + negative + _WHOLE[length] + SINGLE_SHIFT * -size
+        return total + SINGLE_COUNT * (sum(figures.encode()) - ZERO * length)
     if isinstance(value, int) and value != -32768:
         count = _digit_sum(shown.encode("ascii")[1:])
         total = INTEGER_TEXT + INTEGER_DIGIT * (len(shown) - 1) + INTEGER_COUNT * count
@@ -213,13 +225,6 @@ def text(value: Number, shown: str) -> int:
         return total + DOUBLE_TEXT + (double_scaling(value) if value.exponent else DOUBLE_ZERO)
     if not value:
         return total + SINGLE_TEXT + SINGLE_ZERO
-    if len(shown) <= decimal.SINGLE_DIGITS + 1 and shown[1:].isdigit():
-        # A whole number: bringing it to six digits rounds nothing.
-        figures = shown[1:]
-        places = decimal.SINGLE_DIGITS - len(figures)
-        size = int(figures.ljust(decimal.SINGLE_DIGITS, "0")).bit_length()
-        total += SINGLE_UP * places + SINGLE_COUNT * _digit_sum(figures.encode("ascii"))
-        return total + SINGLE_TEXT + SINGLE_SHIFT * (24 - size)
     return total + SINGLE_TEXT + single_scaling(float(value))
 
 
