@@ -55,6 +55,15 @@ def test_programs_are_opened_and_saved(tmp_path: Path) -> None:
     assert "There is no .fly" in said
 
 
+def test_a_cassette_of_machine_code_is_put_in_and_it_is_told_how_it_is_loaded() -> None:
+    session = Session()
+    session.load(PROGRAMS / "catch.cas")
+    said = talk("SYSTEM", "CATCH", session=session)
+    assert "SYSTEM, then CATCH, loads it" in said
+    assert "No cassette" not in said
+    assert said.count("*?") == 2
+
+
 def test_pose_and_registers_are_said_in_words() -> None:
     said = talk(".pose", ".registers", ".quit", "PRINT 1")
     assert "X 5.00, Y 0.00, Z 0.00 inches" in said

@@ -24,6 +24,7 @@ __all__ = [
     "MAX_LINE_NUMBER",
     "FileFormatError",
     "Kind",
+    "MachineCodeError",
     "ProgramLine",
     "encode_program",
     "holds_sound",
@@ -46,6 +47,20 @@ _HEAD_WITHIN = 4096
 _WIDE = ((codecs.BOM_UTF16_LE, 3), (codecs.BOM_UTF16_BE, 2))
 """How text in UTF-16 begins, one way with the mark of a crunched program, and where the first of
 those bytes is that are zeros in any listing. No crunched program has zeros so close."""
+
+
+class MachineCodeError(FileFormatError):
+    """A cassette without a BASIC program that has machine code for SYSTEM.
+
+    Attributes:
+        name: what SYSTEM calls it.
+        cassette: what is on the cassette.
+    """
+
+    def __init__(self, message: str, name: str, cassette: bytes) -> None:
+        super().__init__(message)
+        self.name = name
+        self.cassette = cassette
 
 
 class Kind(Enum):
@@ -90,6 +105,7 @@ def parse_program(data: bytes, *, keep_good: bool = False) -> list[ProgramLine]:
             that are program lines, of the others what comes before the damage.
 
     Raises:
+        MachineCodeError: it is a cassette of machine code.
         FileFormatError: the content is damaged, or no program.
     """
     if not data:
@@ -140,12 +156,15 @@ def load_program(path: Path, *, keep_good: bool = False) -> list[ProgramLine]:
     """The program in a file.
 
     Raises:
-        FileFormatError: the file is damaged or no program; the message begins with its path.
+        MachineCodeError: it is a cassette of machine code; the message begins with its path.
+        FileFormatError: the file is damaged or no program; likewise.
         OSError: it cannot be read.
     """
     data = read_program(path)
     try:
         return parse_program(data, keep_good=keep_good)
+    except MachineCodeError as error:
+        raise MachineCodeError(f"{path}: {error}", error.name, error.cassette) from None
     except FileFormatError as error:
         named = FileFormatError(f"{path}: {error}")
         named.offset = error.offset
@@ -241,14 +260,21 @@ def _first_program(data: bytes) -> tuple[list[ProgramLine], FileFormatError | No
     """The first BASIC program of a cassette; what comes behind it does not matter."""
     other = "nothing that is whole"
     first_fault = None
-    for entry in tape_files.read(data).entries:
+    system_name = None
+    file = tape_files.read(data)
+    for entry in file.entries:
         fault = entry.fault
         first_fault = first_fault or fault
         match entry.recording:
             case cassette.ProgramRecording(lines=lines):
                 return list(lines), fault
             case cassette.SystemRecording(name=name):
-                other = f"machine code, {name.decode('latin-1').rstrip()!r}"
+                found = name.decode("latin-1").rstrip()
+                other = f"machine code, {found!r}"
+                system_name = found if system_name is None and fault is None else system_name
             case cassette.DataRecording():
                 other = "data"
-    return [], first_fault or FileFormatError(f"no BASIC program on the cassette, only {other}")
+    why = f"no BASIC program on the cassette, only {other}"
+    if system_name is not None:
+        return [], MachineCodeError(why, system_name, file.content)
+    return [], first_fault or FileFormatError(why)

@@ -408,3 +408,29 @@ def test_only_recovered_copies_can_be_discarded(sitting: Sitting) -> None:
     path = sitting.write("mine.bas", "10 END\n")
     sitting.recovery.discard(path)
     assert path.exists()
+
+
+def test_a_cassette_of_machine_code_is_put_in_and_it_is_told_how_it_is_loaded(
+    sitting: Sitting,
+) -> None:
+    sitting.type("10 REM MINE")
+    sitting.files.load_file(PROGRAMS / "catch.cas")
+    assert sitting.person.told[-1].startswith("Cassette catch is in: SYSTEM, then CATCH, loads it")
+    assert sitting.lines == [10]
+    assert not sitting.session.keepsakes.unsaved
+    sitting.type("SYSTEM")
+    sitting.type("CATCH")
+    sitting.session.run_for(30)
+    lines = [line for line in sitting.session.rig.screen() if line]
+    assert lines[-2].startswith("*? CATCH")
+    assert lines[-1].startswith("*? ")
+
+
+def test_machine_code_stands_behind_the_programs_that_come_along(sitting: Sitting) -> None:
+    sitting.answer(None)
+    sitting.files.open()
+    question = sitting.person.asked[-1]
+    assert isinstance(question, ProgramQuestion)
+    programs, tapes = question.below
+    assert {path.suffix for path in programs.files} == {".bas"}
+    assert {path.suffix for path in tapes.files} == {".cas"}

@@ -28,6 +28,7 @@ from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.recovery import Recovery, copy_label
 from trs80arm.desk.session import Session
 from trs80arm.files import LARGEST, FileFormatError, Kind
+from trs80arm.machine.tape import SUFFIX
 from trs80arm.paths import read_beginning
 from trs80arm.reasons import reason
 from trs80arm.rig import Waiting
@@ -81,7 +82,11 @@ class SessionFiles:
         """Let a program be chosen, and load it."""
         along = programs_folder()
         shelves = (self._recovered(), Shelf("Recent", self._recent.all()))
-        below = (Shelf("Coming along", program_files(along) if along else ()),)
+        coming = program_files(along) if along else ()
+        below = (
+            Shelf("Coming along", [path for path in coming if path.suffix != SUFFIX]),
+            Shelf("Machine code, on cassettes", [path for path in coming if path.suffix == SUFFIX]),
+        )
 
         def chosen(path: Path) -> None:
             self.if_program_may_go("Open", lambda: self.load_file(path))
@@ -116,7 +121,7 @@ class SessionFiles:
         self._ask.ask(Question("Recovered programs", text, answers), answered)
 
     def load_file(self, path: Path) -> None:
-        """Load a program, and the bench that stands beside it; or say why not."""
+        """Load a program and the bench beside it, or put machine code in; or say why not."""
         if path in self._recovery.left_over():
             self._load_recovered(path)
             return
@@ -128,6 +133,10 @@ class SessionFiles:
         except OSError as error:
             self._say(f"{path}: {reason(error)}", error=True)
             return
+        if self._session.system_name is not None:
+            self._recent.add(path)
+            self.tell_of_machine_code(self._session.system_name)
+            return
         bench = bench_beside(path)
         if bench is None or bench == self._session.bench_path or self.set_up_bench(bench):
             self.loaded(path)
@@ -137,6 +146,11 @@ class SessionFiles:
         self._recent.add(path)
         with_bench = " and its bench are" if bench_beside(path) else " is"
         self._say(f"{path.name}{with_bench} loaded: {self._runs} runs it.")
+
+    def tell_of_machine_code(self, name: str) -> None:
+        """Say how the machine code is loaded whose cassette was put in."""
+        cassette = self._session.rig.tape.cassette
+        self._say(f"Cassette {cassette} is in: SYSTEM, then {name}, loads it, and / starts it.")
 
     def set_up_bench(self, path: Path | None) -> bool:
         """Clear the table and set up a bench, None for the standard one; or say why not.

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from trs80arm.machine.tape import SUFFIX, file_content
+from trs80arm.machine.tape import SUFFIX, file_content, file_name
 from trs80arm.rig import Rig
 from trs80arm.saving import write_whole
 
@@ -73,6 +73,12 @@ class Keepsakes:
             written.append(path)
         self._safe = files
         return written
+
+    def know(self, cassette: str) -> None:
+        """What is on a cassette came from a file, and is safe there as it is now."""
+        name = file_name(cassette)
+        if name in (files := self.files):
+            self._safe = {**self._safe, name: files[name]}
 
     def forget(self) -> None:
         """Another machine stands on the desk."""

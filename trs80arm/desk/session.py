@@ -21,13 +21,22 @@ from trs80arm.desk.greeting import greet
 from trs80arm.desk.keepsakes import Keepsakes
 from trs80arm.desk.recording import Journal, Recording
 from trs80arm.desk.timeline import Timeline
-from trs80arm.files import Kind, load_program, parse_program, save_program
+from trs80arm.files import (
+    Kind,
+    MachineCodeError,
+    load_program,
+    parse_program,
+    save_program,
+)
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.jog_keys import JogKeys
+from trs80arm.machine.tape import is_cassette_name
 from trs80arm.rig import Input, Key, ReplayError, Rig, RigSettings, Score, Waiting
 
 _NUMBERS = re.compile(r"^[ \t]*(\d+)", re.MULTILINE)
 ProgramLines = list[tuple[int, bytes]]
+_CASSETTE = "tape"
+"""What a cassette is called whose file has no name for one."""
 TRIES = 4
 """How often the operator tries to get the prompt before the machine is switched off."""
 LEAVING = {Waiting.EDIT: "\x1bQ", Waiting.MEMORY_SIZE: "\r"}
@@ -56,6 +65,8 @@ class Session:
         broken_off: how the program ended that `ready` broke off last.
         keepsakes: its cassettes and paper, as far as they are in memory only.
         path: the file that the program came from or went to.
+        system_name: what SYSTEM calls the machine code that `load` put into the recorder instead of
+            a program; None if it did not.
         bench_path: the bench file, None for the standard bench.
         greeted: whether the tube said at first what to type next.
 
@@ -76,6 +87,7 @@ class Session:
         file = BenchFile.read(bench) if bench else None
         self.bench_path = bench
         self.path: Path | None = None
+        self.system_name: str | None = None
         self._observers: list[Callable[[], None]] = []
         self._played: deque[Input] = deque()
         self._play_end = 0
@@ -250,13 +262,24 @@ class Session:
         return self.path.name if program == self._safe else f"{self.path.name}, changed"
 
     def load(self, path: Path) -> None:
-        """Put a program file into memory.
+        """Put a program file into memory, or a cassette of machine code into the recorder.
+
+        Such a cassette leaves the machine and its program as they are; `system_name` says what to
+        load it by.
 
         Raises:
-            FileFormatError: it is no program; the message begins with its path.
+            FileFormatError: it is neither; the message begins with its path.
             OSError: it cannot be read.
         """
-        lines = load_program(path)
+        self.system_name = None
+        try:
+            lines = load_program(path)
+        except MachineCodeError as tape:
+            name = path.stem if is_cassette_name(path.stem) else _CASSETTE
+            self.rig.insert_cassette(name, tape.cassette)
+            self.keepsakes.know(name)
+            self.system_name = tape.name
+            return
         self.ready()
         self.rig.load_lines(lines)
         self.path = path

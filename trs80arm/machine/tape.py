@@ -31,6 +31,7 @@ __all__ = [
     "BadCassetteName",
     "Tape",
     "file_content",
+    "file_name",
     "is_cassette_name",
 ]
 

@@ -170,6 +170,8 @@ class PlainMode:
         rom = self.session.rig.settings.rom
         if rom is not None:
             print(rom.told, file=self._out)
+        if self.session.system_name is not None:
+            self._sitting.files.tell_of_machine_code(self.session.system_name)
         print("Type .help for help.", file=self._out, flush=True)
         while not self._left:
             self._work()

@@ -339,6 +339,8 @@ class Trs80Arm(Themed[int]):
             self.commands.machine.demo()
         elif self.session.playing:
             self.say(PLAYING)
+        elif self.session.system_name is not None:
+            self.commands.files.tell_of_machine_code(self.session.system_name)
         elif self.session.path is not None:
             self.commands.files.loaded(self.session.path)
             if self.options.run:

@@ -16,7 +16,7 @@ from textual.widgets.option_list import Option
 from trs80arm.desk.asking import ProgramQuestion, Shelf
 from trs80arm.desk.places import program_files
 from trs80arm.desk.reach import Reach
-from trs80arm.files import FileFormatError, holds_sound, parse_program
+from trs80arm.files import FileFormatError, MachineCodeError, holds_sound, parse_program
 from trs80arm.inspection import line_text
 from trs80arm.paths import is_file, read_beginning
 from trs80arm.reasons import reason
@@ -196,6 +196,8 @@ def preview(path: Path) -> str:
         lines = parse_program(content)
     except OSError as error:
         return reason(error)
+    except MachineCodeError as tape:
+        return f"A cassette of machine code, {tape.name}.\n\nSYSTEM loads it."
     except FileFormatError as error:
         return f"{path.name}: {error}"
     listed = [line_text(line) for line in lines[:PREVIEW_LINES]]
