@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from random import Random
 
 import pytest
@@ -276,3 +278,16 @@ def test_the_reset_button_leaves_basic_alone() -> None:
     rig.push_reset()
     rig.run_for(1)
     assert rig.waiting is Waiting.NOTHING
+
+
+def test_the_processor_is_loaded_when_machine_code_runs_and_not_before() -> None:
+    script = (
+        "import sys; from trs80arm import Rig; rig = Rig(); rig.load_text('10 PRINT 1'); "
+        "rig.type('RUN\\n'); rig.run_for(1); before = 'z80' in sys.modules; "
+        "rig.memory.write(32000, b'\\xc9'); rig.type('SYSTEM\\n/32000\\n'); rig.run_for(3); "
+        "print(before, 'z80' in sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == ["False", "True"]
