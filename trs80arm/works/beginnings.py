@@ -4,7 +4,7 @@ A machine begins the same each time: an arm stands at the standard bench, its pa
 MEMORY SIZE? is answered. That takes milliseconds, and whoever tries many programs, or looks what
 of a machine is not as it began, wants many. So a machine that is asked for a second time is kept as
 bytes, of which the third and all others are made anew: they share with it, and with one another,
-only what never changes (`VALUES`).
+only what never changes (`VALUES`, `NAMED`).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.basic.activity import Waiting
-from trs80arm.snapshot_classes import VALUES
+from trs80arm.snapshot_classes import NAMED, VALUES
 from trs80arm.works.devices import RigSettings, Works, assemble
 from trs80arm.works.key_events import KeyEvents
 from trs80arm.works.observers import Observers
@@ -29,7 +29,7 @@ MOST = 8
 LONGEST = 30
 """Virtual seconds within which a machine that is switched on is at READY."""
 
-_SHARED = frozenset(VALUES.values())
+_SHARED = frozenset(VALUES.values()) | {cls for cls, _ in NAMED.values()}
 
 
 class _Pickler(pickle.Pickler):
