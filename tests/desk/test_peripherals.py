@@ -7,9 +7,11 @@ from pathlib import Path
 import pytest
 
 from tests.desk.sitting import Sitting
+from tests.machine.tape_sounds import sound_file
 from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.recording import load
 from trs80arm.desk.session import Session
+from trs80arm.machine import cassette
 from trs80arm.rig import RigSettings
 
 
@@ -131,3 +133,20 @@ def test_a_tape_goes_by_in_a_hurry_but_not_its_silent_end(sitting: Sitting) -> N
     session.run_for(60)
     assert session.rig.tape.running
     assert not session.hurried
+
+
+def test_the_shelf_tells_the_length_of_a_sound_and_what_is_on_the_one_that_is_in(
+    tmp_path: Path,
+) -> None:
+    program = cassette.encode_program(ord("A"), [(10, b"\xb2 1")])
+    for name in ("a.wav", "b.wav"):
+        (tmp_path / name).write_bytes(sound_file(program))
+    (tmp_path / "c.wav").write_bytes(b"no sound")
+    desk = Sitting(tmp_path, Session(RigSettings(tape_folder=tmp_path)))
+    at = Peripherals(desk.session, desk.person, desk.person.say)
+    at.insert("b.wav")
+    assert desk.person.told == ["Cassette b.wav is in, rewound: program A."]
+    shelf = dict(at.shelf())
+    assert shelf["a.wav"] == "sound of 0:05"
+    assert shelf["b.wav"] == "program A"
+    assert shelf["c.wav"].startswith("c.wav: no WAV file")
