@@ -15,7 +15,7 @@ from trs80arm.arm.models import MODELS
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.machine.card import CardSettings
 from trs80arm.rig import Rig, RigSettings
-from trs80arm.snapshot_classes import VALUES
+from trs80arm.snapshot_classes import NAMED, VALUES
 from trs80arm.works import beginnings
 
 PROGRAM = """10 DIM A(20): FOR I=1 TO 20: A(I)=SQR(I): NEXT
@@ -96,6 +96,7 @@ _LEAVES = (
     types.BuiltinFunctionType,
     types.ModuleType,
     *VALUES.values(),
+    *(cls for cls, _ in NAMED.values()),
 )
 """What machines may share, with everything in it."""
 
