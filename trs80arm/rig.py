@@ -40,6 +40,9 @@ from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
 from trs80arm.machine.z80.processor import Processor
+from trs80arm.serial.controller import Controller
+from trs80arm.serial.controller import Listener as SerialListener
+from trs80arm.serial.pendant_keys import key_named
 from trs80arm.snapshots import SnapshotError
 from trs80arm.works.beginnings import switch_on, switched_on
 from trs80arm.works.devices import Language, RigSettings, Works, assemble
@@ -57,6 +60,7 @@ __all__ = [
     "Input",
     "Key",
     "Loads",
+    "NoControllerError",
     "Pose",
     "ReplayError",
     "Rig",
@@ -72,6 +76,10 @@ LONGEST_HOLD = 86_400.0
 
 class ChangeError(ValueError):
     """What somebody wanted to change cannot be; the machine's error or one line that says why."""
+
+
+class NoControllerError(ValueError):
+    """An arm without a computer of its own was to be reached over a serial line."""
 
 
 class Rig:
@@ -324,12 +332,14 @@ class Rig:
     def reset(self) -> None:
         """Switch the machine off and on again. The arm, unpowered, and its bench stay as they are.
 
-        The clock goes on, so that everything that happens has a time of its own.
+        The clock goes on, so that everything that happens has a time of its own. An arm with a
+        computer of its own (`RigSettings.controller`) goes on with what it does.
         """
         self._record("reset")
         old = self._works
-        old.driver.reset()
-        old.card.write_latch(Latch.AUXILIARY, 0)
+        if old.controller is None:
+            old.driver.reset()
+            old.card.write_latch(Latch.AUXILIARY, 0)
         self._use(assemble(self.settings, old.arm, old))
         switch_on(self._works, self._running)
 
@@ -353,6 +363,8 @@ class Rig:
         works = self._works
         world = works.arm.prepare(copy.deepcopy(bench))
         self._record("set_bench", bench)
+        if works.controller is not None:
+            works.controller.stop()
         works.driver.reset()
         works.arm.work_at(world)
         self._zero()
@@ -440,6 +452,62 @@ class Rig:
         """
         self._works.arm.move_to(pose)
         self._record("move_to", pose)
+
+    # -- the serial line and the pendant -------------------------------------------------------
+
+    def receive(self, data: bytes) -> None:
+        """Let bytes come over the serial line to the computer in the arm's base, now.
+
+        Raises:
+            NoControllerError: the arm has none (`RigSettings.controller`).
+        """
+        self._controller.receive(data)
+        self._record("receive", data)
+
+    def hang_up(self) -> None:
+        """Leave the other end of the serial line: the arm stops, what was asked is forgotten.
+
+        Raises:
+            NoControllerError: the arm has no computer of its own.
+        """
+        self._controller.hang_up()
+        self._record("hang_up")
+
+    def press_pendant(self, name: str) -> None:
+        """Hold a key of the arm's teach pendant down from now on.
+
+        Args:
+            name: a function key, as `STOP` (`FunctionKey`), or one that moves the arm, as
+                `BASE_PLUS` (`JointKey`).
+
+        Raises:
+            NoControllerError: the arm has no computer of its own, and so no pendant.
+            ValueError: the pendant has no such key.
+        """
+        self._controller.press(key_named(name))
+        self._record("press_pendant", name)
+
+    def release_pendant(self, name: str) -> None:
+        """Let a key of the teach pendant go. A key that is not held is left alone.
+
+        Raises:
+            NoControllerError: the arm has no computer of its own, and so no pendant.
+            ValueError: the pendant has no such key.
+        """
+        self._controller.release(key_named(name))
+        self._record("release_pendant", name)
+
+    @property
+    def controller(self) -> Controller | None:
+        """The computer in the arm's base, for looking at; None for an arm without one."""
+        return self._works.controller
+
+    @property
+    def _controller(self) -> Controller:
+        controller = self._works.controller
+        if controller is None:
+            raise NoControllerError("the arm has no computer of its own, and no serial line")
+        return controller
 
     # -- recorder and printer -----------------------------------------------------------------
 
@@ -698,6 +766,17 @@ class Rig:
             A function that ends the listening.
         """
         return attach(self._observers.line, listener)
+
+    def watch_answers(self, listener: SerialListener) -> Callable[[], None]:
+        """Listen to what the computer in the arm's base answers over its serial line.
+
+        Args:
+            listener: is given the bytes of each answer when the last of them has gone out.
+
+        Returns:
+            A function that ends the listening.
+        """
+        return attach(self._observers.answers, listener)
 
     def watch_resets(self, observer: Callable[[], None]) -> Callable[[], None]:
         """Call `observer` after each `@RESET`, and when the machine is switched off.

@@ -46,6 +46,8 @@ from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.machine.keys import Key
 from trs80arm.machine.memory import Memory
 from trs80arm.machine.z80.rom import Rom
+from trs80arm.serial import tasks
+from trs80arm.serial.pendant_keys import JointKey
 from trs80arm.works.devices import KeyEvent, RigSettings
 
 
@@ -125,6 +127,9 @@ OBJECTS: dict[str, type] = _by_name(
         driver._Step,
         driver._Close,
         driver._Set,
+        tasks.Motion,
+        tasks.Playing,
+        tasks.Manual,
         Scalar,
         Array,
         Targets,
@@ -203,6 +208,7 @@ _ENUMS: tuple[type[Enum], ...] = (
     Link,
     mounted.Face,
     mounted.Tension,
+    JointKey,
 )
 
 NAMED: dict[str, tuple[type, Mapping[str, object]]] = {

@@ -32,6 +32,7 @@ from trs80arm.plain_values import Range, SettingsError, Table, as_table, fit, fr
 from trs80arm.reasons import reason
 from trs80arm.rig import LONGEST_HOLD, TURNED_BY_HAND, Input, Key, Pose, Rig, RigSettings
 from trs80arm.saving import open_to_write, write_whole
+from trs80arm.serial.pendant_keys import key_named
 
 FORMAT = "trs80arm session 1"
 LARGEST = 64 * 1024 * 1024
@@ -360,6 +361,19 @@ def _cassette_content(value: Any) -> bytes:
     return content
 
 
+def _received(value: Any) -> bytes:
+    return bytes.fromhex(fit(str, _named(value, "hex")))
+
+
+def _pendant_key(value: Any) -> str:
+    name: str = fit(str, value)
+    try:
+        key_named(name)
+    except ValueError:
+        raise SettingsError("expected a key of the teach pendant") from None
+    return name
+
+
 def _pose(value: Any) -> Pose:
     x, y, z, pitch, roll, opening = fit(_SIX_NUMBERS, _named(value, "pose"))
     return Pose(x, y, z, pitch, roll, opening)
@@ -395,6 +409,10 @@ ACTIONS: dict[str, tuple[Callable[[Any], Any], ...]] = {
     "move_to": (_pose,),
     "pull": (partial(fit, _Number),) * 3,
     "let_go": (),
+    "receive": (_received,),
+    "hang_up": (),
+    "press_pendant": (_pendant_key,),
+    "release_pendant": (_pendant_key,),
     "change": (partial(fit, str),),
     "step_statement": (),
     "insert_cassette": (_cassette_name, _cassette_content),

@@ -98,7 +98,7 @@ class Driver:
         self._matrix = matrix
         self._rows = [0] * len(MOTORS)
         self._hand_per_elbow = hand_per_elbow
-        self._motion: _Motion | None = None
+        self._motion: Motion | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "reset_observers": []}
@@ -162,6 +162,19 @@ class Driver:
     def read(self) -> Counts:
         """`@READ`: the six position registers."""
         return self.registers
+
+    def begin(self, motion: Motion) -> None:
+        """Begin a motion that is none of the five commands'."""
+        self._motion = motion
+
+    def stop(self) -> None:
+        """Break the motion off where it is; the coils stay as they are."""
+        self._motion = None
+
+    @property
+    def motion(self) -> Motion | None:
+        """The motion under way."""
+        return self._motion
 
     def advance(self) -> Progress:
         """Carry on with the motion until it ends or the clock reaches its limit.
@@ -245,16 +258,23 @@ def _wrapped(count: int) -> int:
     return (count + 0x8000) % 0x10000 - 0x8000
 
 
-class _Motion(Protocol):
-    """A command under way."""
+class Motion(Protocol):
+    """A command under way.
+
+    Attributes:
+        pace: when its ticks come.
+        tick: the next one to do.
+    """
 
     pace: Pace
     tick: int
 
     @property
-    def mode(self) -> Mode: ...
+    def mode(self) -> Mode:
+        """What the driver is doing while it is under way."""
 
-    def advance(self, driver: Driver) -> Progress: ...
+    def advance(self, driver: Driver) -> Progress:
+        """Do what comes before the driver's limit; `Clock.now` ends there, or where it ended."""
 
 
 @dataclass

@@ -30,6 +30,7 @@ from trs80arm.machine.typist import Typist, check_answer
 from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
 from trs80arm.machine.z80.processor import Processor
 from trs80arm.machine.z80.rom import SIZE, Rom, RomArea
+from trs80arm.serial.controller import Controller
 from trs80arm.works.rom_language import RomLanguage
 
 Language = Interpreter | RomLanguage
@@ -59,6 +60,11 @@ class RigSettings:
     """The user's own ROM that runs the machine on its processor; None for this project's BASIC."""
     ghosting: bool = False
     """Whether three keys at the corners of a rectangle of the matrix show a fourth."""
+    controller: bool = False
+    """Whether the arm has a computer of its own, at the end of a serial line, as the TeachMover.
+
+    The card is then on that computer's bus: the TRS-80 has neither card nor ARMBASIC.
+    """
 
     def __post_init__(self) -> None:
         if self.ram_kib not in RAM_SIZES_KIB:
@@ -100,6 +106,8 @@ class Works:
     processor: Processor
     basic: Language
     typist: Typist
+    controller: Controller | None = None
+    """The computer in the arm's base, if it has one; it has the card and the driver then."""
     events: list[KeyEvent] = field(default_factory=list)
     order: int = 0
     asked: int = 0
@@ -147,7 +155,8 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
     Args:
         settings: the machine's fittings.
         arm: what hangs on the card's cable.
-        old: the works whose clock, cassettes and printer go on with the new machine.
+        old: the works whose clock, cassettes and printer go on with the new machine, and the
+            computer in the arm's base.
     """
     clock = old.clock if old else Clock()
     memory = Memory(settings.ram_kib)
@@ -157,10 +166,19 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
     console = Console(display, KeyboardDriver(clock, memory, matrix))
     printer = old.printer if old else Printer(settings.printer_file)
     tape = old.tape if old else Tape(settings.tape_folder)
-    card = Card(clock, settings.card, arm)
-    driver = Driver(clock, card, matrix, settings.driver, arm.model.hand_per_elbow)
+    hand_per_elbow = arm.model.hand_per_elbow
+    controller = old.controller if old else None
+    if controller is None:
+        card = Card(clock, settings.card, arm)
+        driver = Driver(clock, card, matrix, settings.driver, hand_per_elbow)
+    if settings.controller and controller is None:
+        controller = Controller(clock.now, card, settings.driver, hand_per_elbow)
+    if controller is not None:
+        card, driver = controller.card, controller.driver
     ports = Ports()
-    ports.attach(card)
+    if controller is None:
+        ports.attach(card)
+    armbasic = settings.armbasic and controller is None
     line = None if settings.rom is None else CassetteLine(clock, tape)
     system_port = SystemPort(clock, video, line)
     ports.attach(system_port)
@@ -175,12 +193,12 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
         printer=PrinterDriver(clock, memory, printer),
         ports=ports,
         tape=tape,
-        arm=driver if settings.armbasic else None,
+        arm=driver if armbasic else None,
         processor=processor,
     )
     basic: Language
     if settings.rom is None:
-        basic = Interpreter(host, armbasic=settings.armbasic, blocks=settings.blocks)
+        basic = Interpreter(host, armbasic=armbasic, blocks=settings.blocks)
     else:
         memory.attach(0, SIZE, RomArea(settings.rom))
         basic = RomLanguage(host, processor, matrix, console, settings.rom)
@@ -202,5 +220,6 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
         processor=processor,
         basic=basic,
         typist=Typist(),
-        zero=arm.state().rotors,
+        controller=controller,
+        zero=old.zero if old and old.controller else arm.state().rotors,
     )

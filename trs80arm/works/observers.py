@@ -11,6 +11,7 @@ from trs80arm.basic.state import Stops
 from trs80arm.machine.card import Observer
 from trs80arm.machine.console import Listener
 from trs80arm.machine.ports import LineListener
+from trs80arm.serial.controller import Listener as SerialListener
 from trs80arm.works.devices import Works
 from trs80arm.works.inputs import Input
 
@@ -36,6 +37,8 @@ class Observers:
     """Told every `@RESET`."""
     line: list[LineListener] = field(default_factory=list)
     """Told every change of the level on the recorder's line."""
+    answers: list[SerialListener] = field(default_factory=list)
+    """Told every answer that the computer in the arm's base gives over its serial line."""
     inputs: list[Callable[[Input], None]] = field(default_factory=list)
     """Told everything that the operator does; the rig itself tells them."""
     stops: Stops = field(default_factory=Stops)
@@ -55,6 +58,8 @@ class Observers:
         works.card.observers = self.latches
         works.driver.reset_observers = self.resets
         works.system_port.listeners = self.line
+        if works.controller is not None:
+            works.controller.listeners = self.answers
 
 
 def attach(attached: list[T], observer: T) -> Callable[[], None]:

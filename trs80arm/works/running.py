@@ -146,11 +146,13 @@ class Running:
         works = self._works
         clock = works.clock
         before = clock.now
-        while clock.now == before or works.driver.mode in (Mode.STEP, Mode.CLOSE):
+        # The motions of a computer in the arm's base are none of the statement's.
+        own = works.controller is None
+        while clock.now == before or (own and works.driver.mode in (Mode.STEP, Mode.CLOSE)):
             self._keys.move()
             clock.limit = clock.now + _FRAME
             works.basic.step_statement()
-        works.arm.advance(clock.now)
+        self._arm_advances()
         works.asked = clock.now
         return works.basic.next_line
 
@@ -171,5 +173,13 @@ class Running:
         clock.limit = min(limits)
         # A machine that waits already is not asked to stop at the wait that it is in.
         works.basic.advance(until_waiting=until_waiting and waiting is Waiting.NOTHING)
+        self._arm_advances()
+
+    def _arm_advances(self) -> None:
+        """Let the arm, and the computer in its base, come to where the clock is."""
+        works = self._works
+        now = works.clock.now
+        if works.controller is not None:
+            works.controller.advance(now)
         # What falls goes on falling while nobody steps a motor.
-        works.arm.advance(clock.now)
+        works.arm.advance(now)
