@@ -365,7 +365,7 @@ class Rig:
         self._record("set_bench", bench)
         if works.controller is not None:
             works.controller.stop()
-        works.driver.reset()
+        works.reset_driver()
         works.arm.work_at(world)
         self._zero()
 
@@ -635,7 +635,7 @@ class Rig:
     @property
     def registers(self) -> Counts:
         """The six position registers: what was commanded since `@RESET`."""
-        return self._works.driver.registers
+        return self._works.registers
 
     @property
     def joint_names(self) -> tuple[str, ...]:

@@ -86,18 +86,22 @@ class Settings:
         """The user's own ROM, if one is set.
 
         Raises:
-            SettingsError: the file holds none or cannot be read, or nothing here can run it.
+            SettingsError: the file holds none or cannot be read, nothing here can run it, or there
+                is no ARMBASIC for such a machine.
         """
         if self.machine.rom is None:
             return None
         from trs80arm.machine.z80.chip import NOT_INSTALLED, available
         from trs80arm.machine.z80.rom import Rom, RomError
+        from trs80arm.works import rom_driver
 
         if not available():
             raise SettingsError(f"machine.rom: {NOT_INSTALLED}")
         try:
+            if self.machine.armbasic:
+                rom_driver.check(self.machine.ram, self.card)
             return Rom.read(self.machine.rom)
-        except RomError as error:
+        except (RomError, rom_driver.DriverError) as error:
             raise SettingsError(f"machine.rom: {error}") from None
         except OSError as error:
             raise SettingsError(f"machine.rom: {self.machine.rom}: {reason(error)}") from None

@@ -162,7 +162,8 @@ class RomSession(Session):
     """
 
     def __init__(self, rom: Rom, ram: int = 16, memory_size: str = "") -> None:
-        self._use(Rig(RigSettings(ram_kib=ram, memory_size=memory_size, rom=rom)))
+        settings = RigSettings(ram_kib=ram, memory_size=memory_size, armbasic=False, rom=rom)
+        self._use(Rig(settings))
 
     @property
     def _language(self) -> RomLanguage:

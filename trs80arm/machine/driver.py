@@ -245,15 +245,15 @@ class Driver:
         change = train.direction * steps
         self._rows[train.motor] = (self._rows[train.motor] + change) % RING
         registers = list(self.registers)
-        registers[train.motor] = _wrapped(registers[train.motor] + change)
+        registers[train.motor] = wrapped(registers[train.motor] + change)
         if train.motor == _ELBOW:
             # An elbow step brings a hand step with it that is no command; this takes it out.
-            registers[_HAND] = _wrapped(registers[_HAND] - self._hand_per_elbow * change)
+            registers[_HAND] = wrapped(registers[_HAND] - self._hand_per_elbow * change)
         j1, j2, j3, j4, j5, j6 = registers
         self.registers = (j1, j2, j3, j4, j5, j6)
 
 
-def _wrapped(count: int) -> int:
+def wrapped(count: int) -> int:
     """A count as a 16-bit register holds it."""
     return (count + 0x8000) % 0x10000 - 0x8000
 

@@ -19,6 +19,7 @@ from typing import Any
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.basic.activity import Waiting
 from trs80arm.snapshot_classes import NAMED, VALUES
+from trs80arm.works import rom_driver
 from trs80arm.works.devices import RigSettings, Works, assemble
 from trs80arm.works.key_events import KeyEvents
 from trs80arm.works.observers import Observers
@@ -108,16 +109,28 @@ def _switched_on(settings: RigSettings) -> Works:
 
 
 def switch_on(works: Works, running: Running) -> None:
-    """Answer MEMORY SIZE? as the settings say, and let the machine come to READY."""
-    basic = works.basic
-    if works.settings.rom is not None:
+    """Answer MEMORY SIZE? as the settings say, and let the machine come to READY.
+
+    Under a ROM of one's own ARMBASIC is then put into memory and started.
+    """
+    basic, settings = works.basic, works.settings
+
+    def type_until(waiting: Waiting, text: str) -> None:
+        works.typist.add(text + "\r")
+        running.run_until(
+            lambda: basic.waiting is waiting and not (works.typist.pending or works.events),
+            LONGEST,
+        )
+
+    if settings.rom is not None:
         # A ROM of its own tests the memory before it looks at the keyboard.
         running.run_until(lambda: basic.waiting is Waiting.MEMORY_SIZE, LONGEST)
-    works.typist.add(works.settings.memory_size + "\r")
-    running.run_until(
-        lambda: basic.waiting is Waiting.COMMAND and not (works.typist.pending or works.events),
-        LONGEST,
-    )
+    type_until(Waiting.COMMAND, settings.memory_size)
+    if settings.rom is not None and settings.armbasic and basic.waiting is Waiting.COMMAND:
+        # SYSTEM takes its stack out of the way of what it loads.
+        type_until(Waiting.SYSTEM, "SYSTEM")
+        start = rom_driver.put_in(works.memory, settings.ram_kib, settings.card)
+        type_until(Waiting.COMMAND, f"/{start}")
 
 
 assembled = _Beginning(_assembled)

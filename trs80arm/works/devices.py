@@ -31,6 +31,7 @@ from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
 from trs80arm.machine.z80.processor import Processor
 from trs80arm.machine.z80.rom import SIZE, Rom, RomArea
 from trs80arm.serial.controller import Controller
+from trs80arm.works import rom_driver
 from trs80arm.works.rom_language import RomLanguage
 
 Language = Interpreter | RomLanguage
@@ -46,7 +47,8 @@ class RigSettings:
     memory_size: str = ""
     """What is typed at MEMORY SIZE? when the machine is switched on."""
     armbasic: bool = True
-    """Whether ARMBASIC's five statements are loaded; without it they are ?SN."""
+    """Whether ARMBASIC's five statements are loaded; without it they are ?SN. Under a ROM of one's
+    own they are machine code in memory, put there when the machine is switched on."""
     blocks: bool = True
     """Whether statements are compiled in basic blocks (faster) or one by one."""
     card: CardSettings = field(default_factory=CardSettings)
@@ -70,6 +72,8 @@ class RigSettings:
         if self.ram_kib not in RAM_SIZES_KIB:
             raise ValueError(f"ram_kib must be 4, 16, 32 or 48, not {self.ram_kib}")
         check_answer(self.memory_size)
+        if self.rom is not None and self.armbasic:
+            rom_driver.check(self.ram_kib, self.card)
 
 
 @dataclass(order=True)
@@ -131,6 +135,27 @@ class Works:
             rotor - zero for rotor, zero in zip(rotors, self.zero, strict=True)
         )
         return j1, j2, j3, j4, j5, j6 - self.arm.model.hand_per_elbow * j3
+
+    @property
+    def registers(self) -> Counts:
+        """The six position registers: those of the driver that is at work."""
+        place = self._driver_in_memory
+        if place is None:
+            return self.driver.registers
+        return rom_driver.registers(self.memory, place)
+
+    def reset_driver(self) -> None:
+        """Motors off and registers zero, as by `@RESET`."""
+        self.driver.reset()
+        place = self._driver_in_memory
+        if place is not None:
+            rom_driver.zero(self.memory, place)
+
+    @property
+    def _driver_in_memory(self) -> int | None:
+        if self.settings.rom is None:
+            return None
+        return rom_driver.origin(self.memory.ram, self.settings.card)
 
     def name_places(self, own: RigSettings) -> None:
         """Have the folder and the file of other settings in the own ones, and not use them yet."""
@@ -201,7 +226,7 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
         basic = Interpreter(host, armbasic=armbasic, blocks=settings.blocks)
     else:
         memory.attach(0, SIZE, RomArea(settings.rom))
-        basic = RomLanguage(host, processor, matrix, console, settings.rom)
+        basic = RomLanguage(host, processor, matrix, console, settings.rom, settings.card)
     return Works(
         settings=settings,
         clock=clock,

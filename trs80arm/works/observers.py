@@ -14,6 +14,7 @@ from trs80arm.machine.ports import LineListener
 from trs80arm.serial.controller import Listener as SerialListener
 from trs80arm.works.devices import Works
 from trs80arm.works.inputs import Input
+from trs80arm.works.rom_language import RomLanguage
 
 T = TypeVar("T")
 
@@ -57,6 +58,8 @@ class Observers:
         works.tape.replaced = self.replaced
         works.card.observers = self.latches
         works.driver.reset_observers = self.resets
+        if isinstance(works.basic, RomLanguage):
+            works.basic.reset_observers = self.resets
         works.system_port.listeners = self.line
         if works.controller is not None:
             works.controller.listeners = self.answers

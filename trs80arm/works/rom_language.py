@@ -7,7 +7,7 @@ RAM say there. Nothing is changed by looking, not even a T-state.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any, Final
 
 from trs80arm.basic.activity import Waiting
@@ -19,14 +19,14 @@ from trs80arm.basic.host import Host
 from trs80arm.basic.outcome import Ending, Outcome
 from trs80arm.basic.program import LINE_HEAD, Program
 from trs80arm.basic.state import Home, Listener, State, Stops
+from trs80arm.machine.card import CardSettings
 from trs80arm.machine.cassette import encode_lines
 from trs80arm.machine.console import Console
-from trs80arm.machine.half_steps import HALF_STEPS, RING
 from trs80arm.machine.keyboard import Matrix
 from trs80arm.machine.keys import Key
 from trs80arm.machine.z80.processor import Processor
 from trs80arm.machine.z80.rom import Rom
-from trs80arm.works import rom_variables
+from trs80arm.works import rom_driver, rom_variables
 
 # Where the ROM comes by. It waits for a key in two loops: of the line editor and of everybody else
 # who calls 0049H; of EDIT and of the pause.
@@ -40,12 +40,12 @@ _MESSAGE, _BREAK_MESSAGE = 0x1A06, 0x1930
 _READY: Final = 0x1A19
 _ERROR: Final = 0x41A6
 """In RAM: the exit for Disk BASIC that every error comes by that is not trapped."""
-_ORIGINS: Final = (31200, 47584, 63968)
-"""Where the Z-80 driver of ARMBASIC stands (`machine/z80/armbasic.asm`)."""
-_MANUAL: Final = tuple(origin + 9 for origin in _ORIGINS)
+_ORIGINS: Final = tuple(rom_driver.ORIGINS.values())
+"""Where the Z-80 driver of ARMBASIC may stand."""
+_MANUAL: Final = tuple(origin + rom_driver.MANUAL for origin in _ORIGINS)
 """Its entry for `@SET`."""
-_RING: Final = 64
-"""How far behind its beginning it has Figure 8, by which it is known."""
+_RESET_DONE: Final = tuple(origin + rom_driver.RESET_DONE for origin in _ORIGINS)
+"""Where its `@RESET` returns."""
 _SCAN: Final = 0x002B
 """Where the keyboard is scanned; an `@SET` that has ended comes by there."""
 _MARKS = (
@@ -58,6 +58,7 @@ _MARKS = (
     _READY,
     _ERROR,
     *_MANUAL,
+    *_RESET_DONE,
 )
 # What the stack holds at 0049H when a line is typed, from its top on.
 _IN_LINE_EDITOR, _IN_LINE_INPUT = 0x05E3, 0x0374
@@ -83,22 +84,31 @@ class RomLanguage:
         key_taken: the T-state at which the ROM last took a key that it had waited for.
         listeners: watchers of statements; they are not part of a snapshot.
         stops: who may stop a program before a statement; not part of a snapshot either.
+        reset_observers: called after each `@RESET` of the driver in memory; nor are they.
     """
 
     def __init__(
-        self, host: Host, processor: Processor, matrix: Matrix, console: Console, rom: Rom
+        self,
+        host: Host,
+        processor: Processor,
+        matrix: Matrix,
+        console: Console,
+        rom: Rom,
+        card: CardSettings,
     ) -> None:
         self._host = host
         self._processor = processor
         self._matrix = matrix
         self._console = console
         self._rom = rom
+        self._card = card
         self.outcome: Outcome | None = None
         self.waiting = Waiting.NOTHING
         self.wait_began = 0
         self.key_taken = 0
         self.listeners: list[Listener] = []
         self.stops = Stops()
+        self.reset_observers: list[Callable[[], None]] = []
         self._pending: Outcome | None = None
         self._before: Outcome | None = None
         self._idle: bytes | None = None
@@ -122,7 +132,7 @@ class RomLanguage:
     def __getstate__(self) -> dict[str, Any]:
         made_anew = {"_program", "_shadow", "_seen", "_watched", "stops"}
         kept = {name: value for name, value in self.__dict__.items() if name not in made_anew}
-        return kept | {"listeners": []}
+        return kept | {"listeners": [], "reset_observers": []}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -255,6 +265,8 @@ class RomLanguage:
                 self._key_taken()
         elif place in _MANUAL:
             self._begin_manual_mode(place)
+        elif place in _RESET_DONE:
+            self._reset_done(place)
         elif place == _SCAN:
             self._processor.pass_by(_SCAN)
             self._passed = 0  # To step over it would mark it again.
@@ -310,9 +322,17 @@ class RomLanguage:
             self.waiting = Waiting.COMMAND
             self.outcome = self._before
 
+    def _is_the_drivers(self, place: int, offset: int) -> bool:
+        """Whether what stands at an address is in the driver, so far behind its beginning."""
+        return rom_driver.origin(self._host.memory.ram, self._card) == place - offset
+
+    def _reset_done(self, place: int) -> None:
+        if self._is_the_drivers(place, rom_driver.RESET_DONE):
+            for observer in self.reset_observers:
+                observer()
+
     def _begin_manual_mode(self, place: int) -> None:
-        ring = place - _MANUAL[0] + _ORIGINS[0] + _RING
-        if self._host.memory.ram[ring : ring + RING] == bytes(HALF_STEPS):
+        if self._is_the_drivers(place, rom_driver.MANUAL):
             self.waiting = Waiting.SET
             self._idle = None
             self._processor.stop_at(_SCAN)

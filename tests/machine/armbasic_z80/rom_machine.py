@@ -35,7 +35,7 @@ def load_tape(rig: Rig, size: int = 16) -> None:
 def with_tape() -> tuple[RigSettings, bytes]:
     """A machine under the ROM that has read the tape."""
     assert ROM is not None
-    settings = replace(SETTINGS, rom=Rom.read(Path(ROM)))
+    settings = replace(SETTINGS, armbasic=False, rom=Rom.read(Path(ROM)))
     rig = Rig(settings)
     load_tape(rig)
     return settings, rig.snapshot()

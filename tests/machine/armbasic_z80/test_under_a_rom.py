@@ -22,7 +22,8 @@ pytestmark = pytest.mark.skipif(ROM is None, reason="TRS80ARM_TEST_ROM names no 
 def test_the_tape_loads_and_leads_to_ready(size: int) -> None:
     assert ROM is not None
     answer = str(maker().ORIGINS[size])
-    rig = Rig(RigSettings(ram_kib=size, memory_size=answer, rom=Rom.read(Path(ROM))))
+    rom = Rom.read(Path(ROM))
+    rig = Rig(RigSettings(ram_kib=size, memory_size=answer, armbasic=False, rom=rom))
     load_tape(rig, size)
     rig.type("@STEP 0,5,-3:@READ A,B:PRINT A;B\r")
     rig.run_until_waiting()
