@@ -9,7 +9,7 @@ from __future__ import annotations
 import io
 import json
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -29,6 +29,9 @@ from trs80arm.reasons import one_line
 from trs80arm.report import ended, report
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.script import Expected, RunScript, read_script, script_beside
+from trs80arm.serial.courier import plugged
+from trs80arm.serial.limits import Plugging
+from trs80arm.serial.wire import WireError
 from trs80arm.shown import shown
 from trs80arm.teletype import ENTER, Teletype
 from trs80arm.trace import PoseTrace, Trace, TraceError
@@ -64,6 +67,7 @@ class BatchOptions:
     trace_rate: float | None = None
     script: Path | None = None
     rig: RigSettings = field(default_factory=RigSettings)
+    plug: Plugging | None = None
 
 
 @dataclass(frozen=True)
@@ -117,7 +121,7 @@ class Task:
     perform: Callable[[TextIO, Look | None], Done]
 
 
-UNUSABLE = (NotReadyError, ScriptError, FileFormatError, BenchError, TraceError, OSError)
+UNUSABLE = (NotReadyError, ScriptError, FileFormatError, BenchError, TraceError, WireError, OSError)
 """What is raised for what cannot be used, beside `UnusableError`."""
 
 
@@ -252,13 +256,25 @@ def carry_out(
     Raises:
         NotReadyError: the memory size cannot be.
         FileFormatError, BenchError, TraceError, OSError: a file cannot be used.
+        WireError: the arm on the wire cannot follow, or may not.
     """
     rig = ready_with(options.rig, options.program, options.bench)
     begun = stopwatch() if stopwatch else 0.0
-    with traced(rig, options):
-        waiting, spent = _from_run_to_end(rig, script, stream, look)
+    with traced(rig, options), plugged(rig, options.plug) as follow:
+        looks = [each for each in (look, follow) if each is not None]
+        waiting, spent = _from_run_to_end(rig, script, stream, _all_of(looks))
     wall = stopwatch() - begun if stopwatch else None
     return Done(rig, waiting, spent, wall, script.seconds is not None, script.expected)
+
+
+def _all_of(looks: Sequence[Look]) -> Look | None:
+    """Everybody who looks, as one; None if nobody does."""
+
+    def look(rig: Rig) -> None:
+        for each in looks:
+            each(rig)
+
+    return look if looks else None
 
 
 @contextmanager

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from trs80arm.rig import RigSettings
+    from trs80arm.serial.limits import Plugging
 
 
 class KeyMode(StrEnum):
@@ -164,6 +165,8 @@ class TerminalOptions(TerminalSettings):
     """A recorded session to play."""
     rig: RigSettings | None = None
     """The machine's fittings; None is a 16K machine with ARMBASIC."""
+    plug: Plugging | None = None
+    """The wire to a real arm that does what the model does; None plugs nothing in."""
     own_folder: Path | None = None
     """The one folder whose files its user can name; None for all files."""
     settings_file: Path | None = None

@@ -1,8 +1,8 @@
 """The settings: one TOML file, the environment, and flags, each stronger than the one before.
 
-The file has one table a room: `[terminal]`, `[machine]`, `[card]`, `[driver]`, `[arm]`. What a key
-may be is what the room's own settings class says, so that there is one truth. The command line and
-the terminal program both come here; nothing of it knows Textual.
+The file has one table a room: `[terminal]`, `[machine]`, `[card]`, `[driver]`, `[arm]`, `[plug]`.
+What a key may be is what the room's own settings class says, so that there is one truth. The
+command line and the terminal program both come here; nothing of it knows Textual.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from trs80arm.plain_values import SettingsError as SettingsError
 from trs80arm.plain_values import fit, keys_of
 from trs80arm.reasons import reason
 from trs80arm.saving import write_whole
+from trs80arm.serial.limits import PlugSettings
 from trs80arm.toml_files import TomlError, read_text, tables_of, what_is_wrong, with_plain_ends
 
 if TYPE_CHECKING:
@@ -81,6 +82,7 @@ class Settings:
     card: Any
     driver: Any
     arm: Any
+    plug: PlugSettings
 
     def rom(self) -> Rom | None:
         """The user's own ROM, if one is set.
@@ -152,6 +154,7 @@ def tables() -> dict[str, type]:
         "card": CardSettings,
         "driver": DriverSettings,
         "arm": ArmSettings,
+        "plug": PlugSettings,
     }
 
 

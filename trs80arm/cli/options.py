@@ -12,6 +12,7 @@ from trs80arm.cli.arguments import A_BENCH, A_PATH
 from trs80arm.cli.ending import fail
 
 if TYPE_CHECKING:
+    from trs80arm.serial.limits import Plugging
     from trs80arm.settings import Settings
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -38,6 +39,12 @@ SCREEN_FLAGS = {
     "cursor": ("terminal.cursor", "blink or steady."),
     "fps": ("terminal.fps", "The most frames a second."),
 }
+PLUG_FLAGS = {
+    "plug-speed": ("plug.speed", "Half-steps a second that the arm on the wire may make at most."),
+    "plug-range": ("plug.range", "Half-steps that its motors may go from where they stood."),
+}
+PLUGGED_ARM = "arm.model=teachmover"
+"""The arm that the model is where a wire is plugged in and nothing else is said."""
 
 
 class Told(click.Option):
@@ -86,6 +93,36 @@ def machine_options(command: Command) -> Command:
     return command
 
 
+def plug_options(command: Command) -> Command:
+    """A real arm beside the model."""
+    for option in (
+        click.option("--yes", is_flag=True, help="The arm on the wire may move: nobody is asked."),
+        settings_options(PLUG_FLAGS),
+        click.option(
+            "--plug",
+            metavar="serial:PORT",
+            help="A TeachMover on a serial port does what the model does (extra `serial`).",
+        ),
+    ):
+        command = option(command)
+    return command
+
+
+def take_plug(given: dict[str, Any], settings: Settings) -> Plugging | None:
+    """The wire to be plugged in; takes the flags out of `given`."""
+    plug, allowed = given.pop("plug"), given.pop("yes")
+    if plug is None:
+        if allowed:
+            fail("--yes is for --plug serial:PORT, which is not given")
+        return None
+    from trs80arm.serial.limits import Plugging
+    from trs80arm.serial.port import SCHEME, is_port
+
+    if not is_port(plug):
+        fail(f"--plug {plug}: expected {SCHEME} and a port, as {SCHEME}/dev/ttyUSB0")
+    return Plugging(plug.removeprefix(SCHEME), settings.plug, allowed)
+
+
 def answer_options(command: Command) -> Command:
     """What the operator of an unattended run answers."""
     for option in (
@@ -103,7 +140,7 @@ def take_settings(given: dict[str, Any], *defaults: str) -> Settings:
     from trs80arm import settings
 
     flags = {}
-    for name, (setting, _) in (SETTING_FLAGS | SCREEN_FLAGS).items():
+    for name, (setting, _) in (SETTING_FLAGS | SCREEN_FLAGS | PLUG_FLAGS).items():
         value = given.pop(name.replace("-", "_"), None)
         if value is not None:
             flags[f"{setting}={value}"] = f"--{name} {value}"

@@ -13,10 +13,13 @@ import click
 from trs80arm.cli.arguments import A_PATH, A_PROGRAM, Finite, WholeNumber
 from trs80arm.cli.ending import fail
 from trs80arm.cli.options import (
+    PLUGGED_ARM,
     SETTING_FLAGS,
     Command,
     answer_options,
     machine_options,
+    plug_options,
+    take_plug,
     take_settings,
 )
 
@@ -64,6 +67,7 @@ def telling_options(command: Command) -> Command:
 @telling_options
 @click.option("--jobs", type=WholeNumber(1, 1024), help="How many programs run at once.")
 @click.option("--junit", type=A_PATH, help="Write JUnit XML to a file, and print a table.")
+@plug_options
 @machine_options
 def run(programs: tuple[Path, ...], jobs: int | None, junit: Path | None, **given: Any) -> None:
     """Run PROGRAMS without a screen, as fast as the computer can.
@@ -81,7 +85,10 @@ def run(programs: tuple[Path, ...], jobs: int | None, junit: Path | None, **give
 
     gc.freeze()
     gc.enable()
-    settings = take_settings(given)
+    settings = take_settings(given, *([PLUGGED_ARM] if given["plug"] else []))
+    given["plug"] = take_plug(given, settings)
+    if given["plug"] is not None and (len(programs) > 1 or junit is not None):
+        fail("--plug is for one program, without --junit: there is one arm on the wire")
     options = BatchOptions(programs[0], rig=settings.rig(), **given)
     if options.rig.rom is not None:
         click.echo(options.rig.rom.told, err=True)

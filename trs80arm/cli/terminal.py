@@ -11,7 +11,15 @@ import click
 
 from trs80arm.cli.arguments import A_PATH, A_PROGRAM, Folder, WholeNumber
 from trs80arm.cli.ending import fail
-from trs80arm.cli.options import SCREEN_FLAGS, machine_options, settings_options, take_settings
+from trs80arm.cli.options import (
+    PLUGGED_ARM,
+    SCREEN_FLAGS,
+    machine_options,
+    plug_options,
+    settings_options,
+    take_plug,
+    take_settings,
+)
 
 if TYPE_CHECKING:
     from trs80arm.options import TerminalOptions
@@ -29,6 +37,7 @@ if TYPE_CHECKING:
     help="Open and save in this folder only; programs that come along can be opened.",
 )
 @settings_options(SCREEN_FLAGS)
+@plug_options
 @machine_options
 def terminal(**given: Any) -> None:
     """Open the terminal, with PROGRAM loaded if one is given."""
@@ -74,7 +83,10 @@ def terminal_options(given: dict[str, Any], **more: Any) -> TerminalOptions:
 
     config = given.get("config")
     # A person who presses BREAK wants the arm to stop, unless the settings say otherwise.
-    settings = take_settings(given, "driver.break_now=true")
+    defaults = ["driver.break_now=true", *([PLUGGED_ARM] if given.get("plug") else [])]
+    settings = take_settings(given, *defaults)
+    if "plug" in given:
+        given["plug"] = take_plug(given, settings)
     return settings.options(config or settings_module.default_path(), **given, **more)
 
 

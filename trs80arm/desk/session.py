@@ -62,6 +62,7 @@ class Session:
         rig: the machine; another one after a recording was begun.
         timeline: its past, and what it will do again after one went back.
         halted: whether it stands before a statement, so that no time passes.
+        held_back: asked before time passes whether it must not, for now.
         broken_off: how the program ended that `ready` broke off last.
         keepsakes: its cassettes and paper, as far as they are in memory only.
         path: the file that the program came from or went to.
@@ -100,6 +101,7 @@ class Session:
         if greeting:
             greet(rig.console)
         self.halted = False
+        self.held_back: Callable[[], bool] = lambda: False
         self.broken_off: object = None
         timeline = self._timeline(rig)
         journal = Journal(rig, file.text if file else None, record, greeting=greeting)
@@ -178,7 +180,7 @@ class Session:
 
     def _run_to(self, target: int) -> None:
         rig = self.rig
-        if self.halted:
+        if self.halted or self.held_back():
             return
         while self._played and self._played[0].time <= target:
             if not self.timeline.run_to(self._played[0].time):

@@ -18,6 +18,7 @@ from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.places import STATES, RecentFiles, sitting_name, state_folder
+from trs80arm.desk.plugged import Plugged, plug_in
 from trs80arm.desk.proof import Proof
 from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.recovery import Recovery
@@ -38,6 +39,9 @@ from trs80arm.plain.table import do_command, is_command
 from trs80arm.plain.teaching import show_positions
 from trs80arm.reasons import one_line
 from trs80arm.rig import Rig, Waiting
+from trs80arm.serial.courier import Courier
+from trs80arm.serial.limits import Plugging
+from trs80arm.serial.wire import WireError
 from trs80arm.shown import shown
 from trs80arm.teletype import Teletype
 
@@ -60,6 +64,8 @@ class PlainMode:
         sleep: waits for so many seconds of the wall.
         turbo: whether the machine goes flat out while a tape goes by.
         sound: how programs are heard that make sound.
+        courier: takes orders to the real arm that is plugged in, if one is.
+        plugging: by which wire.
     """
 
     def __init__(
@@ -73,6 +79,8 @@ class PlainMode:
         sleep: Callable[[float], None] = time.sleep,
         turbo: bool = True,
         sound: Sound = Sound.OFF,
+        courier: Courier | None = None,
+        plugging: Plugging | None = None,
     ) -> None:
         self.session = session
         self._out = out
@@ -90,6 +98,7 @@ class PlainMode:
         self._step: Step | None = None
         self._slices = 0
         self._sitting = self._sit_down(reach)
+        self._plugged = Plugged(session, courier, plugging, self._sitting.ask, self._say)
         self._sound = LineSound(session, self._ring, self._say, sound)
 
     def _listen(self) -> None:
@@ -173,6 +182,7 @@ class PlainMode:
         if self.session.system_name is not None:
             self._sitting.files.tell_of_machine_code(self.session.system_name)
         print("Type .help for help.", file=self._out, flush=True)
+        self._plugged.begin()
         while not self._left:
             self._work()
             try:
@@ -184,6 +194,7 @@ class PlainMode:
                 self.take(line.rstrip("\r\n"))
             elif not self._asks_at_the_end():
                 break
+        self._plugged.close()
         for what, path in self._recovery.kept():
             self._tell(f"{what} in {path}")
         self._recovery.let_go()
@@ -223,11 +234,14 @@ class PlainMode:
     def _work(self) -> None:
         """Let the machine work, or a recording play, until the operator is wanted."""
         session = self.session
+        plugged = self._plugged
+        plugged.go_on()
         try:
             session.timeline.mark()
-            while (session.busy or self._pendant.busy) and not session.halted:
+            while (session.busy or self._pendant.busy) and not (session.halted or plugged.asks):
                 self._pendant.go_on()
                 session.run_for(SLICE)
+                plugged.deliver()
                 self._slices += 1
                 if self._slices % MARK_EVERY == 0:
                     session.timeline.mark()
@@ -239,6 +253,7 @@ class PlainMode:
                 hurried = self._turbo and session.hurried
                 if self._speed is not None and session.waiting is Waiting.NOTHING and not hurried:
                     self._sleep(SLICE / self._speed)
+            plugged.finish()
         except KeyboardInterrupt:
             session.stop_playing()
             if self._pendant.busy:
@@ -283,6 +298,7 @@ class PlainMode:
                 self._tell(".recover says what is lost and takes the arm back.")
 
     def _press_break(self) -> None:
+        self._plugged.stop()
         rig = self.session.rig
         self.session.halted = False
         rig.stop_typing()
@@ -318,7 +334,8 @@ def run_plain(options: TerminalOptions) -> int:
     """
     try:
         session = open_session(options)
-    except UNUSABLE as error:
+        courier = plug_in(session, options.plug)
+    except (*UNUSABLE, WireError) as error:
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
     plain = PlainMode(
@@ -329,6 +346,8 @@ def run_plain(options: TerminalOptions) -> int:
         reach=Reach(options.own_folder),
         turbo=options.turbo,
         sound=options.sound,
+        courier=courier,
+        plugging=options.plug,
     )
     if options.tour:
         plain.begin_tour()

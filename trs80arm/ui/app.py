@@ -33,6 +33,7 @@ from trs80arm.desk.pacing import TICK, Pacer
 from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.peripherals import Peripherals
 from trs80arm.desk.places import STATES, RecentFiles, sitting_name
+from trs80arm.desk.plugged import Plugged
 from trs80arm.desk.proof import Proof
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.recovery import Recovery
@@ -46,6 +47,7 @@ from trs80arm.desk.tour import FILE as TOUR_FILE
 from trs80arm.desk.tour import Tour
 from trs80arm.drawing.glyphs import choose
 from trs80arm.options import ArmStyle, TerminalOptions
+from trs80arm.serial.courier import Courier
 from trs80arm.shown import shown
 from trs80arm.trace.history import History
 from trs80arm.ui.asking import Dialogs
@@ -116,6 +118,7 @@ class Trs80Arm(Themed[int]):
         wall: the wall's clock in seconds.
         ticking: whether time passes by itself; a test calls `tick` and `draw` instead.
         panels: what there is to be seen.
+        courier: takes orders to the real arm that is plugged in, if one is.
 
     Attributes:
         desk: the screen of the desk.
@@ -138,6 +141,7 @@ class Trs80Arm(Themed[int]):
         wall: Callable[[], float] = time.monotonic,
         ticking: bool = True,
         panels: Sequence[PanelRow] = PANELS,
+        courier: Courier | None = None,
     ) -> None:
         # The driver is chosen while Textual's own constructor runs.
         self.options = options
@@ -177,6 +181,8 @@ class Trs80Arm(Themed[int]):
         self.stage = Stage(session, self.say)
         self.debugger = Debugger(session)
         self.states = States(state / STATES)
+        asking = Dialogs(self, Reach(options.own_folder))
+        self.plugged = Plugged(session, courier, options.plug, asking, self.say)
         self.commands = self._groups(state)
         session.watch_machine(self.keyboard.start_afresh)
         for theme in THEMES:
@@ -335,6 +341,7 @@ class Trs80Arm(Themed[int]):
             self.tour.begin()
         elif self.session.greeted:
             self.tour.offer()
+        self.plugged.begin()
         if self.options.demo:
             self.commands.machine.demo()
         elif self.session.playing:
@@ -390,7 +397,8 @@ class Trs80Arm(Themed[int]):
             return True
         if self.pacer.paused:
             return False
-        return self.session.busy or self._hands_on or self.pendant.busy or not self.desk.still
+        at_work = self.session.busy or self.pendant.busy or self.plugged.busy
+        return at_work or self._hands_on or not self.desk.still
 
     @property
     def hurried(self) -> bool:
@@ -422,6 +430,7 @@ class Trs80Arm(Themed[int]):
         self.jog_keyboard.feed()
         if not self.pacer.paused:
             self.pendant.go_on()
+        self.plugged.go_on()
         self.pacer.advance()
         self.sound.go_on()
         self.commands.debug.look()

@@ -14,8 +14,10 @@ from typing import TYPE_CHECKING
 from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.places import state_folder
+from trs80arm.desk.plugged import plug_in
 from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.reasons import one_line
+from trs80arm.serial.wire import WireError
 from trs80arm.shown import message
 
 if TYPE_CHECKING:
@@ -41,14 +43,15 @@ def run_terminal(options: TerminalOptions) -> int:
         return USAGE_ERROR
     try:
         session = open_session(options)
-    except UNUSABLE as error:
+        courier = plug_in(session, options.plug)
+    except (*UNUSABLE, WireError) as error:
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
     # What cannot be used is told before Textual is there.
     from trs80arm.ui import themes
     from trs80arm.ui.app import Trs80Arm
 
-    app = Trs80Arm(session, options, state_folder())
+    app = Trs80Arm(session, options, state_folder(), courier=courier)
     if why := themes.refusal(options.theme, app.available_themes):
         print(f"trs80arm: {message(why)}", file=sys.stderr)
         return USAGE_ERROR
@@ -65,6 +68,7 @@ def run_terminal(options: TerminalOptions) -> int:
         if app.fault is not None:
             words = last_words(app.fault, state_folder(), session)
             print(f"trs80arm: {words}", file=sys.stderr)
+    app.plugged.close()
     app.recovery.let_go()
     # The terminal may have been closed.
     with contextlib.suppress(OSError):

@@ -1,0 +1,227 @@
+"""From a program through the wire to the parts on the other arm's bench, end to end.
+
+The other arm is a TeachMover with its own computer and its own bench, behind a pseudo-terminal. It
+does everything at once, as its time is virtual.
+"""
+
+from __future__ import annotations
+
+import os
+import threading
+import tty
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from tests.serial.lab import SETTINGS
+from trs80arm import Rig, RigSettings
+from trs80arm.arm import ArmSettings, EventKind, benchfile
+from trs80arm.cli.commands import cli
+from trs80arm.operator import Operator, parse_holds
+from trs80arm.serial.port import Port
+from trs80arm.serial.wire import WireError
+
+PROGRAMS = Path(__file__).parents[2] / "programs"
+TABLE4 = PROGRAMS / "table4-teachmover.bas"
+BENCH = PROGRAMS / "table4.toml"
+
+
+@pytest.fixture(autouse=True)
+def no_settings(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Keep the settings of whoever runs the tests out of them."""
+    empty = tmp_path / "settings.toml"
+    empty.write_text("")
+    monkeypatch.setenv("TRS80ARM_CONFIG", str(empty))
+
+
+class FarArm:
+    """A TeachMover behind a pseudo-terminal.
+
+    Attributes:
+        rig: the arm, its computer and its bench.
+        path: of the pseudo-terminal.
+        lines: how many came.
+        hangs_up_at: the line at which the wire is cut; None for none.
+        noise: what is answered instead, if anything.
+    """
+
+    def __init__(self, bench: Path = BENCH) -> None:
+        self.rig = Rig(SETTINGS, benchfile.load(bench))
+        self._master, self._slave = os.openpty()
+        tty.setraw(self._slave)
+        self.path = os.ttyname(self._slave)
+        self.lines = 0
+        self.hangs_up_at: int | None = None
+        self.noise: bytes | None = None
+        self.rig.watch_answers(lambda answer: os.write(self._master, answer))
+        self._thread = threading.Thread(target=self._serve, daemon=True)
+        self._thread.start()
+
+    def _serve(self) -> None:
+        with suppress(OSError):
+            while data := os.read(self._master, 4096):
+                self.lines += data.count(b"\r")
+                if self.hangs_up_at is not None and self.lines >= self.hangs_up_at:
+                    os.close(self._slave)
+                    os.close(self._master)
+                    return
+                if self.noise is not None:
+                    os.write(self._master, self.noise)
+                    continue
+                self.rig.receive(data)
+                self.rig.run_until(lambda rig: not rig.controller.busy, 600)
+
+    def end(self) -> None:
+        for each in (self._slave, self._master):
+            with suppress(OSError):
+                os.close(each)
+        self._thread.join(5)
+
+
+@contextmanager
+def far_arm(bench: Path = BENCH) -> Iterator[FarArm]:
+    far = FarArm(bench)
+    try:
+        yield far
+    finally:
+        far.end()
+
+
+def run(far: FarArm, *arguments: object, program: Path = TABLE4, yes: bool = True) -> Result:
+    plug = ["--plug", f"serial:{far.path}", *(["--yes"] if yes else [])]
+    given = [program, "--bench", BENCH, "--set", "0", *plug, *arguments]
+    return CliRunner().invoke(cli, ["run", *map(str, given)])
+
+
+def placed(rig: Rig) -> list[float]:
+    """Where the one part is, inches, and its turn."""
+    (part,) = rig.parts.values()
+    return [*part.place, *part.turn]
+
+
+def test_table_4_through_the_wire_puts_the_part_where_table_4_puts_it(tmp_path: Path) -> None:
+    bench = tmp_path / "one.toml"
+    bench.write_text(
+        "[arm]\nat = [5, 0, 0]\npitch = -90\nopening = 0\n"
+        '[[part]]\nname = "part"\nat = [8, 0]\nsize = [0.5, 0.5, 1]\nweight = 0.4\n'
+    )
+    here = Rig(RigSettings(arm=ArmSettings(model="teachmover")), benchfile.load(bench))
+    here.load(TABLE4)
+    here.type("RUN\r")
+    Operator(here, sets=[parse_holds("0")]).run(22)
+    with far_arm(bench) as far:
+        done = run(far, "--seconds", 22, "--registers", "--bench", bench)
+        assert (done.exit_code, done.stderr) == (0, "")
+        assert here.parts["part"].place[1] == pytest.approx(5, abs=0.1), "it is there by then"
+        assert placed(far.rig) == pytest.approx(placed(here), abs=0.01)
+        registers = done.stdout.split("\n")[-2]
+        assert " ".join(map(str, far.rig.controller.driver.registers)) == registers
+
+
+def test_table_4_goes_on_for_ever_over_the_wire() -> None:
+    with far_arm() as far:
+        done = run(far, "--seconds", 60)
+        assert (done.exit_code, done.stderr) == (0, "")
+        delivered = [event for event in far.rig.events if event.kind is EventKind.DELIVERED]
+        assert len(delivered) >= 6
+        assert far.rig.state.slipped == (0,) * 6
+
+
+def test_nothing_moves_without_a_yes() -> None:
+    with far_arm() as far:
+        done = run(far, yes=False)
+        assert done.exit_code == 2
+        assert done.stderr == f"trs80arm: nothing moves at {far.path} without --yes\n"
+        assert far.lines == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("--plug-speed", 200), "The elbow would make 370 half-steps a second"),
+        (("--plug-speed", 0), "speed must be 1 to 10000"),
+        (("--plug-range", 200), "half-steps from where it stood, and may go 200"),
+        (("--arm", "minimover5"), "the model beside it a MiniMover 5"),
+        (("--junit", "x.xml"), "--plug is for one program"),
+    ],
+)
+def test_what_may_not_be_is_one_sentence(arguments: tuple[object, ...], told: str) -> None:
+    with far_arm() as far:
+        done = run(far, "--seconds", 60, *arguments)
+        assert done.exit_code == 2
+        assert told in done.stderr
+        assert done.stderr.count("\n") == 1
+        assert far.rig.controller.driver.registers[0] == 0
+
+
+def test_a_wire_that_is_cut_in_mid_motion_stops_the_program() -> None:
+    with far_arm() as far:
+        far.hangs_up_at = 5
+        done = run(far, "--seconds", 60)
+        assert done.exit_code == 2
+        assert "RUN THE PROGRAM" not in done.stdout
+        assert done.stderr.startswith("trs80arm: ")
+        assert done.stderr.count("\n") == 1
+        assert "wire" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("noise", "told"),
+    [
+        (b"\xff\x00\x80" * 300, "noise without end"),
+        (b"\x07hello\r", "is no answer: "),
+        (b"0\r", "refused @READ: it answered 0"),
+        (b"2\r", "stop key"),
+        (b"1\r1,2,3\r", "is no answer: '1,2,3'"),
+    ],
+)
+def test_noise_is_one_sentence(noise: bytes, told: str) -> None:
+    with far_arm() as far:
+        far.noise = noise
+        done = run(far)
+        assert (done.exit_code, done.stdout) == (2, "")
+        assert told in done.stderr
+        assert done.stderr.count("\n") == 1
+        assert done.stderr.isprintable() or done.stderr[:-1].isprintable()
+
+
+def test_an_arm_that_says_nothing_is_not_waited_for_long() -> None:
+    with far_arm() as far:
+        far.noise = b""
+        port = Port(far.path)
+        with pytest.raises(WireError, match=r"did not answer @READ within 0\.1 s"):
+            port.send(b"@READ\r", 2, 0.1)
+        port.close()
+
+
+def test_a_wire_that_is_gone_between_two_lines_is_dead() -> None:
+    with far_arm() as far:
+        port = Port(far.path)
+        assert port.send(b"@READ\r", 2, 2.0)[0] == "1"
+        far.end()
+        with pytest.raises(WireError, match="The wire to the arm is dead"):
+            port.send(b"@READ\r", 2, 2.0)
+        port.close()
+        with pytest.raises(WireError, match="The wire to the arm is dead"):
+            port.send(b"@READ\r", 2, 2.0)
+
+
+def test_a_port_that_is_not_there_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "ttyUSB0"
+    done = CliRunner().invoke(cli, ["run", str(TABLE4), "--plug", f"serial:{path}", "--yes"])
+    assert done.exit_code == 2
+    assert str(path) in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+def test_the_plug_is_a_serial_port_and_yes_is_for_it() -> None:
+    for arguments, told in (
+        (["--plug", "usb"], "--plug usb: expected serial: and a port"),
+        (["--yes"], "--yes is for --plug"),
+    ):
+        done = CliRunner().invoke(cli, ["run", str(TABLE4), *arguments])
+        assert done.exit_code == 2
+        assert told in done.stderr
