@@ -43,6 +43,7 @@ GOOD = {
     "tour": ["--plain"],
     "demo": [],
     "serve": ["good.bas"],
+    "serial": ["--tcp", "0"],
 }
 """What each command is given with which it works, and soon."""
 LISTING = '10 D=50\n20 @STEP D,10\n30 PRINT "DONE"\n'
@@ -135,6 +136,7 @@ def a_recording() -> bytes:
 @pytest.fixture(autouse=True)
 def settled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A folder to be in, with nobody's settings and a good program; nothing is served or typed."""
+    from trs80arm.serial.serving import Server
     from trs80arm.ui.visitors import Visitors
 
     (tmp_path / "good.bas").write_text(LISTING)
@@ -142,6 +144,7 @@ def settled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("TRS80ARM_CONFIG", os.devnull)
     monkeypatch.setenv("TRS80ARM_STATE", str(tmp_path / "state"))
     monkeypatch.setattr(Visitors, "serve", lambda self: None)
+    monkeypatch.setattr(Server, "run", lambda self, keys: None)
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO()))
     monkeypatch.chdir(tmp_path)
 

@@ -20,6 +20,7 @@ COMMANDS = {
     ),
     "replay": ("runs", "replay", "Play a recorded session again without a screen."),
     "run": ("runs", "run", "Run PROGRAMS without a screen, as fast as the computer can."),
+    "serial": ("serial", "serial", "Put a TeachMover behind a serial line, for its clients."),
     "serve": ("terminal", "serve", "Serve the terminal to a browser (extra `web`)."),
     "sweep": ("runs", "sweep", "Run PROGRAM over a grid of values; tell how often it succeeds."),
     "terminal": ("terminal", "terminal", "Open the terminal, with PROGRAM loaded if one is given."),
