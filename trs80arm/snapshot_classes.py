@@ -47,7 +47,8 @@ from trs80arm.machine.keys import Key
 from trs80arm.machine.memory import Memory
 from trs80arm.machine.z80.rom import Rom
 from trs80arm.serial import tasks
-from trs80arm.serial.pendant_keys import JointKey
+from trs80arm.serial.pendant import PendantMode
+from trs80arm.serial.pendant_keys import FunctionKey, JointKey
 from trs80arm.works.devices import KeyEvent, RigSettings
 
 
@@ -209,6 +210,8 @@ _ENUMS: tuple[type[Enum], ...] = (
     mounted.Face,
     mounted.Tension,
     JointKey,
+    FunctionKey,
+    PendantMode,
 )
 
 NAMED: dict[str, tuple[type, Mapping[str, object]]] = {

@@ -155,6 +155,10 @@ class Driver:
         now = self._clock.now
         count = len(MOTORS)
         self._card.burst(Columns([now] * count, MOTORS, [COILS_OFF] * count))
+        self.zero()
+
+    def zero(self) -> None:
+        """Registers to zero, and the coils as they are."""
         self.registers = (0, 0, 0, 0, 0, 0)
         for observer in self.reset_observers:
             observer()

@@ -12,16 +12,19 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
-from trs80arm.machine.card import Card, Latch
+from trs80arm.machine.card import MOTORS, Card, Latch
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.machine.coordination import Pace
 from trs80arm.machine.driver import Driver, DriverSettings
+from trs80arm.machine.half_steps import COILS_OFF
 from trs80arm.machine.keyboard import Matrix
 from trs80arm.progress import Progress
 from trs80arm.pulses import Columns
 from trs80arm.serial import protocol
+from trs80arm.serial.instructions import Condition
 from trs80arm.serial.lines import Lines
 from trs80arm.serial.memory import TeachMemory
+from trs80arm.serial.pendant import Pendant
 from trs80arm.serial.pendant_keys import FunctionKey, JointKey, PendantKey, directions
 from trs80arm.serial.protocol import DONE, REFUSED, STOPPED, Command
 from trs80arm.serial.speeds import delay_of
@@ -57,6 +60,7 @@ class Controller:
         speed: SP of the pendant's motions.
         last_key: code of the function key that was pressed last, 0 for none.
         held: the pendant's joint keys that are down.
+        pendant: what its function keys do.
         listeners: told every answer; they are not part of a snapshot.
     """
 
@@ -71,6 +75,7 @@ class Controller:
         self.speed = protocol.USUAL_SPEED
         self.last_key = 0
         self.held: set[JointKey] = set()
+        self.pendant = Pendant()
         self.listeners: list[Listener] = []
         self._stream = Lines()
         self._lines: deque[bytes] = deque()
@@ -95,7 +100,8 @@ class Controller:
 
     def hang_up(self) -> None:
         """Nobody is at the other end any more: the arm stops, and what was asked is forgotten."""
-        self._break_off()
+        if self._task is not None:
+            self._break_off()
         self._stream.clear()
         self._lines.clear()
         self._stopped = self._refused = 0
@@ -109,12 +115,14 @@ class Controller:
     @property
     def busy(self) -> bool:
         """Whether it is at work: on a command, on an answer, or a line waits."""
-        return bool(self._task or self._answer or self._lines or self._refused)
+        at_work = self._task or self.pendant.task
+        return bool(at_work or self._answer or self._lines or self._refused)
 
     @property
     def doing(self) -> str:
         """The command under way, as `STEP`; empty for none."""
-        return self._task.word if self._task else ""
+        task = self._task or self.pendant.task
+        return task.word if task else ""
 
     # -- the pendant --------------------------------------------------------------------------
 
@@ -122,15 +130,20 @@ class Controller:
         """A key of the pendant goes down.
 
         A function key ends `@SET`; the stop key breaks off whatever the arm does, and what waits on
-        the line is answered as stopped.
+        the line is answered as stopped. While the arm is at work on another command of the line
+        the other keys do nothing; while it is not they are the `Pendant`'s.
         """
         if isinstance(key, JointKey):
             self.held.add(key)
             self._steer()
+            if self._task is None:
+                self.pendant.steer(self)
             return
         self.last_key = int(key)
         if key is FunctionKey.STOP:
             self.stop()
+        elif self._task is None:
+            self.pendant.press(key, self)
         elif isinstance(self.driver.motion, Manual):
             self._break_off()
             self._say(DONE)
@@ -140,9 +153,12 @@ class Controller:
         if isinstance(key, JointKey):
             self.held.discard(key)
             self._steer()
+            if self._task is None:
+                self.pendant.steer(self)
 
     def stop(self) -> None:
         """Break off what the arm does, with its coils left on, and all that waits."""
+        self.pendant.stop(self)
         if self._task is not None:
             self._break_off()
             self._say(STOPPED)
@@ -177,6 +193,8 @@ class Controller:
             self._task = None
             self._say(_ANSWERED[progress])
             return True
+        if self.pendant.task is not None:
+            return self.pendant.advance(self)
         if not (self._lines or self._refused):
             return False
         self._take()
@@ -263,6 +281,22 @@ class Controller:
     def put_out(self, value: int) -> None:
         """OUT: the low four bits into the auxiliary latch, phi1 the highest."""
         self.card.burst(Columns((self.clock.now,), (Latch.AUXILIARY,), (value & 0xF,)))
+
+    def free(self) -> None:
+        """Take the current from the motors; the registers stay."""
+        count = len(MOTORS)
+        self.card.burst(Columns([self.clock.now] * count, MOTORS, [COILS_OFF] * count))
+
+    def holds(self, condition: int) -> bool:
+        """Whether a `Condition` holds now; an input is on when it is 0, as the switch closes it."""
+        match condition:
+            case Condition.ALWAYS:
+                return True
+            case Condition.GRIP:
+                return self.card.grip_closed(self.clock.now)
+            case Condition.INPUT_1 | Condition.INPUT_2 | Condition.INPUT_3:
+                return not self.inputs >> condition & 1
+        return False
 
     @property
     def inputs(self) -> int:
