@@ -9,6 +9,7 @@ import pytest
 
 from tests.desk.sitting import NOTHING, Sitting
 from trs80arm.desk.asking import ListQuestion
+from trs80arm.desk.base_pendant import BasePendant
 from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.leaving import NOTHING_UNSAVED, PROGRAM_UNSAVED
 from trs80arm.desk.pacing import Pacer
@@ -153,10 +154,16 @@ class Desk(Sitting):
         jog_keyboard = JogKeyboard(
             self.session, pendant, HeldKeys(), self.keyboard, lambda: self.wall
         )
+        base_pendant = BasePendant(self.session)
+        base_keyboard = JogKeyboard(
+            self.session, base_pendant, HeldKeys(), self.keyboard, lambda: self.wall
+        )
         self.arm = ArmCommands(
             self.session,
             pendant,
             jog_keyboard,
+            base_pendant,
+            base_keyboard,
             self.machine,
             self.files,
             person,

@@ -26,6 +26,7 @@ from textual.driver import Driver
 from textual.filter import LineFilter
 from textual.screen import Screen
 
+from trs80arm.desk.base_pendant import BasePendant
 from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.files import PLAYING, SessionFiles
 from trs80arm.desk.leaving import Leaving
@@ -173,6 +174,14 @@ class Trs80Arm(Themed[int]):
             self.keyboard,
             wall,
         )
+        self.base_pendant = BasePendant(session)
+        self.base_keyboard = JogKeyboard(
+            session,
+            self.base_pendant,
+            HeldKeys(options.tap_ms / 1000, options.repeat_ms / 1000),
+            self.keyboard,
+            wall,
+        )
         bar = CommandBar(COMMANDS, id="commands")
         self.desk = DeskScreen(panels, bar, self.keyboard.let_go)
         self.desk.history = History(session.rig)
@@ -206,6 +215,8 @@ class Trs80Arm(Themed[int]):
             session,
             self.pendant,
             self.jog_keyboard,
+            self.base_pendant,
+            self.base_keyboard,
             machine,
             files,
             dialogs,
@@ -407,7 +418,8 @@ class Trs80Arm(Themed[int]):
 
     @property
     def _hands_on(self) -> bool:
-        return self.keyboard.held.busy or self.jog_keyboard.keyboard.held.busy
+        keyboards = self.keyboard, self.jog_keyboard.keyboard, self.base_keyboard.keyboard
+        return any(keyboard.held.busy for keyboard in keyboards)
 
     def _mark(self) -> None:
         """Keep a snapshot to which the debugger can go back, while the machine works."""
@@ -428,6 +440,7 @@ class Trs80Arm(Themed[int]):
         self.tour.go_on()
         self.keyboard.feed()
         self.jog_keyboard.feed()
+        self.base_keyboard.feed()
         if not self.pacer.paused:
             self.pendant.go_on()
         self.plugged.go_on()
@@ -550,6 +563,7 @@ class Trs80Arm(Themed[int]):
         """The terminal told whether it reports releases."""
         self.keyboard.told(message.releases)
         self.jog_keyboard.take_up()
+        self.base_keyboard.take_up()
 
     def on_typed(self, message: Typed) -> None:
         """A key of a terminal that does not."""
@@ -596,4 +610,5 @@ class Trs80Arm(Themed[int]):
     def on_app_blur(self, event: events.AppBlur) -> None:
         """The window lost the focus: a release would be lost, so take all hands off."""
         self.jog_keyboard.keyboard.let_go()
+        self.base_keyboard.keyboard.let_go()
         self.keyboard.let_go()

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from trs80arm.desk.asking import Asking, Say
+from trs80arm.desk.base_pendant import BasePendant
 from trs80arm.desk.files import SessionFiles
 from trs80arm.desk.hands import move_by_hand
 from trs80arm.desk.pendant import Pendant
@@ -31,6 +32,8 @@ class ArmCommands:
         session: the machine with its arm.
         pendant: the teach pendant, with the points taught.
         jog_keyboard: its keys.
+        base_pendant: the pendant of an arm that has one of its own.
+        base_keyboard: its joint keys.
         override: its speed override.
         files: loads a program of them, and sets benches up.
         ask: a way to ask.
@@ -44,6 +47,8 @@ class ArmCommands:
         session: Session,
         pendant: Pendant,
         jog_keyboard: JogKeyboard,
+        base_pendant: BasePendant,
+        base_keyboard: JogKeyboard,
         override: Override,
         files: SessionFiles,
         ask: Asking,
@@ -54,6 +59,8 @@ class ArmCommands:
         self._session = session
         self._pendant = pendant
         self._jog_keyboard = jog_keyboard
+        self._base_pendant = base_pendant
+        self._base_keyboard = base_keyboard
         self._override = override
         self._files = files
         self._ask = ask
@@ -99,7 +106,10 @@ class ArmCommands:
         )
 
     def teach(self) -> None:
-        """The teach pendant."""
+        """The teach pendant, or the arm's own where it has one."""
+        if self._base_pendant.there:
+            self._teach_at_the_base()
+            return
         from trs80arm.ui.screens.pendant import Means, PendantScreen
 
         reach = self._files.reach
@@ -114,6 +124,12 @@ class ArmCommands:
             self._style(),
         )
         self._screens.open(PendantScreen(means), self._taught)
+
+    def _teach_at_the_base(self) -> None:
+        from trs80arm.ui.screens.base_pendant import BasePendantScreen, Means
+
+        means = Means(self._base_pendant, self._base_keyboard, self.look, self._style())
+        self._screens.open(BasePendantScreen(means))
 
     def _taught(self, result: TeachResult) -> None:
         def load() -> None:

@@ -7,8 +7,8 @@ pendant, to which it looks as if the machine were in `@SET` all the time.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Protocol
 
-from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.session import Session
 from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.rig import Key, Waiting
@@ -20,10 +20,23 @@ HELD_AFTER = 0.3
 """Seconds of the wall after which a press is no tap any more: steps follow the first one."""
 
 
+class Jogged(Protocol):
+    """What is jogged: a pendant."""
+
+    def press(self, axis: int, way: int) -> None:
+        """A button goes down: of an axis, 0 to 5, and one way or the other, 1 or -1."""
+
+    def hold(self, axis: int, way: int) -> None:
+        """It has been down for long."""
+
+    def release(self, axis: int, way: int) -> None:
+        """It goes up."""
+
+
 class _Buttons:
     """The pendant as a machine with nothing but the keys of manual mode."""
 
-    def __init__(self, session: Session, pendant: Pendant, wall: Callable[[], float]) -> None:
+    def __init__(self, session: Session, pendant: Jogged, wall: Callable[[], float]) -> None:
         self._session = session
         self._pendant = pendant
         self._wall = wall
@@ -97,7 +110,7 @@ class JogKeyboard:
     def __init__(
         self,
         session: Session,
-        pendant: Pendant,
+        pendant: Jogged,
         held: HeldKeys,
         like: Keyboard,
         wall: Callable[[], float],
