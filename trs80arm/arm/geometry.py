@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from trs80arm.arm.model import SHOULDER, ArmModel, Motor, Pose, Rotors
 from trs80arm.arm.trigonometry import arc_tangent, sin_cos
@@ -65,8 +65,7 @@ class JointAngles:
         return self.pitch - self.roll
 
 
-@dataclass(frozen=True, slots=True)
-class ArmPoints:
+class ArmPoints(NamedTuple):
     """The joints as points (x, y, z in inches), and the axes of the hand (unit vectors).
 
     Attributes:

@@ -297,8 +297,9 @@ class Grasp:
         """
         left, right = self._linkage.fingers
         gaps: dict[tuple[str, str], float] = {}
+        across = self._across()
         for contact in self._bench.scene.contacts:
-            if pair := self._onward(contact):
+            if pair := _onward(contact, across):
                 gaps[pair] = min(contact.gap, gaps.get(pair, math.inf))
         room = {left: 0.0}
         for _ in gaps:
@@ -306,14 +307,6 @@ class Grasp:
                 if one in room:
                     room[other] = min(room[one] + gap, room.get(other, math.inf))
         return room.get(right)
-
-    def _onward(self, contact: Contact) -> tuple[str, str] | None:
-        """Two things that the closing hand presses on each other, as from the left finger on."""
-        along = dot(contact.normal, self._across())
-        if abs(along) < FACING:
-            return None
-        one, other, _ = contact.key
-        return (one, other) if along < 0 else (other, one)
 
     @property
     def _closes_on_something(self) -> bool:
@@ -360,7 +353,7 @@ class Grasp:
         gripped = [name for name in reached if (right, name) in pairs]
         if not (pressed and gripped):
             return []
-        onward = {pair for contact in pressing if (pair := self._onward(contact))}
+        onward = {pair for contact in pressing if (pair := _onward(contact, across))}
         inside = _beyond(left, onward) & _beyond(right, {(b, a) for a, b in onward})
         return sorted({*pressed, *gripped, *(inside & parts.keys())})
 
@@ -425,6 +418,15 @@ def _beyond(start: str, pairs: set[tuple[str, str]]) -> set[str]:
     while more := {other for one, other in pairs if one in found} - found:
         found |= more
     return found
+
+
+def _onward(contact: Contact, across: Vector) -> tuple[str, str] | None:
+    """Two things that the closing hand presses on each other, as from the left finger on."""
+    along = dot(contact.normal, across)
+    if abs(along) < FACING:
+        return None
+    one, other, _ = contact.key
+    return (one, other) if along < 0 else (other, one)
 
 
 def _faces(normal: Vector, across: Vector) -> bool:

@@ -400,10 +400,12 @@ class Outlook:
             here: where the arm is.
             ahead: the burst, of the hand's motor alone.
         """
-        hand, (least, most) = self._model.latch(HAND), ahead.together(self._model.pays_out)
-        ends = np.array([here.rotors, here.rotors], dtype=np.int64)
-        ends[:, hand] += (least, most)
-        return self._ticks_gripping(self._wanted(ends.T).T.tolist()) == 2
+        hand, ends = self._model.latch(HAND), []
+        for by in ahead.together(self._model.pays_out):
+            rotors = list(here.rotors)
+            rotors[hand] += by
+            ends.append(self._wanted_at(rotors))
+        return self._ticks_gripping(ends) == len(ends)
 
     def _ticks_gripping(self, commands: Sequence[list[float]]) -> int:
         """How many ticks in a row what rests in the grip goes on resting there.

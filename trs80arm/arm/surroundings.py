@@ -46,8 +46,7 @@ AXES = 6
 """Ways along which two solids are seen apart in turn, at most."""
 
 
-@dataclass(frozen=True, slots=True)
-class Room:
+class Room(NamedTuple):
     """What room the arm has somewhere.
 
     Attributes:

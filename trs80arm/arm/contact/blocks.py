@@ -6,6 +6,7 @@ A block is the triangle of a symmetric 6 x 6 matrix, as in `elimination`.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import add
 
 from trs80arm.arm.contact.contacts import Mobile
 from trs80arm.arm.contact.sixes import STILL, Six
@@ -45,7 +46,7 @@ def missing_momentum(mass: list[float], speed: Six, wanted: Sequence[float]) -> 
 
 def add_up(block: list[float], stiffness: list[float]) -> None:
     """Add a stiffness against a body to its block."""
-    block[:] = [a + b for a, b in zip(block, stiffness, strict=True)]
+    block[:] = map(add, block, stiffness)
 
 
 def add_linked(

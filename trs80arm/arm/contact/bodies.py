@@ -8,10 +8,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from trs80arm.arm.contact.manifold import Placed
-from trs80arm.arm.contact.recurrence import question
+from trs80arm.arm.contact.recurrence import brief
 from trs80arm.arm.contact.rotations import (
     IDENTITY,
     STRAIGHT,
@@ -163,7 +163,7 @@ class Body:
         # A press gives it another.
         if self._form is None or self._form[0] is not shape:
             solids = [solid.form for solid in shape.solids]
-            form = question(solids, shape.mass, shape.inertia, shape.ease, shape.radius)
+            form = brief(solids, shape.mass, shape.inertia, shape.ease, shape.radius)
             self._form = shape, form
         return self._form[1]
 
@@ -248,7 +248,7 @@ class Fixed:
         """All that it is, but for what its upper side carries, to the last bit."""
         if self._form is None:
             solids = [solid.form for solid in self.solids]
-            self._form = question(self.name, solids, self.friction, self.passes)
+            self._form = brief(self.name, solids, self.friction, self.passes)
         return self._form
 
     def surface(self, normal: Vector) -> Vector:
@@ -269,8 +269,7 @@ Screw = tuple[Vector, Vector]
 """Turning (radians) and velocity at the world's origin (inches), for a unit of one coordinate."""
 
 
-@dataclass(frozen=True, slots=True)
-class Link:
+class Link(NamedTuple):
     """One link of an arm where it stands.
 
     Attributes:

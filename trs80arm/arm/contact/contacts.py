@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from trs80arm.arm.contact.rotations import IDENTITY, Matrix, apply_back
 from trs80arm.arm.contact.sixes import Six
@@ -44,8 +45,7 @@ class Mobile:
         return apply_back(self.turn, minus(point, self.place))
 
 
-@dataclass(frozen=True, slots=True)
-class Side:
+class Side(NamedTuple):
     """One side of a contact: what is touched there, and how it moves.
 
     Attributes:

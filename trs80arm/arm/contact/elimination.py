@@ -7,7 +7,7 @@ that its order is the same everywhere; for six numbers that is also quicker than
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from trs80arm.arm.contact.sixes import STILL, Six
 
@@ -58,16 +58,16 @@ class Eliminated:
         beside: Mapping[tuple[int, int], Columns],
         sequence: Sequence[int],
     ) -> None:
-        rank = {body: k for k, body in enumerate(sequence)}
-        coupled: dict[int, dict[int, list[Six]]] = {body: {} for body in sequence}
+        coupled: list[dict[int, Columns]] = [{} for _ in sequence]
         for (one, other), columns in beside.items():
-            coupled[one][other] = list(columns)
+            coupled[one][other] = columns
         self._steps: list[tuple[int, Triangle, list[tuple[int, list[Six]]]]] = []
         for body in sequence:
-            factor = _factor(blocks[body])
-            ahead = []
-            for other in sorted(coupled[body], key=rank.__getitem__):
-                ahead.append((other, *_reduced(factor, coupled[body][other])))
+            factor, mine = _factor(blocks[body]), coupled[body]
+            others: Iterable[int] = mine
+            if len(mine) > 1:
+                others = sorted(mine, key=sequence.index)
+            ahead = [(other, *_reduced(factor, mine[other])) for other in others]
             for i, (other, half, whole) in enumerate(ahead):
                 _subtract_own(blocks[other], half, whole)
                 for third, _, theirs in ahead[i + 1 :]:

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -173,8 +173,7 @@ def _turned(turn: Matrix, ways: Sequence[Vector]) -> list[Vector]:
     ]
 
 
-@dataclass(frozen=True, slots=True)
-class Manifold:
+class Manifold(NamedTuple):
     """How two solids touch.
 
     Attributes:

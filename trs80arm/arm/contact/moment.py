@@ -9,8 +9,10 @@ feeder's next part is another one, and the same happens to it.
 from __future__ import annotations
 
 import math
+from bisect import bisect
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import NamedTuple
 
 from trs80arm.arm.contact.bodies import Body, Fixed
 from trs80arm.arm.contact.bounds import NEARBY, outside, spheres_within
@@ -34,8 +36,7 @@ Pressed = list[tuple[tuple[Name, Name, int], Pressures]]
 """What two things press on each other with, as `Memory` has it."""
 
 
-@dataclass(frozen=True, slots=True)
-class End:
+class End(NamedTuple):
     """What has become of a body: the attributes are those of `Body`."""
 
     place: Vector
@@ -49,8 +50,7 @@ class End:
     placed: list[Placed]
 
 
-@dataclass(frozen=True, slots=True)
-class Outcome:
+class Outcome(NamedTuple):
     """What has come of a tick, but for what `Scene` itself takes note of.
 
     Attributes:
@@ -103,16 +103,14 @@ class Moment:
             fixed: what stands fast, by name.
             others: what else it hangs on.
         """
-        arm, told = self._arm, self.told
-        # Names decide nothing but in what order what leans on each other is gone through.
-        ranks = told(sorted([*self._numbers, *arm.names, *fixed]))
+        arm, told, still = self._arm, self.told, self._arm.still
         return question(
             others,
             (arm.joints, arm.torques, arm.reached, arm.commands, arm.way),
-            (min(arm.still, CALM_TICKS), arm.standing > 0),
+            (still if still < CALM_TICKS else CALM_TICKS, arm.standing > 0),
             self._carrying.found,
             told(self._carrying.gripped),
-            ranks,
+            self._ranks(fixed),
             [(thing.form, thing.carries) for thing in fixed.values()],
             [
                 (
@@ -124,6 +122,12 @@ class Moment:
             self._rested,
             self._pressed(self._memory.last),
         )
+
+    def _ranks(self, fixed: Mapping[str, Fixed]) -> object:
+        """How names sort: they decide in what order what leans on each other is gone through."""
+        names = sorted(self.names)
+        others = sorted([*self._arm.names, *fixed])
+        return self.told(names), [bisect(others, name) for name in names]
 
     def outcome(self, contacts: Sequence[Contact]) -> Outcome:
         """What has come of the tick since.
@@ -234,11 +238,15 @@ def concerned(
         memory: forces of the step before.
         arm: of the scene.
     """
-    waiting = [*roster.awake.values(), *roster.carried.values()]
-    waiting += [bodies[name] for key in memory.last for name in key[:2] if name in bodies]
-    surely = {body.name: body for body in waiting}
+    surely = {**roster.awake, **roster.carried}
+    for one, other, _ in memory.last:
+        if one in bodies:
+            surely[one] = bodies[one]
+        if other in bodies:
+            surely[other] = bodies[other]
     if len(surely) <= FEW and _alone(surely, bodies, roster, arm):
         return roster.ordered(surely.values())
+    waiting = list(surely.values())
     if arm.linkage is not None:
         waiting += _beside(arm, roster)
     found: dict[str, Body] = {}

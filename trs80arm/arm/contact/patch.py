@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from itertools import repeat
+from typing import NamedTuple
 
 from trs80arm.arm.contact.clock import TICK
 from trs80arm.arm.contact.contacts import Contact
@@ -44,7 +44,7 @@ NOTHING, AS_BEFORE, CAUGHT, HELD = 0, 1, 2, 3
 that pressed before or are expected to, and that those hold that hardly slid; that those hold now
 that slid, and would now slide the other way; that beside them those go on holding that held."""
 _LEVEL = (0.0, 0.0, 0.0, 0.0)
-_UNKNOWN = repeat((_APART, _LEVEL))
+_NOTHING_KNOWN, _UNKNOWN = repeat(_APART), repeat(_LEVEL)
 
 Columns = list[tuple[int, Six]]
 """Of an arm's coordinates: which, and how it moves a link for a unit."""
@@ -269,11 +269,13 @@ class Patch:
             out.append(math.sqrt(tx * tx + ty * ty + tz * tz))
         return out
 
-    def agrees(self, relative: Six, bounding: Pressures, pressures: Pressures, off: float) -> bool:
+    def agrees(
+        self, speeds: Sequence[Six], bounding: Pressures, pressures: Pressures, off: float
+    ) -> bool:
         """Whether friction is in line with the pressures found.
 
         Args:
-            relative: of the second thing against the first.
+            speeds: of all that moves.
             bounding: pressures with which friction was bounded.
             pressures: found.
             off: by how much they may differ, where friction does not hold with less than it might.
@@ -283,13 +285,12 @@ class Patch:
         nothing = [0.0] * len(self._nothing)
         bounding, pressures = bounding or nothing, pressures or nothing
         apart = [abs(a - b) > off for a, b in zip(bounding, pressures, strict=True)]
-        if not any(apart):
+        if True not in apart:
             return True
+        slid = self.sliding(self.relative(speeds))
         return all(
             speed <= CREEP and old * speed <= now * CREEP
-            for wrong, speed, old, now in zip(
-                apart, self.sliding(relative), bounding, pressures, strict=True
-            )
+            for wrong, speed, old, now in zip(apart, slid, bounding, pressures, strict=True)
             if wrong
         )
 
@@ -309,24 +310,29 @@ class Patch:
         presses: Iterable[float] = _NEVER
         if beginning:
             presses = bounds or self.expected or _NEVER
-        if bounds is None:
-            if presses is _NEVER and self.leaves_alone(relative):
-                self.regimes, self.found = self._nothing, None
-                return STILL
-            bounds = [0.0] * len(self._nothing)
+        if bounds is None and presses is _NEVER and self.leaves_alone(relative):
+            self.regimes, self.found = self._nothing, None
+            return STILL
         nx, ny, nz = self.normal
         vx, vy, vz, wx, wy, wz = relative
         along = nx * vx + ny * vy + nz * vz
         fx = fy = fz = mx = my = mz = 0.0
-        before = zip(self.regimes, self.slopes, strict=True) if guess >= CAUGHT else _UNKNOWN
+        regimes_before: Iterable[int] = _NOTHING_KNOWN
+        slopes_before: Iterable[tuple[float, float, float, float]] = _UNKNOWN
+        if guess >= CAUGHT:
+            regimes_before, slopes_before = self.regimes, self.slopes
         self.regimes = regimes = []
         self.slopes = slopes = []
         found: list[float] = []
         slow = _SLOW if beginning else _CREEPING
-        for point, bound, known, (was, way) in zip(
-            self.points, bounds, presses, before, strict=False
+        for (rx, ry, rz, ax, ay, az, least, stiff), bound, known, was, way in zip(
+            self._points or self.points,
+            bounds or _NEVER,
+            presses,
+            regimes_before,
+            slopes_before,
+            strict=False,
         ):
-            rx, ry, rz, ax, ay, az, least, stiff = point
             opening = along + ax * wx + ay * wy + az * wz
             if opening < least or known:
                 regime, pressure = _PRESSING, stiff * (least - opening)
@@ -442,8 +448,7 @@ class Patch:
         return out
 
 
-@dataclass(frozen=True, slots=True)
-class Hold:
+class Hold(NamedTuple):
     """All patches by which the arm touches one body.
 
     Most of its coordinates move all of its links there alike: a hand's fingers differ in one.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from trs80arm.arm.contact.bodies import Body, Link
 from trs80arm.arm.contact.bounds import greatest_speed
@@ -21,8 +21,7 @@ CALM_TICKS = 10
 """Ticks for which everything that leans on each other must be still to fall asleep."""
 
 
-@dataclass(frozen=True, slots=True)
-class Group:
+class Group(NamedTuple):
     """Bodies that lean on each other.
 
     Attributes:

@@ -210,7 +210,7 @@ class Problem:
         """Whether the pressures by which friction was bounded are those found with it."""
         off = _tolerance(found)
         return all(
-            patch.agrees(patch.relative(speeds), old, now, off)
+            patch.agrees(speeds, old, now, off)
             for patch, old, now in zip(self._patches, bounding, found, strict=True)
         )
 
