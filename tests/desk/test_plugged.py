@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -12,6 +13,7 @@ from tests.own_places import own_places
 from tests.serial.far_side import FarSide
 from trs80arm import RigSettings
 from trs80arm.arm import ArmSettings
+from trs80arm.desk import recording
 from trs80arm.desk.plugged import MOVE, Plugged
 from trs80arm.desk.session import Session
 from trs80arm.plain import PlainMode
@@ -136,4 +138,15 @@ def test_in_lines_the_next_line_is_the_answer(answer: str, moved: int) -> None:
     assert plain.talk(iter([f"{answer}\n", "@STEP 50,100\n", ".quit\n"])) == 0
     assert far.registers[0] == moved
     assert session.rig.registers[0] == 100
+    assert far.closed
+
+
+def test_another_machine_is_not_followed(tmp_path: Path) -> None:
+    sitting = Sitting(MOVE)
+    session, far = sitting.session, sitting.far
+    session.save_recording(tmp_path / "session.jsonl")
+    session.play(recording.load(tmp_path / "session.jsonl"))
+    sitting.pass_time(0.1)
+    assert len(sitting.person.errors) == 1
+    assert sitting.person.errors[0].startswith("The machine is another one")
     assert far.closed

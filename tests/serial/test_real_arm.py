@@ -7,6 +7,8 @@ does everything at once, as its time is virtual.
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 import threading
 import tty
 from collections.abc import Iterator
@@ -46,6 +48,7 @@ class FarArm:
         lines: how many came.
         hangs_up_at: the line at which the wire is cut; None for none.
         noise: what is answered instead, if anything.
+        asked: whether anything has come.
     """
 
     def __init__(self, bench: Path = BENCH) -> None:
@@ -56,6 +59,7 @@ class FarArm:
         self.lines = 0
         self.hangs_up_at: int | None = None
         self.noise: bytes | None = None
+        self.asked = threading.Event()
         self.rig.watch_answers(lambda answer: os.write(self._master, answer))
         self._thread = threading.Thread(target=self._serve, daemon=True)
         self._thread.start()
@@ -64,6 +68,7 @@ class FarArm:
         with suppress(OSError):
             while data := os.read(self._master, 4096):
                 self.lines += data.count(b"\r")
+                self.asked.set()
                 if self.hangs_up_at is not None and self.lines >= self.hangs_up_at:
                     os.close(self._slave)
                     os.close(self._master)
@@ -78,7 +83,7 @@ class FarArm:
         for each in (self._slave, self._master):
             with suppress(OSError):
                 os.close(each)
-        self._thread.join(5)
+        self._thread.join(0.2)
 
 
 @contextmanager
@@ -225,3 +230,50 @@ def test_the_plug_is_a_serial_port_and_yes_is_for_it() -> None:
         done = CliRunner().invoke(cli, ["run", str(TABLE4), *arguments])
         assert done.exit_code == 2
         assert told in done.stderr
+
+
+@pytest.fixture
+def served() -> Iterator[str]:
+    """The path of the arm that `trs80arm serial` serves, as fast as it can."""
+    asked = ["serial", "--speed", "max", "--bench", str(BENCH)]
+    with subprocess.Popen(
+        [sys.executable, "-m", "trs80arm", *asked],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+    ) as server:
+        assert server.stdout is not None
+        yield server.stdout.readline().strip()
+        server.terminate()
+
+
+def test_table_4_goes_through_the_wire_to_trs80arm_serial(served: str) -> None:
+    assert served.startswith("/dev/")
+    plug = ["--plug", f"serial:{served}", "--yes"]
+    asked = [str(TABLE4), "--bench", str(BENCH), "--set", "0", "--seconds", "25", "--registers"]
+    done = CliRunner().invoke(cli, ["run", *asked, *plug])
+    assert (done.exit_code, done.stderr) == (0, "")
+    port = Port(served)
+    there = port.send(b"@READ\r", 2, 5.0)[1].split(",")[:6]
+    port.close()
+    assert " ".join(there) == done.stdout.split("\n")[-2]
+
+
+def test_a_port_that_is_let_go_while_it_waits_stops_waiting() -> None:
+    with far_arm() as far:
+        far.noise = b""
+        port, told = Port(far.path), []
+
+        def ask() -> None:
+            try:
+                port.send(b"@CLOSE 200\r", 1, 60.0)
+            except WireError as error:
+                told.append(str(error))
+
+        waiting = threading.Thread(target=ask)
+        waiting.start()
+        assert far.asked.wait(5)
+        port.close()
+        waiting.join(5)
+        assert not waiting.is_alive()
+        assert len(told) == 1

@@ -9,6 +9,7 @@ from trs80arm.serial.courier import Courier
 from trs80arm.serial.limits import Plugging
 from trs80arm.serial.port import Port
 
+OTHER_MACHINE = "The machine is another one, and the arm on the wire is not where its model is."
 MOVE = "move"
 """The answer that lets the arm move."""
 
@@ -136,12 +137,15 @@ class Plugged:
     def _mind_faults(self) -> None:
         """Tell why the arm does not follow any more, and stop what moves the model."""
         courier, session = self._courier, self._session
-        if courier is None or not courier.fault:
+        if courier is None:
+            return
+        fault = courier.fault if session.rig is courier.rig else OTHER_MACHINE
+        if not fault:
             return
         self.close()
         if session.waiting in (Waiting.NOTHING, Waiting.SET):
             session.ready()
-        self._say(f"{courier.fault} The wire is unplugged.", error=True)
+        self._say(f"{fault} The wire is unplugged.", error=True)
 
     def close(self) -> None:
         """Unplug the wire."""

@@ -54,6 +54,11 @@ class Courier:
             raise
 
     @property
+    def rig(self) -> Rig:
+        """The machine with the twin."""
+        return self._rig
+
+    @property
     def fault(self) -> str:
         """Why nothing is sent any more, in one sentence; empty while all is well."""
         return self._plug.fault

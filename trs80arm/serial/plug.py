@@ -78,7 +78,7 @@ class Plug:
 
     def wrote(self, times: Series, latches: Series, nibbles: Series) -> None:
         """Latches were written, and the twin has followed."""
-        if self.fault:
+        if not self._same():
             return
         turns = list(self._gathering.turns(times, latches, nibbles))
         self.half_steps += len(turns)
@@ -153,6 +153,12 @@ class Plug:
         self.fail(f"The arm on the wire was stopped before what befell the model: {told}.")
         return True
 
+    def _same(self) -> bool:
+        """Whether all is well, and the machine's arm is still the twin."""
+        if self._rig.arm is not self._arm:
+            self.fail("The model is another one, or was taken back in time; the arm was not.")
+        return not self.fault
+
     def fail(self, fault: str) -> None:
         """Send nothing any more; the first reason is the one that is told."""
         if not self.fault:
@@ -164,10 +170,7 @@ class Plug:
     def look(self) -> None:
         """See what is over by now, and whether the twin is still the machine's arm."""
         rig = self._rig
-        if self.fault:
-            return
-        if rig.arm is not self._arm:
-            self.fail("The model is another one, or was taken back in time; the arm was not.")
+        if not self._same():
             return
         if rig.driver.mode is not Mode.CLOSE:
             self._end_closing()

@@ -76,7 +76,9 @@ class Port:
 
     def close(self) -> None:
         """As in `Wire`."""
-        # It may be gone already.
+        # It may be gone already; and not every kind of port knows how to leave off.
+        with contextlib.suppress(*self._dead, AttributeError):
+            self._port.cancel_read()
         with contextlib.suppress(*self._dead):
             self._port.close()
 
