@@ -167,7 +167,16 @@ class TerminalOptions(TerminalSettings):
     """The machine's fittings; None is a 16K machine with ARMBASIC."""
     plug: Plugging | None = None
     """The wire to a real arm that does what the model does; None plugs nothing in."""
+    serial: bool = False
+    """Whether the arm's serial line is open to programs, on a pseudo-terminal."""
+    serial_tcp: int | None = None
+    """The TCP port of this computer on which it is open instead; 0 for any."""
     own_folder: Path | None = None
     """The one folder whose files its user can name; None for all files."""
     settings_file: Path | None = None
     """Where choices made in the program are remembered; None does not remember them."""
+
+    @property
+    def serves_line(self) -> bool:
+        """Whether programs can drive the arm over its serial line."""
+        return self.serial or self.serial_tcp is not None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from trs80arm.basic.activity import Waiting
 from trs80arm.desk.pacing import FAST_BUDGET, MOST_OWED, TICK, Pacer
 
 
@@ -15,8 +14,7 @@ class Desk:
         self.wall = 100.0
         self.time = 0.0
         self.cost = cost
-        self.waiting = Waiting.NOTHING
-        self.typing = False
+        self.busy = True
         self.slices = 0
 
     def run_for(self, seconds: float) -> None:
@@ -109,7 +107,7 @@ def test_flat_out_fills_its_budget_while_the_machine_works() -> None:
 
 def test_flat_out_waits_for_its_operator_at_speed_one() -> None:
     desk = Desk()
-    desk.waiting = Waiting.SET
+    desk.busy = False
     desk.pass_wall(paced(desk, None), 10.0)
     assert desk.time == pytest.approx(10.0, rel=0.01)
 

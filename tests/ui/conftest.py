@@ -13,6 +13,7 @@ from tests.own_places import PROGRAMS, own_places
 from trs80arm.desk.opening import open_session
 from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.rig import Waiting
+from trs80arm.serial.endpoints import Port
 from trs80arm.ui.app import Trs80Arm
 from trs80arm.ui.panels.registry import PANELS, PanelRow
 
@@ -101,6 +102,7 @@ def sit_down(tmp_path: Path) -> Opener:
         panels: Sequence[PanelRow] = PANELS,
         *,
         first_time: bool = False,
+        port: Port | None = None,
         **options: Any,
     ) -> Any:
         wall = Wall()
@@ -117,6 +119,7 @@ def sit_down(tmp_path: Path) -> Opener:
             wall=wall,
             ticking=False,
             panels=panels,
+            port=port,
         )
         app.animation_level = "none"
         async with app.run_test(size=(width, height)) as pilot:

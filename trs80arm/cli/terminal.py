@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -37,11 +38,33 @@ if TYPE_CHECKING:
     help="Open and save in this folder only; programs that come along can be opened.",
 )
 @settings_options(SCREEN_FLAGS)
+@click.option(
+    "--serial", is_flag=True, help="Watch the arm that your client moves over a serial line."
+)
+@click.option(
+    "--serial-tcp", type=WholeNumber(0, 65535), help="The same on a TCP port of this computer."
+)
 @plug_options
 @machine_options
 def terminal(**given: Any) -> None:
-    """Open the terminal, with PROGRAM loaded if one is given."""
+    """Open the terminal, with PROGRAM loaded if one is given.
+
+    With --serial the arm is a TeachMover at the end of a serial line, for which the TRS-80 has no
+    ARMBASIC; the status line says what a client is to open.
+    """
+    if given["serial"] or given["serial_tcp"] is not None:
+        _refuse_beside_serial(given)
     _open_terminal(given)
+
+
+def _refuse_beside_serial(given: dict[str, Any]) -> None:
+    for name, why in (
+        ("plain", "`trs80arm serial` has the line without a screen"),
+        ("replay", "a recording has an arm of its own"),
+        ("plug", "the arm on the wire is the TRS-80's"),
+    ):
+        if given[name]:
+            fail(f"--{name} does not go with --serial: {why}")
 
 
 @click.command()
@@ -83,11 +106,15 @@ def terminal_options(given: dict[str, Any], **more: Any) -> TerminalOptions:
 
     config = given.get("config")
     # A person who presses BREAK wants the arm to stop, unless the settings say otherwise.
-    defaults = ["driver.break_now=true", *([PLUGGED_ARM] if given.get("plug") else [])]
-    settings = take_settings(given, *defaults)
+    served = given.get("serial") or given.get("serial_tcp") is not None
+    teachmover = [PLUGGED_ARM] if given.get("plug") or served else []
+    settings = take_settings(given, "driver.break_now=true", *teachmover)
     if "plug" in given:
         given["plug"] = take_plug(given, settings)
-    return settings.options(config or settings_module.default_path(), **given, **more)
+    options = settings.options(config or settings_module.default_path(), **given, **more)
+    if served and options.rig is not None:
+        return replace(options, rig=replace(options.rig, controller=True))
+    return options
 
 
 @click.command()

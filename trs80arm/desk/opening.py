@@ -30,8 +30,9 @@ def open_session(options: TerminalOptions) -> Session:
     """
     program, bench = options.program, bench_for(options.program, options.bench)
     rom = None if options.rig is None else options.rig.rom
-    started_with = (program, options.replay, options.demo or None, options.plain or None, rom)
-    greeting = all(choice is None for choice in started_with)
+    started_with = (program, options.replay, rom)
+    watched = options.demo or options.plain or options.serves_line
+    greeting = not watched and all(choice is None for choice in started_with)
     session = Session(options.rig, bench, options.record, greeting=greeting)
     if options.replay is not None:
         session.play(recording.load(options.replay))

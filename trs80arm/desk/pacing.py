@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from trs80arm.rig import Waiting
-
 TICK = 1 / 60
 """Seconds of the wall between two calls of the timer."""
 BUDGET = 0.004
@@ -39,12 +37,8 @@ class Machine(Protocol):
         """Virtual seconds since power-on."""
 
     @property
-    def waiting(self) -> Waiting:
-        """What the machine waits for."""
-
-    @property
-    def typing(self) -> bool:
-        """Whether typed text is still on its way."""
+    def busy(self) -> bool:
+        """Whether it works by itself, instead of waiting for somebody."""
 
     def run_for(self, seconds: float) -> None:
         """Let virtual time pass."""
@@ -141,7 +135,7 @@ class Pacer:
         machine = self.machine
         self._target = machine.time + passed
         end = now + self._budget
-        while machine.waiting is Waiting.NOTHING or machine.typing:
+        while machine.busy:
             if not self._one_slice(self._slice) or self._wall() >= end:
                 self.behind = True
                 return

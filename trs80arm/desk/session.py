@@ -157,8 +157,10 @@ class Session:
 
     @property
     def busy(self) -> bool:
-        """Whether the machine works by itself, instead of waiting for its operator."""
-        return self.typing or self.waiting is Waiting.NOTHING
+        """Whether the machine works by itself, or its arm, instead of waiting for its operator."""
+        controller = self.rig.controller
+        arm_works = controller is not None and controller.works_alone
+        return arm_works or self.typing or self.waiting is Waiting.NOTHING
 
     def paste(self, text: str) -> None:
         """Type a text that is there already, so that nobody wants to wait for it."""

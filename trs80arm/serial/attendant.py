@@ -54,11 +54,13 @@ class Attendant:
     Attributes:
         port: where clients are.
         lines: the latest lines, both ways.
+        muted: whether answers go nowhere, for they were given before.
     """
 
     def __init__(self, port: Port, rig: Rig, log: Callable[[Logged], None] | None = None) -> None:
         self.port = port
         self.lines: deque[Logged] = deque(maxlen=KEPT)
+        self.muted = False
         self._log = log
         self._coming = bytearray()
         self._going = bytearray()
@@ -79,6 +81,8 @@ class Attendant:
         return bool(self._going)
 
     def _answered(self, answer: bytes) -> None:
+        if self.muted:
+            return
         self._going += answer
         for line in answer.split(b"\r")[:-1]:
             self._tell(sent=True, line=line)

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 from trs80arm.machine.card import MOTORS, Card, Latch
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
 from trs80arm.machine.coordination import Pace
-from trs80arm.machine.driver import Driver, DriverSettings
+from trs80arm.machine.driver import Driver, DriverSettings, Mode
 from trs80arm.machine.half_steps import COILS_OFF
 from trs80arm.machine.keyboard import Matrix
 from trs80arm.progress import Progress
@@ -117,6 +117,11 @@ class Controller:
         """Whether it is at work: on a command, on an answer, or a line waits."""
         at_work = self._task or self.pendant.task
         return bool(at_work or self._answer or self._lines or self._refused)
+
+    @property
+    def works_alone(self) -> bool:
+        """Whether it is at work, and nobody's hands are needed for it as in `@SET`."""
+        return self.busy and self.driver.mode is not Mode.SET
 
     @property
     def doing(self) -> str:

@@ -14,7 +14,6 @@ from typing import TextIO
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.benches import BenchFile
-from trs80arm.machine.driver import Mode
 from trs80arm.reasons import one_line
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.serial.attendant import Attendant, Logged
@@ -138,8 +137,7 @@ class Server:
     def hurried(self) -> bool:
         """Whether the arm is at work, and nobody's hands are needed for it."""
         controller = self.rig.controller
-        waits = controller is None or controller.driver.mode is Mode.SET
-        return not waits and self._working
+        return controller is not None and controller.works_alone
 
     @property
     def _working(self) -> bool:

@@ -39,6 +39,7 @@ from trs80arm.desk.proof import Proof
 from trs80arm.desk.reach import Reach
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.remembered import Remembered
+from trs80arm.desk.served import Served
 from trs80arm.desk.session import Session
 from trs80arm.desk.sound import LineSound
 from trs80arm.desk.stage import Stage
@@ -49,6 +50,7 @@ from trs80arm.desk.tour import Tour
 from trs80arm.drawing.glyphs import choose
 from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.serial.courier import Courier
+from trs80arm.serial.endpoints import Port
 from trs80arm.shown import shown
 from trs80arm.trace.history import History
 from trs80arm.ui.asking import Dialogs
@@ -120,6 +122,7 @@ class Trs80Arm(Themed[int]):
         ticking: whether time passes by itself; a test calls `tick` and `draw` instead.
         panels: what there is to be seen.
         courier: takes orders to the real arm that is plugged in, if one is.
+        port: where programs are that drive the arm over its serial line, if it is open.
 
     Attributes:
         desk: the screen of the desk.
@@ -143,6 +146,7 @@ class Trs80Arm(Themed[int]):
         ticking: bool = True,
         panels: Sequence[PanelRow] = PANELS,
         courier: Courier | None = None,
+        port: Port | None = None,
     ) -> None:
         # The driver is chosen while Textual's own constructor runs.
         self.options = options
@@ -192,6 +196,7 @@ class Trs80Arm(Themed[int]):
         self.states = States(state / STATES)
         asking = Dialogs(self, Reach(options.own_folder))
         self.plugged = Plugged(session, courier, options.plug, asking, self.say)
+        self.served = Served(session, port, asking, self.say)
         self.commands = self._groups(state)
         session.watch_machine(self.keyboard.start_afresh)
         for theme in THEMES:
@@ -241,6 +246,7 @@ class Trs80Arm(Themed[int]):
             keys=KeyCommands(keyboard, self.options.keys, say, dialogs),
             peripherals=Peripherals(session, dialogs, say),
             tour=self.tour,
+            served=self.served,
             comfort=ComfortCommands(self.pacer, self.sound, self.remembered, dialogs, say),
             program=ProgramCommands(
                 session,
@@ -353,6 +359,7 @@ class Trs80Arm(Themed[int]):
         elif self.session.greeted:
             self.tour.offer()
         self.plugged.begin()
+        self.served.begin()
         if self.options.demo:
             self.commands.machine.demo()
         elif self.session.playing:
@@ -408,7 +415,7 @@ class Trs80Arm(Themed[int]):
             return True
         if self.pacer.paused:
             return False
-        at_work = self.session.busy or self.pendant.busy or self.plugged.busy
+        at_work = self.session.busy or self.pendant.busy or self.plugged.busy or self.served.moves
         return at_work or self._hands_on or not self.desk.still
 
     @property
@@ -445,6 +452,8 @@ class Trs80Arm(Themed[int]):
             self.pendant.go_on()
         self.plugged.go_on()
         self.pacer.advance()
+        if not self.pacer.paused and self.served.go_on():
+            self.heartbeat.stay_awake()
         self.sound.go_on()
         self.commands.debug.look()
         now = self.wall()
@@ -477,6 +486,7 @@ class Trs80Arm(Themed[int]):
             Pace(pacer.speed, pacer.achieved, pacer.paused, pacer.turbo),
             keys=self.keyboard.in_use.value,
             notice=self._notice if now < self._notice_until else "",
+            line=self.served.text,
         )
 
     def _guide(self) -> None:

@@ -73,6 +73,10 @@ class Heartbeat:
             self._go_on(TICK)
             self._tick()
 
+    def stay_awake(self) -> None:
+        """Something came that was found by looking: look often, for a while at least."""
+        self._awake_until = self._wall() + AWAKE
+
     def beat(self) -> None:
         """Look, and see when to look again."""
         self._tick()

@@ -15,8 +15,10 @@ from trs80arm.desk.last_resort import FAULT, last_words
 from trs80arm.desk.opening import UNUSABLE, USAGE_ERROR, open_session
 from trs80arm.desk.places import state_folder
 from trs80arm.desk.plugged import plug_in
+from trs80arm.desk.served import open_line
 from trs80arm.options import ArmStyle, TerminalOptions
 from trs80arm.reasons import one_line
+from trs80arm.serial.endpoints import EndpointError
 from trs80arm.serial.wire import WireError
 from trs80arm.shown import message
 
@@ -44,14 +46,15 @@ def run_terminal(options: TerminalOptions) -> int:
     try:
         session = open_session(options)
         courier = plug_in(session, options.plug)
-    except (*UNUSABLE, WireError) as error:
+        port = open_line(options)
+    except (*UNUSABLE, WireError, EndpointError) as error:
         print(f"trs80arm: {one_line(error)}", file=sys.stderr)
         return USAGE_ERROR
     # What cannot be used is told before Textual is there.
     from trs80arm.ui import themes
     from trs80arm.ui.app import Trs80Arm
 
-    app = Trs80Arm(session, options, state_folder(), courier=courier)
+    app = Trs80Arm(session, options, state_folder(), courier=courier, port=port)
     if why := themes.refusal(options.theme, app.available_themes):
         print(f"trs80arm: {message(why)}", file=sys.stderr)
         return USAGE_ERROR
@@ -69,6 +72,7 @@ def run_terminal(options: TerminalOptions) -> int:
             words = last_words(app.fault, state_folder(), session)
             print(f"trs80arm: {words}", file=sys.stderr)
     app.plugged.close()
+    app.served.close()
     app.recovery.let_go()
     # The terminal may have been closed.
     with contextlib.suppress(OSError):

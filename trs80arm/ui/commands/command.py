@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from trs80arm.desk.files import SessionFiles
     from trs80arm.desk.peripherals import Peripherals
     from trs80arm.desk.proof import Proof
+    from trs80arm.desk.served import Served
     from trs80arm.desk.tour import Tour
     from trs80arm.ui.commands.arm import ArmCommands
     from trs80arm.ui.commands.comfort import ComfortCommands
@@ -37,6 +38,7 @@ class Commands:
     peripherals: Peripherals
     comfort: ComfortCommands
     tour: Tour
+    served: Served
 
 
 @dataclass(frozen=True)

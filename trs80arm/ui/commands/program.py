@@ -150,7 +150,7 @@ class ProgramCommands:
 
     def _works(self) -> bool:
         idle = (Waiting.COMMAND, Waiting.EDIT, Waiting.MEMORY_SIZE, Waiting.SYSTEM)
-        return self._session.waiting not in idle or self._session.typing
+        return self._session.waiting not in idle or self._session.busy
 
     def settings(self) -> None:
         """What is set, what it means, and how to have it otherwise."""

@@ -84,7 +84,7 @@ has to say.
         self._pace = Pace()
         self._keys = ""
         self._notice = ""
-        self._tape = ""
+        self._goes_on = ""
         self.needed = 1
 
     def show(
@@ -93,7 +93,7 @@ has to say.
         pace: Pace | None = None,
         keys: str = "",
         notice: str = "",
-        tape: str = "",
+        goes_on: str = "",
     ) -> None:
         """Show these readings with the program's own state.
 
@@ -102,10 +102,10 @@ has to say.
             pace: how fast it runs.
             keys: how keys are read.
             notice: a message to be read beside the machine's state for now.
-            tape: what goes on at the recorder.
+            goes_on: what goes on at the recorder or at the arm's serial line.
         """
         self._pace = pace or self._pace
-        self._keys, self._notice, self._tape = keys, notice, tape
+        self._keys, self._notice, self._goes_on = keys, notice, goes_on
         super().show(readings)
 
     def redraw(self) -> None:
@@ -129,7 +129,7 @@ has to say.
             "motors ON" if readings.motors_on else "motors off",
             Ink.STRONG if readings.motors_on else Ink.PLAIN,
         )
-        said = self._tape or doing_text(readings)
+        said = self._goes_on or doing_text(readings)
         doing: Span = (said, Ink.PLAIN if self._notice else Ink.STRONG)
         shortly: Span = (_SHORTLY.get(readings.waiting, said), doing[1])
         notice: Span = (self._notice, Ink.STRONG)

@@ -382,7 +382,9 @@ class DeskScreen(Layer):
 
     # -- drawing ----------------------------------------------------------------------------------
 
-    def show(self, rig: Rig, now: float, pace: Pace, *, keys: str, notice: str) -> None:
+    def show(
+        self, rig: Rig, now: float, pace: Pace, *, keys: str, notice: str, line: str = ""
+    ) -> None:
         """Draw what differs from what is shown, and write all of it at once.
 
         Args:
@@ -391,11 +393,12 @@ class DeskScreen(Layer):
             pace: how fast the rig runs.
             keys: how keys are read.
             notice: what is to be said now, or nothing.
+            line: what goes on at the arm's serial line, or nothing.
         """
         with self.frame():
-            self._show(rig, now, pace, keys, notice)
+            self._show(rig, now, pace, keys, notice, line)
 
-    def _show(self, rig: Rig, now: float, pace: Pace, keys: str, notice: str) -> None:
+    def _show(self, rig: Rig, now: float, pace: Pace, keys: str, notice: str, line: str) -> None:
         cursor = rig.cursor
         blinks = self.cursor_style is CursorStyle.BLINK
         hidden = blinks and int(now / BLINK_SECONDS) % 2 == 1
@@ -426,7 +429,7 @@ class DeskScreen(Layer):
             self._pixels_took = took if self.arm_style is ArmStyle.PIXELS else 0.0
         if numbers:
             tape = Deck.of(rig).progress if rig.tape.running else ""
-            self.status.show(readings, pace, keys=keys, notice=notice, tape=tape)
+            self.status.show(readings, pace, keys=keys, notice=notice, goes_on=tape or line)
             self._guide.styles.margin = (0, 0, 1 + self.status.needed, 0)
 
     def _inspect(self, rig: Rig) -> None:

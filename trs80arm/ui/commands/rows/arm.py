@@ -60,4 +60,18 @@ ARM: tuple[Command, ...] = (
         "How well the goals of the bench are met, and how far each part is from its place.",
         also="goals error placement met",
     ),
+    Command(
+        "stop_arm",
+        lambda to: to.served.stop(),
+        "Arm: stop key of its pendant",
+        "Stop the arm that a program moves over the serial line.",
+        also="halt emergency serial client teachmover",
+    ),
+    Command(
+        "serial_line",
+        lambda to: to.served.show_lines(),
+        "Arm: serial line",
+        "What went over the arm's serial line lately, both ways.",
+        also="log client teachmover rs232 commands answers",
+    ),
 )
