@@ -20,7 +20,7 @@ from trs80arm.serial.instructions import (
     told,
 )
 from trs80arm.serial.memory import STEPS, Move, row_of
-from trs80arm.serial.pendant import DIGITS, PendantMode, sp_of
+from trs80arm.serial.pendant import AT_WORK, DIGITS, PendantMode, sp_of
 from trs80arm.serial.pendant_keys import FunctionKey, JointKey
 from trs80arm.serial.speeds import delay_of
 
@@ -217,6 +217,32 @@ def test_what_was_taught_is_dumped_and_what_is_written_is_run() -> None:
     assert other.line.send(b"@QDUMP\r") == dumped
     assert other.line.send(b"@RUN\r") == b"1\r"
     assert other.rig.registers[0] == base
+
+
+def test_a_function_key_ends_what_joint_keys_that_are_still_held_do() -> None:
+    hand = Hand().press("TRAIN")
+    hand.rig.press_pendant("BASE_PLUS")
+    hand.rig.run_for(0.3)
+    hand.press("TRAIN")
+    standing = hand.rig.registers
+    hand.rig.run_for(0.3)
+    assert hand.rig.registers == standing
+    assert Move.of(hand.base.memory.dump()[0]).position == standing
+    hand.rig.release_pendant("BASE_PLUS")
+    hand.press("BASE_PLUS:0.2")
+    assert hand.rig.registers[0] > standing[0]
+
+
+def test_numbers_can_be_typed_while_the_hand_closes_and_are_taken_when_it_has() -> None:
+    hand = Hand().press("TRAIN", "GRIP", "PAUSE", NAMES["4"], "RUN")
+    assert hand.pendant.note == AT_WORK
+    assert hand.program == ["1 grip"]
+    hand.wait().press("RUN")
+    assert hand.program == ["1 grip", "2 pause 4 s"]
+    hand.press("RUN")
+    hand.press("ZERO", "OUT")
+    assert hand.pendant.note == AT_WORK
+    assert hand.pendant.asks is None
 
 
 def test_a_line_waits_until_the_pendant_has_done() -> None:

@@ -117,7 +117,8 @@ class BasePendant:
             return pendant.note or (FIRST if resting else "")
         taken = "".join(f" {number}" for number in pendant.numbers)
         typed = f" {pendant.digits}_" if pendant.digits else ""
-        return f"{pendant.asks.name}{taken}: {pendant.wanted}{typed}"
+        note = f"   {pendant.note}" if pendant.note else ""
+        return f"{pendant.asks.name}{taken}: {pendant.wanted}{typed}{note}"
 
     def program(self, rows: int) -> list[str]:
         """The steps in the memory, so many lines around the one at the pointer."""

@@ -25,6 +25,8 @@ STEPS_A_SECOND = 47
 """Half-steps a second of speed 1; speed 3 is known to make 141."""
 FASTEST = 9
 """The greatest speed, chosen: one digit."""
+AT_WORK = "the arm is at work: wait, or STOP"
+"""Said of a key that does nothing for now."""
 _BASE, _PER_UNIT = 1.2, 0.03
 """A tick takes 1.2 + 0.03 D milliseconds."""
 _LONGEST = 3
@@ -130,14 +132,21 @@ class Pendant:
         return isinstance(self.task, Motion) and self.task.word == "MOVE"
 
     def press(self, key: FunctionKey, base: Base) -> None:
-        """A function key went down; while the arm is at work it does nothing."""
-        if self.task is not None:
-            return
+        """A function key went down.
+
+        Joint keys that are still held move nothing any more. While the arm is at work numbers can
+        be typed, and nothing is done.
+        """
         self.note = ""
+        if self._by_hand:
+            base.driver.stop()
+            self.task = None
         if self.asks is not None:
             self._type(key, base)
-        elif key in _ASKED:
+        elif key in _ASKED and not isinstance(self.task, Playing):
             self.asks, self.numbers, self.digits = key, [], ""
+        elif self.task is not None:
+            self.note = AT_WORK
         else:
             self._do(key, base)
 
@@ -199,6 +208,9 @@ class Pendant:
 
     def _take(self, asked: FunctionKey, base: Base) -> None:
         """The number is typed."""
+        if self.task is not None:
+            self.note = AT_WORK
+            return
         wanted = _ASKED[asked][len(self.numbers) :]
         if wanted:
             name, least, most = wanted[0]
