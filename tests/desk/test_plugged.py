@@ -14,7 +14,7 @@ from tests.serial.far_side import FarSide
 from trs80arm import RigSettings
 from trs80arm.arm import ArmSettings
 from trs80arm.desk import recording
-from trs80arm.desk.plugged import MOVE, Plugged
+from trs80arm.desk.plugged import MOVE, STOPPED, Plugged
 from trs80arm.desk.session import Session
 from trs80arm.plain import PlainMode
 from trs80arm.rig import Key
@@ -100,6 +100,8 @@ def test_break_holds_the_wire_at_the_end_of_a_line() -> None:
     rig, far = sitting.session.rig, sitting.far
     rig.type("@STEP 50,-1500\r")
     sitting.pass_time(20, until=lambda: bool(far.steps))
+    sitting.session.run_for(0.6)
+    sitting.session.run_for(0.6)
     rig.press(Key.BREAK)
     rig.run_for(0.01)
     sent = len(far.heard)
@@ -107,6 +109,7 @@ def test_break_holds_the_wire_at_the_end_of_a_line() -> None:
     rig.release(Key.BREAK)
     sitting.pass_time(1)
     assert len(far.heard) == sent
+    assert sitting.person.told.count(STOPPED) == 1
 
 
 def test_a_fault_stops_the_program_and_is_told_once() -> None:

@@ -10,6 +10,7 @@ from trs80arm.serial.limits import Plugging
 from trs80arm.serial.port import Port
 
 OTHER_MACHINE = "The machine is another one, and the arm on the wire is not where its model is."
+STOPPED = "The arm is stopped; what is left of its motion goes first when it is moved again."
 MOVE = "move"
 """The answer that lets the arm move."""
 
@@ -113,7 +114,7 @@ class Plugged:
             self._asked = asking
             return
         if Key.BREAK in self._session.rig.held:
-            courier.stop()
+            self.stop()
         courier.go_on()
         self._mind_faults()
 
@@ -131,8 +132,13 @@ class Plugged:
 
     def stop(self) -> None:
         """Send nothing more; what the arm is doing comes to its end."""
-        if self._courier is not None:
-            self._courier.stop()
+        courier = self._courier
+        if courier is None:
+            return
+        moved = courier.busy and not courier.held
+        courier.stop()
+        if moved:
+            self._say(STOPPED)
 
     def _mind_faults(self) -> None:
         """Tell why the arm does not follow any more, and stop what moves the model."""

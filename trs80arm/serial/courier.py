@@ -64,6 +64,11 @@ class Courier:
         return self._plug.fault
 
     @property
+    def held(self) -> bool:
+        """Whether nothing is sent until the operator has the arm moved again."""
+        return self._held
+
+    @property
     def busy(self) -> bool:
         """Whether anything is on the wire, or is to be sent."""
         return self._answer is not None or (not self._held and bool(self._plug.orders))
