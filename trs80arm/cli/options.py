@@ -73,11 +73,18 @@ def settings_options(flags: dict[str, tuple[str, str]]) -> Callable[[Command], C
     return decorate
 
 
+_CONFIG = click.option("--config", type=A_PATH, help="The settings file instead of the usual one.")
+_OPTION = click.option("--option", multiple=True, help="Any setting: TABLE.KEY=VALUE (repeatable).")
+_BENCH = click.option(
+    "--bench", type=A_BENCH, help="The bench: a TOML file or one that came along."
+)
+
+
 def machine_options(command: Command) -> Command:
     """The options of every command that builds a rig."""
     for option in (
-        click.option("--config", type=A_PATH, help="The settings file instead of the usual one."),
-        click.option("--option", multiple=True, help="Any setting: TABLE.KEY=VALUE (repeatable)."),
+        _CONFIG,
+        _OPTION,
         click.option(
             "--break-now/--break-at-end",
             default=None,
@@ -85,10 +92,15 @@ def machine_options(command: Command) -> Command:
         ),
         click.option("--no-armbasic", is_flag=True, help="The bare ROM: @ words are ?SN."),
         settings_options(SETTING_FLAGS),
-        click.option(
-            "--bench", type=A_BENCH, help="The bench: a TOML file or one that came along."
-        ),
+        _BENCH,
     ):
+        command = option(command)
+    return command
+
+
+def arm_options(command: Command) -> Command:
+    """The options of a command that is about the arm and not the TRS-80."""
+    for option in (_CONFIG, _OPTION, settings_options({"arm": SETTING_FLAGS["arm"]}), _BENCH):
         command = option(command)
     return command
 
@@ -146,7 +158,7 @@ def take_settings(given: dict[str, Any], *defaults: str) -> Settings:
             flags[f"{setting}={value}"] = f"--{name} {value}"
     if given.pop("no_armbasic", False):
         flags["machine.armbasic=false"] = "--no-armbasic"
-    break_now = given.pop("break_now")
+    break_now = given.pop("break_now", None)
     if break_now is not None:
         flags[f"driver.break_now={str(break_now).lower()}"] = "--break-now"
     every = [*flags, *given.pop("option")]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +9,13 @@ import click
 
 from trs80arm.cli.arguments import WholeNumber
 from trs80arm.cli.ending import fail
-from trs80arm.cli.options import SCREEN_FLAGS, machine_options, settings_options, take_settings
+from trs80arm.cli.options import (
+    PLUGGED_ARM,
+    SCREEN_FLAGS,
+    arm_options,
+    settings_options,
+    take_settings,
+)
 
 
 @click.command()
@@ -21,7 +26,7 @@ from trs80arm.cli.options import SCREEN_FLAGS, machine_options, settings_options
 )
 @click.option("--log", is_flag=True, help="Print every line that goes over the wire.")
 @settings_options({"speed": SCREEN_FLAGS["speed"]})
-@machine_options
+@arm_options
 def serial(tcp: int | None, log: bool, bench: Path | None, **given: Any) -> None:
     """Put a TeachMover behind a serial line, for programs that drive one.
 
@@ -30,11 +35,12 @@ def serial(tcp: int | None, log: bool, bench: Path | None, **given: Any) -> None
     takes the time that it takes, unless --speed has it otherwise. ENTER is the stop key of its
     pendant; the name of another key and ENTER presses that. Ctrl+C ends it.
     """
+    from trs80arm.rig import RigSettings
     from trs80arm.serial.endpoints import EndpointError
     from trs80arm.serial.serving import Serving, ServingError, serve
 
-    settings = take_settings(given, "arm.model=teachmover")
-    rig = replace(settings.rig(), controller=True)
+    settings = take_settings(given, PLUGGED_ARM)
+    rig = RigSettings(card=settings.card, arm=settings.arm, controller=True)
     try:
         serve(Serving(rig, bench, tcp, settings.terminal.speed.factor, log))
     except (EndpointError, ServingError) as error:
