@@ -102,3 +102,9 @@ def test_patterns_without_a_field_turn_nothing() -> None:
     gathering = Gathering([0] * 6)
     turns = list(gathering.turns((1, 2, 3, 4), (0, 0, 6, 0), (0b0100, 0, 0b0100, 0b0110)))
     assert turns == [(1, 0, 1), (4, 0, 1)], "it goes on from where it was switched off"
+
+
+def test_against_a_field_that_points_the_other_way_a_rotor_stays() -> None:
+    gathering = Gathering([0] * 6)
+    turns = list(gathering.turns((1, 2), (0, 0), (0b1010, 0b1000)))
+    assert turns == [(2, 0, -3)], "from row 0 to row 5 it is nearer backwards"

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from tests.serial.far_side import HIGH, FarSide, Plugged, nobody
 from trs80arm import Rig
 from trs80arm.serial.courier import Courier
-from trs80arm.serial.far_arm import speed
+from trs80arm.serial.far_arm import Compare, FarArm, Grip, Move, Zero, speed
+from trs80arm.serial.gathering import Leg
 from trs80arm.serial.limits import PlugSettings
 from trs80arm.serial.speeds import delay_of
 from trs80arm.serial.wire import WireError
@@ -226,3 +229,59 @@ def test_the_speed_that_is_sent_is_never_faster() -> None:
         rate = 1000 / (1.2 + 0.03 * delay)
         assert delay <= delay_of(speed(rate)) <= delay + 3
     assert (speed(0.0), speed(1e9)) == (0, 245)
+
+
+statements = st.one_of(
+    st.builds(
+        lambda delay, counts: f"@STEP {delay},{','.join(map(str, counts))}",
+        st.integers(45, 120),
+        st.lists(st.integers(-60, 60), min_size=1, max_size=6),
+    ),
+    st.builds(
+        lambda port, patterns: ":".join(f"OUT {port},{pattern}" for pattern in patterns),
+        st.integers(152, 157),
+        st.lists(st.integers(0, 15), min_size=1, max_size=9),
+    ),
+    st.sampled_from(["@RESET", "PRINT 1", "OUT 158,5", "FOR I=1 TO 300:NEXT"]),
+)
+
+
+@settings(max_examples=40, deadline=None)
+@given(program=st.lists(statements, max_size=5), slices=st.sampled_from([0.004, 0.05, 0.3]))
+def test_whatever_moves_the_model_moves_the_arm_or_is_told(
+    program: list[str], slices: float
+) -> None:
+    both = Plugged()
+    zero = now(both)
+    both.rig.watch_resets(lambda: zero.__setitem__(slice(None), now(both)))
+    for statement in program:
+        both.rig.type(statement + "\r")
+        while both.rig.typing or both.rig.waiting.name != "COMMAND":
+            both.rig.run_for(slices)
+            both.courier.deliver()
+    both.courier.finish()
+    if both.courier.fault:
+        assert both.courier.fault.endswith((".", "--plug-speed.", "--plug-range."))
+    else:
+        gone = [here - then for here, then in zip(now(both), zero, strict=True)]
+        assert both.far.registers == gone
+
+
+def now(both: Plugged) -> list[int]:
+    """Where the model's rotors stand."""
+    return [motor.rotor for motor in both.rig.arm.motors]
+
+
+@given(answers=st.lists(st.text(max_size=12), min_size=1, max_size=3))
+def test_any_answers_are_a_fault_or_none_and_never_anything_else(answers: list[str]) -> None:
+    far = FarSide()
+    far.answer = lambda line: answers
+    arm = FarArm(far, [*"abcdef"], 40)
+    leg = Leg((1, 0, 0, 0, 0, -5), 100.0)
+    faults = []
+    for order in (Move(leg), Grip(leg), Zero(), Compare()):
+        try:
+            arm.do(order)
+        except WireError as error:
+            faults.append(str(error))
+    assert all(fault.endswith(".") and "\n" not in fault for fault in faults)

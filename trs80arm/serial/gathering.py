@@ -104,8 +104,8 @@ class Gathering:
             if row < 0:
                 continue
             turn = (row - self._rows[latch] + RING // 2) % RING - RING // 2
-            self._rows[latch] = row
             if turn not in (0, -RING // 2):
+                self._rows[latch] = row
                 yield int(time), int(latch), int(turn)
 
     def take(self, turns: Iterable[tuple[int, ...]]) -> Iterator[Leg]:
