@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.serial.lab import SETTINGS, Line
+from tests.serial.test_endpoints import Nobody
 from trs80arm import Rig
 from trs80arm.arm import benchfile
 from trs80arm.machine.card import Latch
@@ -22,6 +23,7 @@ from trs80arm.serial.instructions import (
 from trs80arm.serial.memory import STEPS, Move, row_of
 from trs80arm.serial.pendant import AT_WORK, DIGITS, PendantMode, sp_of
 from trs80arm.serial.pendant_keys import FunctionKey, JointKey
+from trs80arm.serial.serving import Server
 from trs80arm.serial.speeds import delay_of
 
 NAMES = {str(digit): key.name for key, digit in DIGITS.items()}
@@ -321,3 +323,22 @@ def test_any_keys_leave_an_arm_that_can_be_stopped_and_a_program_that_can_be_rea
     other = Line()
     other.send(*(b"@QWRITE " + row + b"\r" for row in rows))
     assert other.controller.memory.dump() == base.memory.dump()
+
+
+def test_in_lines_names_are_keys_and_numbers_answer_what_is_asked_for(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    rig = Rig(SETTINGS)
+    server = Server(rig, Nobody(), 1.0)
+    for typed in ("train", "pause", "12", "jump", "1", "4", "", "12"):
+        server.press(typed)
+        rig.run_for(0.1)
+    assert rig.controller is not None
+    assert [told(row) for row in rig.controller.memory] == ["pause 12 s", "jump to 1 if it grips"]
+    out, err = capsys.readouterr()
+    assert out.splitlines()[1:4] == [
+        "Mode TRAIN   Step 1   SP 221   PAUSE: seconds, 0 to 255",
+        "Mode TRAIN   Step 2   SP 221   step 1",
+        "Mode TRAIN   Step 2   SP 221   JUMP: step, 1 to 53",
+    ]
+    assert "the pendant has no key '12'" in err, "no number is asked for"

@@ -7,17 +7,15 @@ own affair (`serial/pendant.py`).
 from __future__ import annotations
 
 from trs80arm.desk.session import Session
+from trs80arm.serial import pendant_words
 from trs80arm.serial.controller import Controller
-from trs80arm.serial.instructions import told
-from trs80arm.serial.memory import STEPS, number_of
-from trs80arm.serial.pendant import DIGITS, PendantMode
+from trs80arm.serial.pendant import DIGITS
 from trs80arm.serial.pendant_keys import FunctionKey, JointKey
 
 AXES = ("BASE", "SHOULDER", "ELBOW", "PITCH", "ROLL", "GRIP")
 """The pairs of joint keys, in order."""
 SIGNS = {1: "PLUS", -1: "MINUS"}
-FIRST = "TRAIN or MOVE first: then the joint keys move the arm."
-"""Said of a pendant whose joint keys do nothing yet."""
+NONE = "This arm has no computer, and no pendant, of its own."
 _OF_DIGIT = {str(digit): key for key, digit in DIGITS.items()}
 
 
@@ -98,43 +96,15 @@ class BasePendant:
     def state(self) -> str:
         """Mode, pointer, speed, and what the arm does, in a line."""
         base = self._base
-        if base is None:
-            return "This arm has no computer, and no pendant, of its own."
-        pendant = base.pendant
-        doing = f"   doing {base.doing}" if base.doing else ""
-        at = pendant.pointer if pendant.pointer <= STEPS else "full"
-        return f"Mode {pendant.mode.value.upper()}   Step {at}   SP {base.speed}{doing}"
+        return pendant_words.state(base) if base is not None else NONE
 
     @property
     def message(self) -> str:
-        """What is asked for, with what is typed of it; or what there is to say of the last key."""
+        """What is asked for, or what there is to say of the last key."""
         base = self._base
-        if base is None:
-            return ""
-        pendant = base.pendant
-        if pendant.asks is None:
-            resting = pendant.mode is PendantMode.OFF and not base.busy
-            return pendant.note or (FIRST if resting else "")
-        taken = "".join(f" {number}" for number in pendant.numbers)
-        typed = f" {pendant.digits}_" if pendant.digits else ""
-        note = f"   {pendant.note}" if pendant.note else ""
-        return f"{pendant.asks.name}{taken}: {pendant.wanted}{typed}{note}"
+        return pendant_words.message(base) if base is not None else ""
 
     def program(self, rows: int) -> list[str]:
         """The steps in the memory, so many lines around the one at the pointer."""
         base = self._base
-        if base is None:
-            return []
-        lines: list[str] = []
-        at = 0
-        for row in base.memory:
-            number = number_of(row)
-            if number <= base.pendant.pointer:
-                at = len(lines)
-            mark = ">" if number == base.pendant.pointer else " "
-            lines.append(f"{mark}{number:2} {told(row)}")
-        if base.pendant.pointer <= STEPS and base.memory.read(base.pendant.pointer) is None:
-            at = min(len(lines), at + 1)
-            lines.insert(at, f">{base.pendant.pointer:2}")
-        begin = max(0, min(at - rows // 2, len(lines) - rows))
-        return lines[begin : begin + rows]
+        return pendant_words.program(base, rows) if base is not None else []

@@ -16,8 +16,10 @@ from trs80arm.arm.bench import BenchError
 from trs80arm.benches import BenchFile
 from trs80arm.reasons import one_line
 from trs80arm.rig import Rig, RigSettings
+from trs80arm.serial import pendant_words
 from trs80arm.serial.attendant import Attendant, Logged
 from trs80arm.serial.endpoints import Port, open_port
+from trs80arm.serial.pendant import DIGITS
 from trs80arm.serial.pendant_keys import FunctionKey, JointKey, key_named
 from trs80arm.shown import message
 
@@ -31,6 +33,8 @@ MOST_OWED = 0.5
 """Seconds that are made up; after a suspend the rest is forgotten."""
 TAP = 0.1
 """Virtual seconds for which a key of the pendant that moves the arm is held."""
+_OF_DIGIT = {str(digit): key.name for key, digit in DIGITS.items()}
+_NUMBERS = frozenset(map(str, range(1000)))
 MOST_TYPED = 4096
 """Bytes of a line that is typed."""
 
@@ -152,16 +156,30 @@ class Server:
         return STEADY if self._working else REST
 
     def press(self, name: str) -> None:
-        """Press a key of the pendant for a moment: what is typed, ENTER alone the stop key."""
+        """Press a key of the pendant for a moment, and say what it shows then.
+
+        Args:
+            name: what is typed: the name of a key, a number that the pendant asks for, or nothing
+                for the stop key.
+        """
         word = name.strip().upper() or FunctionKey.STOP.name
+        base = self.rig.controller
+        if base is not None and base.pendant.asks is not None and word in _NUMBERS:
+            words = [*(_OF_DIGIT[digit] for digit in word), FunctionKey.RUN.name]
+        else:
+            words = [word]
         try:
-            self.rig.press_pendant(word)
+            for each in words:
+                self.rig.press_pendant(each)
+                if isinstance(key_named(each), JointKey):
+                    self.rig.run_for(TAP)
+                self.rig.release_pendant(each)
         except ValueError as error:
             print(f"trs80arm: {message(error)}", file=sys.stderr, flush=True)
             return
-        if isinstance(key_named(word), JointKey):
-            self.rig.run_for(TAP)
-        self.rig.release_pendant(word)
+        if base is not None:
+            shows = (pendant_words.state(base), pendant_words.message(base))
+            print("   ".join(filter(None, shows)), flush=True)
 
 
 class Keys:
