@@ -119,7 +119,8 @@ def decode(data: bytes, rom: Rom | None = None) -> Works:
         places = _Places(works, works)
         _Reader(places).read(entries)
         works.settings = settings
-        if not 0 <= works.clock.now <= _LATEST:
+        times = works.clock.now, works.asked
+        if not all(type(time) is int and 0 <= time <= _LATEST for time in times):
             raise SnapshotError("no snapshot: a time at which no machine was ever switched on")
     except SnapshotError:
         raise

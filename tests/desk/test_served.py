@@ -158,6 +158,17 @@ def test_another_machine_is_answered_for() -> None:
     assert sitting.send(b"", 0.2) == b"2\r"
 
 
+def test_a_state_of_a_machine_whose_arm_has_no_computer_answers_nobody() -> None:
+    sitting = Sitting()
+    sitting.session.rig.restore(Session(RigSettings()).rig.snapshot())
+    assert sitting.send(b"@READ\r") == b""
+    sitting.served.stop()
+    assert sitting.person.told[-1] == NO_LINE
+    sitting.session.rig.restore(Session(SETTINGS).rig.snapshot())
+    # What was sent meanwhile has waited in the line.
+    assert sitting.send(b"@RESET\r", 1.0).count(b"\r") == 3
+
+
 def test_without_a_line_there_is_nothing_to_stop_or_to_show() -> None:
     session, person = Session(RigSettings()), Person()
     served = Served(session, open_line(TerminalOptions()), person, person.say)

@@ -7,7 +7,7 @@ import hashlib
 import json
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from random import Random
 
@@ -238,7 +238,28 @@ def _moments() -> list[bytes]:
         rig.type(typed)
         rig.run_for(seconds)
         found.append(rig.snapshot())
-    return found
+    return [*found, *_moments_of_a_controller()]
+
+
+def _moments_of_a_controller() -> Iterator[bytes]:
+    """Snapshots of moments of the computer in an arm's base."""
+    rig = Rig(RigSettings(ram_kib=4, controller=True))
+    rig.receive(b"@QWRITE 1,3841,5,0,0,0,0,0\r@QWRITE 2,1028,0,0,0,0,0,0\r")
+    rig.run_for(0.5)
+    for sent, keys in (
+        (b"@STEP 200,300\r@CLOSE\r@READ\r@ST", ()),
+        (b"", ("STOP",)),
+        (b"@SET 200\r", ("ELBOW_PLUS", "ROLL_PLUS")),
+        (b"@RUN\r@QDUMP\r", ("FREE",)),
+        (b"", ("STOP", "TRAIN", "JUMP", "MOVE")),
+        (b"", ("STOP", "RUN")),
+    ):
+        rig.receive(sent)
+        for key in keys:
+            rig.press_pendant(key)
+            rig.run_for(0.1)
+        rig.run_for(0.3)
+        yield rig.snapshot()
 
 
 _MOMENTS = _moments()

@@ -14,7 +14,7 @@ from trs80arm.arm import benchfile
 from trs80arm.machine.card import Latch
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.driver import Mode
-from trs80arm.rig import NoControllerError
+from trs80arm.rig import NoControllerError, SnapshotError
 from trs80arm.serial.controller import CHARACTER, WAITING
 from trs80arm.serial.memory import Move
 from trs80arm.serial.speeds import delay_of
@@ -365,3 +365,39 @@ def test_an_arm_of_the_other_make_can_have_a_computer_too() -> None:
     line = Line(Rig(RigSettings(controller=True), benchfile.parse(HIGH, "bench")))
     assert line.send(b"@STEP 230,100,0,50\r") == b"1\r"
     assert line.rig.registers == line.rig.joints == (100, 0, 50, 0, 0, 0)
+
+
+@pytest.mark.parametrize(
+    ("place", "value"),
+    [
+        ("_lines", 7),
+        ("_lines", b"x" * 256),
+        ("_stopped", 5),
+        ("delimiter", "@@"),
+        ("delay", -1),
+        ("speed", 300),
+        ("last_key", 15),
+        ("held", "BASE_PLUS"),
+        ("memory", (2, 0, 0, 0, 0, 0, 0, 0)),
+        ("memory", (1, -1, 0, 0, 0, 0, 0, 0)),
+    ],
+)
+def test_a_snapshot_of_a_computer_that_cannot_be_is_refused(place: str, value: object) -> None:
+    line = Line()
+    line.rig.receive(b"@STEP 200,900\r@READ\r")
+    line.rig.run_for(0.2)
+    controller = line.controller
+    assert controller.possible
+    Rig().restore(line.rig.snapshot())
+    match place:
+        case "_lines":
+            controller._lines.append(value)  # type: ignore[arg-type]
+        case "held":
+            controller.held.add(value)  # type: ignore[arg-type]
+        case "memory":
+            controller.memory.rows[1] = value  # type: ignore[assignment]
+        case _:
+            setattr(controller, place, value)
+    assert not controller.possible
+    with pytest.raises(SnapshotError):
+        Rig().restore(line.rig.snapshot())

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import sys
+
+import pytest
+
 from tests.desk.test_served import Client
 from tests.serial.lab import SETTINGS
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from trs80arm.serial.endpoints import PseudoTerminal
 
 
 def status(sitting: Sitting) -> str:
@@ -57,3 +62,35 @@ async def test_the_lines_can_be_looked_at(sit_down: Opener) -> None:
         assert sitting.app.dialog_is_open
         await sitting.press("escape")
         assert not sitting.app.dialog_is_open
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no pseudo-terminals")
+@piloted
+async def test_a_client_of_pyserial_teaches_reads_steps_and_grips_and_the_screen_shows_it(
+    sit_down: Opener,
+) -> None:
+    serial = pytest.importorskip("serial")
+    port = PseudoTerminal()
+    async with sit_down(120, 40, rig=SETTINGS, port=port) as sitting:
+        with serial.Serial(port.name, 9600, timeout=0) as line:
+
+            async def ask(command: bytes, seconds: float = 2.0) -> bytes:
+                line.write(command)
+                await sitting.pass_time(seconds)
+                return line.read(1000)
+
+            assert await ask(b"@STEP 230,200,-100\r") == b"1\r"
+            assert "J1 base           200    200" in screen_text(sitting.app)
+            assert await ask(b"@QWRITE 1,6401,0,0,0,0,0,0\r") == b"1\r"
+            assert await ask(b"@RUN\r") == b"1\r"
+            assert "J1 base             0      0" in screen_text(sitting.app)
+            assert await ask(b"@CLOSE\r") == b"1\r"
+            assert "grip closed" in screen_text(sitting.app)
+            assert (await ask(b"@READ\r")).startswith(b"1\r0,0,0,0,0,-")
+            line.write(b"@STEP 200,900\r")
+            await sitting.pass_time(0.5)
+            assert sitting.app.busy
+        await sitting.pass_time(0.2)
+        assert not sitting.app.served.moves
+        assert f"{port.name} > (hung up)" in status(sitting)
+    port.close()

@@ -99,7 +99,7 @@ class Served:
 
     def stop(self) -> None:
         """Press the stop key of the arm's pendant."""
-        if self._attendant is None:
+        if self._attendant is None or self._session.rig.controller is None:
             self._say(NO_LINE)
             return
         moved = self.moves

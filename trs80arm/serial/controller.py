@@ -22,11 +22,19 @@ from trs80arm.progress import Progress
 from trs80arm.pulses import Columns
 from trs80arm.serial import protocol
 from trs80arm.serial.instructions import Condition
-from trs80arm.serial.lines import Lines
+from trs80arm.serial.lines import LONGEST, Lines
 from trs80arm.serial.memory import TeachMemory
 from trs80arm.serial.pendant import Pendant
 from trs80arm.serial.pendant_keys import FunctionKey, JointKey, PendantKey, directions
-from trs80arm.serial.protocol import DONE, REFUSED, STOPPED, Command
+from trs80arm.serial.protocol import (
+    DONE,
+    FASTEST,
+    LONGEST_DELAY,
+    REFUSED,
+    STOPPED,
+    Command,
+    can_delimit,
+)
 from trs80arm.serial.speeds import delay_of
 from trs80arm.serial.tasks import Manual, Motion, Playing, Task
 
@@ -87,6 +95,26 @@ class Controller:
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "listeners": []}
+
+    @property
+    def possible(self) -> bool:
+        """Whether it is as it can be: one from outside may not."""
+        lines = all(type(line) is bytes and len(line) <= LONGEST for line in self._lines)
+        return (
+            lines
+            and len(self._lines) <= WAITING
+            and 0 <= self._stopped <= len(self._lines) + self._refused
+            and self._refused >= 0
+            and self._stream.possible
+            and self.memory.possible
+            and self.pendant.possible
+            and can_delimit(self.delimiter)
+            and 0 <= self.delay <= LONGEST_DELAY
+            and 0 <= self.speed <= FASTEST
+            and 0 <= self.last_key <= max(FunctionKey)
+            and all(isinstance(key, JointKey) for key in self.held)
+            and (self._task is None or isinstance(self._task, Motion | Playing))
+        )
 
     # -- the line -----------------------------------------------------------------------------
 

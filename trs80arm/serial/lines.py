@@ -48,6 +48,11 @@ class Lines:
         if not self._lost:
             self._held += piece
 
+    @property
+    def possible(self) -> bool:
+        """Whether it holds what it can: one from outside may not."""
+        return len(self._held) <= LONGEST and END not in self._held
+
     def clear(self) -> None:
         """Forget what has come of a line."""
         self._held.clear()

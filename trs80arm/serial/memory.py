@@ -114,6 +114,14 @@ class TeachMemory:
         """Take away the row of a step, if there is one."""
         self.rows.pop(number, None)
 
+    @property
+    def possible(self) -> bool:
+        """Whether it holds what it can: one from outside may not."""
+        return all(
+            1 <= number <= STEPS and row_of(row) == row and number_of(row) == number
+            for number, row in self.rows.items()
+        )
+
     def clear(self) -> None:
         """Take all rows away."""
         self.rows.clear()

@@ -103,6 +103,20 @@ class Pendant:
         self.note = ""
 
     @property
+    def possible(self) -> bool:
+        """Whether it is as it can be: one from outside may not."""
+        asked = () if self.asks is None else _ASKED.get(self.asks)
+        return (
+            asked is not None
+            and 1 <= self.pointer <= STEPS + 1
+            and all(type(number) is int for number in self.numbers)
+            and (self.asks is None or len(self.numbers) <= len(asked))
+            and (not self.digits or (self.digits.isdecimal() and self.digits.isascii()))
+            and len(self.digits) <= _LONGEST
+            and (self.task is None or isinstance(self.task, Motion | Playing))
+        )
+
+    @property
     def wanted(self) -> str:
         """What is asked for now, as `step, 1 to 53`; empty if nothing is."""
         if self.asks is None:

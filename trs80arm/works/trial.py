@@ -35,6 +35,8 @@ def try_out(works: Works) -> None:
         running.run_to(works.clock.now + round(seconds * T_STATES_PER_SECOND))
 
     try:
+        if works.controller is not None and not works.controller.possible:
+            raise ValueError("the computer in the arm's base holds what it cannot")
         pass_time(_TRIAL)
         works.video.lines()
         works.joints, works.basic.waiting  # noqa: B018
