@@ -17,11 +17,13 @@ from typing import Any
 from PIL.Image import Image
 
 from trs80arm.arm.geometry import Pose
+from trs80arm.arm.settings import ArmSettings
 from trs80arm.desk.opening import open_session
 from trs80arm.drawing.readings import Readings
 from trs80arm.film.frames import Film
 from trs80arm.film.svg import svg
 from trs80arm.options import ArmStyle, TerminalOptions
+from trs80arm.rig import RigSettings
 from trs80arm.ui.app import Trs80Arm
 from trs80arm.ui.filming import Wall, picture
 from trs80arm.ui.terminal.pixels import image_of
@@ -129,6 +131,35 @@ async def taught_program(sitting: Sitting) -> None:
     await pendant(sitting)
     await sitting.pilot.press("l")
     await sitting.pass_time(0.1)
+
+
+async def base_pendant(sitting: Sitting) -> None:
+    """The TeachMover's own pendant: a pick taught, a number being typed, a joint key held."""
+    sitting.app.session.rig.move_to(Pose(8.0, 0.0, 0.5, -90.0, 0.0, 0.8))
+    await sitting.app.run_action("do('teach')")
+    await sitting.pilot.pause()
+    screen, base = sitting.app.screen, sitting.app.base_pendant
+
+    async def push(*keys: str) -> None:
+        for key in keys:
+            await sitting.pilot.press(key)
+            await sitting.pass_time(0.2)
+
+    async def hold(axis: int, way: int, seconds: float) -> None:
+        base.press(axis, way)
+        await sitting.pass_time(seconds)
+        base.release(axis, way)
+        await sitting.pass_time(0.1)
+
+    await push("v", "7", "enter", "a", "a", "p", "2", "enter", "g")
+    await sitting.pass_time(1.5)
+    await hold(1, 1, 0.8)
+    await push("a")
+    await hold(0, 1, 1.2)
+    await push("a", "j", "1", "enter", "4")
+    base.press(0, 1)
+    screen.show()
+    await sitting.pilot.pause()
 
 
 async def effort(sitting: Sitting) -> None:
@@ -275,6 +306,9 @@ async def main() -> None:
     bench = PROGRAMS / "table4.toml"
     await shoot("pendant", (120, 40), pendant, bench=bench)
     await shoot("taught-program", (100, 36), taught_program, bench=bench, theme="paper")
+    arm = ArmSettings(model="teachmover")
+    rig = RigSettings(controller=True, arm=arm)
+    await shoot("base-pendant", (120, 36), base_pendant, rig=rig, bench=bench)
     await shoot("tour", (100, 30), tour, tour=True)
     await shoot("tapes", (80, 24), tapes, program=PROGRAMS / "table2.bas")
     await shoot("open", (100, 30), action("open"), theme="white")

@@ -7,6 +7,7 @@ does everything at once, as its time is virtual.
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 import threading
@@ -49,6 +50,7 @@ class FarArm:
         hangs_up_at: the line at which the wire is cut; None for none.
         noise: what is answered instead, if anything.
         asked: whether anything has come.
+        moved: whether a motion has been asked for.
     """
 
     def __init__(self, bench: Path = BENCH) -> None:
@@ -60,6 +62,7 @@ class FarArm:
         self.hangs_up_at: int | None = None
         self.noise: bytes | None = None
         self.asked = threading.Event()
+        self.moved = threading.Event()
         self.rig.watch_answers(lambda answer: os.write(self._master, answer))
         self._thread = threading.Thread(target=self._serve, daemon=True)
         self._thread.start()
@@ -69,6 +72,8 @@ class FarArm:
             while data := os.read(self._master, 4096):
                 self.lines += data.count(b"\r")
                 self.asked.set()
+                if b"@STEP" in data:
+                    self.moved.set()
                 if self.hangs_up_at is not None and self.lines >= self.hangs_up_at:
                     os.close(self._slave)
                     os.close(self._master)
@@ -277,3 +282,20 @@ def test_a_port_that_is_let_go_while_it_waits_stops_waiting() -> None:
         waiting.join(5)
         assert not waiting.is_alive()
         assert len(told) == 1
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="Ctrl+C is another thing there")
+def test_ctrl_c_ends_a_run_at_the_end_of_a_line() -> None:
+    with far_arm() as far:
+        plug = ["--plug", f"serial:{far.path}", "--yes"]
+        asked = [str(TABLE4), "--bench", str(BENCH), "--set", "0", "--seconds", "100000"]
+        with subprocess.Popen(
+            [sys.executable, "-m", "trs80arm", "run", *asked, *plug],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as running:
+            assert far.moved.wait(30)
+            running.send_signal(signal.SIGINT)
+            _, told = running.communicate(timeout=20)
+        assert (running.returncode, told) == (130, "")
