@@ -130,9 +130,10 @@ def test_what_trains_do_ahead_is_what_their_writes_do(burst: Pulses, time: int) 
         assert one.turned_at_last(order) == other.turned_at_last(order)
         assert one.closest(order) <= other.closest(order)
         assert one.moments(order, 0, 9) == other.moments(order, 0, 9)
+        every = range(len(one.turnings))
         for all_mine, all_theirs in (
             (one.half_steps(order), other.half_steps(order)),
-            (one.before_each(order), other.before_each(order)),
+            (one.before_each(order, every), other.before_each(order, every)),
         ):
             each = zip(all_mine, all_theirs, strict=True)
             assert all(of_one.tolist() == of_other.tolist() for of_one, of_other in each)

@@ -126,8 +126,13 @@ class Ahead(Protocol):
     def half_steps(self, order: int) -> tuple[Array, Array]:
         """All half-steps of one motor: their T-states, and which way each goes."""
 
-    def before_each(self, order: int) -> list[Array]:
-        """Half-steps by which each of the motors is turned just before each of one motor's."""
+    def before_each(self, order: int, places: Sequence[int]) -> list[Array]:
+        """Half-steps by which some motors are turned just before each of one motor's.
+
+        Args:
+            order: of that one among the turnings.
+            places: of the others.
+        """
 
 
 def look_ahead(motors: Sequence[StepperMotor], burst: Burst) -> Ahead | None:
@@ -217,8 +222,7 @@ class PulsesAhead:
             count,
             way,
             net,
-            min(0, net),
-            max(0, net),
+            *((0, net) if net > 0 else (net, 0)),
             pulses.time(train.tick(train.begin)),
             pulses.time(last),
             # Steps come every so many ticks at least, and these after so many T-states.
@@ -333,12 +337,13 @@ class PulsesAhead:
         times = pulses.start + ticks * pulses.over // pulses.under
         return times, np.full(len(ticks), mine.direction, dtype=np.int64)
 
-    def before_each(self, order: int) -> list[Array]:
+    def before_each(self, order: int, places: Sequence[int]) -> list[Array]:
         """As in `Ahead`."""
-        ticks = self._trains[order].tick_array()
+        ticks, trains = self._trains[order].tick_array(), self._trains
         return [
-            train.direction * train.before_each(ticks + 1 if place < order else ticks)
-            for place, train in enumerate(self._trains)
+            trains[place].direction
+            * trains[place].before_each(ticks + 1 if place < order else ticks)
+            for place in places
         ]
 
 
@@ -447,9 +452,10 @@ class ColumnsAhead:
         """As in `Ahead`."""
         return self._times[self._places[order]], self._turns[order].astype(np.int64)
 
-    def before_each(self, order: int) -> list[Array]:
+    def before_each(self, order: int, places: Sequence[int]) -> list[Array]:
         """As in `Ahead`."""
-        return self._turned(self._places[order])
+        turned = self._turned(self._places[order])
+        return [turned[place] for place in places]
 
     def _turned(self, writes: Array) -> list[Array]:
         """Half-steps by which each motor is turned by so many writes."""

@@ -6,6 +6,7 @@ yet: it falls behind, and catches up after.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,10 +14,18 @@ import numpy.typing as npt
 
 from trs80arm.arm.ahead import Ahead
 from trs80arm.arm.forces import BY_THEMSELVES, cosines
-from trs80arm.arm.model import BASE, HAND
+from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, RIGHT_WRIST, SHOULDER, Motor
 
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover
+
+BEARS_BY: Mapping[Motor, Sequence[Motor]] = {
+    BASE: (SHOULDER, ELBOW, LEFT_WRIST, RIGHT_WRIST),
+    LEFT_WRIST: (LEFT_WRIST, RIGHT_WRIST),
+    RIGHT_WRIST: (LEFT_WRIST, RIGHT_WRIST),
+    HAND: (ELBOW, HAND),
+}
+"""By where which motors stand what bears on one that does not bear its load by itself."""
 
 Array = npt.NDArray[np.int64]
 Floats = npt.NDArray[np.float64]
@@ -66,14 +75,20 @@ def half_steps(arm: MiniMover, ahead: Ahead, order: int) -> tuple[Array, Floats]
         order: of the motor among its turnings.
     """
     latch = ahead.turnings[order].latch
+    kind = arm.motor_kinds[latch]
     times, turns = ahead.half_steps(order)
     rotors = np.empty((6, len(times)), dtype=np.int64)
-    if arm.motor_kinds[latch] in BY_THEMSELVES:
+    if kind in BY_THEMSELVES:
         rotors[latch] = np.cumsum(turns) - turns + arm.rotors[latch]
     else:
         rotors[:] = np.array(arm.rotors)[:, None]
-        for other, by in zip(ahead.turnings, ahead.before_each(order), strict=True):
-            rotors[other.latch] += by
+        places = [
+            place
+            for place, other in enumerate(ahead.turnings)
+            if arm.motor_kinds[other.latch] in BEARS_BY[kind]
+        ]
+        for place, by in zip(places, ahead.before_each(order, places), strict=True):
+            rotors[ahead.turnings[place].latch] += by
     return times, against(arm, latch, turns, rotors)
 
 

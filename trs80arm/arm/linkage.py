@@ -13,6 +13,7 @@ from functools import cached_property
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Link, Screw
 from trs80arm.arm.contact.carrying import load_at
 from trs80arm.arm.contact.manifold import Placed
+from trs80arm.arm.contact.rotations import Matrix
 from trs80arm.arm.contact.solids import Solid, box
 from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.model import ArmModel
@@ -121,22 +122,18 @@ class ArmLinkage:
             _half(pitch, roll, -1.0),
         )
         across, tip = points.across, points.fingertip
-        frames = {
-            Piece.UPPER_ARM: (points.shoulder, (c2 * c1, c2 * s1, s2), left, upper),
-            Piece.FOREARM: (points.elbow, (c3 * c1, c3 * s1, s3), left, fore),
-            Piece.HAND: (points.wrist, points.pointing, across, (*hand, still)),
+        turn = _frame(points.pointing, across)
+        found = {
+            Piece.UPPER_ARM: Link(points.shoulder, _frame((c2 * c1, c2 * s1, s2), left), upper),
+            Piece.FOREARM: Link(points.elbow, _frame((c3 * c1, c3 * s1, s3), left), fore),
+            Piece.HAND: Link(points.wrist, turn, (*hand, still)),
         }
         for piece, side in zip(FINGERS, (0.5, -0.5), strict=True):
             by = (side * across[0], side * across[1], side * across[2])
             opening = joints[5]
             place = (tip[0] + opening * by[0], tip[1] + opening * by[1], tip[2] + opening * by[2])
-            frames[piece] = (place, points.pointing, across, (*hand, (NOWHERE, by)))
-        out = []
-        for solid in self.model.solids:
-            place, a, b, screws = frames[solid.link]
-            u = cross(a, b)
-            out.append(Link(place, (a[0], b[0], u[0], a[1], b[1], u[1], a[2], b[2], u[2]), screws))
-        return out
+            found[piece] = Link(place, turn, (*hand, (NOWHERE, by)))
+        return [found[solid.link] for solid in self.model.solids]
 
     def hand_at(self, joints: Sequence[float]) -> Link:
         """Where the hand is, with nothing said of how it moves.
@@ -145,9 +142,7 @@ class ArmLinkage:
             joints: as for `links`.
         """
         points = forward(self.model, JointAngles.of_gears(*joints[:5]))
-        a, b = points.pointing, points.across
-        u = cross(a, b)
-        return Link(points.wrist, (a[0], b[0], u[0], a[1], b[1], u[1], a[2], b[2], u[2]), ())
+        return Link(points.wrist, _frame(points.pointing, points.across), ())
 
     def piece(self, number: int, links: Sequence[Link], carried: Sequence[Body]) -> list[Placed]:
         """The solids of one piece: a link, or after these what rests in the hand.
@@ -178,6 +173,13 @@ class ArmLinkage:
         for load in carried:
             found += [("", solid) for solid in load_at(load, links[self.hand])]
         return found
+
+
+def _frame(ahead: Vector, aside: Vector) -> Matrix:
+    """The turn of what points ahead, and has its left aside."""
+    a, b, c = ahead
+    d, e, f = aside
+    return a, d, b * f - c * e, b, e, c * d - a * f, c, f, a * e - b * d
 
 
 def _about(point: Vector, axis: Vector) -> Screw:

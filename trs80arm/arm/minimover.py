@@ -235,8 +235,8 @@ class MiniMover:
         if not 0 <= latch <= AUXILIARY:
             return
         nibble &= 15
-        world = self._world
-        if world.due <= time or world.alarm <= time:
+        bench = self.bench
+        if bench.scene.due <= time or (bench.cell.devices and bench.cell.alarm <= time):
             self.let_pass(time)
         if time > self._time:
             self._time = time
@@ -307,10 +307,10 @@ class MiniMover:
         Something presses on the arm or is pushed by it, the hand is pulled at or has something
         heavy in it, or its cable is too tight. Full load is nothing to a motor that stands.
         """
-        if self._pull is not None:
+        grasp = self._world.grasp
+        if self._pull is not None or any(grasp.pushed):
             return True
-        grasp, grip = self._world.grasp, self._world.grip
-        if any(grasp.pushed) or grip.squeeze > self._most_squeeze:
+        if self._world.grip.squeeze > self._most_squeeze:
             return True
         burdens = grasp.burdens
         return bool(burdens) and sum([each.weight for each in burdens]) > self.model.full_load

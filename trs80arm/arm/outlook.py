@@ -35,6 +35,8 @@ CLOSELY = 8
 """Ticks for which it does not pay to look at what is swept over by half of them."""
 PARTS = 64
 """Of a burst, by which what is asked of a piece of it is rounded, so that it recurs."""
+STRETCH = 128
+"""Places on a way that are seen at once: mostly a feeder may give its next part early on it."""
 HALVED = 2
 """How often a motion is halved before it is looked at place by place."""
 
@@ -259,8 +261,13 @@ class Outlook:
         writes = [ahead.half_steps(order)[0] for order in range(len(ahead.turnings))]
         # What is written is done on the ticks after it.
         times = np.concatenate(([begins], np.unique(np.concatenate(writes)) + 1))
-        unfed = self._feeding.places_unfed(self._unstrained(here, _on_ticks(here, ahead, times)))
-        return int(times[unfed]) - begins if unfed < len(times) else ahead.ends + 2 - begins
+        for first in range(0, len(times), STRETCH):
+            some = times[first : first + STRETCH]
+            joints = self._unstrained(here, _on_ticks(here, ahead, some))
+            unfed = self._feeding.places_unfed(joints)
+            if unfed < len(some):
+                return int(some[unfed]) - begins
+        return ahead.ends + 2 - begins
 
     def _swept_clear(self, here: Standing, ahead: Ahead, ticks: range, near: Sequence[Near]) -> int:
         """On how many ticks in a row the arm has room, by what it sweeps over between them.

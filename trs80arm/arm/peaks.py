@@ -39,7 +39,6 @@ def note_stride(arm: MiniMover, ahead: Ahead, burst: Ahead, passage: Passage) ->
     margin = arm.settings.speed_margin
     for order, turning in enumerate(ahead.turnings):
         latch, gap, pulses = turning.latch, turning.gap, arm.motors[turning.latch].pulses
-        curve = arm.strength.curves[arm.motor_kinds[latch]]
         # Rings of pulses that the stride begins and ends, and those that end in it.
         seldom = passage.shares[latch] <= arm.peaks[latch]
         ring = passage.rings.get(latch)
@@ -51,6 +50,7 @@ def note_stride(arm: MiniMover, ahead: Ahead, burst: Ahead, passage: Passage) ->
             if used > arm.peaks[latch] and ahead is not burst:
                 used = _worked_out(arm, ahead, order).within
             arm.note_use(latch, used)
+        curve = arm.strength.curves[arm.motor_kinds[latch]]
         spans = [turning.first + k * gap - pulses[k + 1] for k in range(min(RING, turning.steps))]
         rate = PER_RING / max(1, min(spans)) / margin
         if per_cent(curve.used(torques[latch], rate)) <= arm.peaks[latch]:

@@ -141,9 +141,9 @@ class World:
 
     def tick(self) -> None:
         """Let a tick pass; contact is looked at if there can be any."""
-        gripped, strained = self.gripped, self._strained
-        scene = self.bench.scene
-        free = scene.quiet and self.bench.cell.stands and (self.grasp.alone or not strained)
+        scene, stands, strained = self.bench.scene, self.bench.cell.stands, self._strained
+        gripped = scene.gripped and stands and self.grasp.firm
+        free = scene.quiet and stands and (self.grasp.alone or not strained)
         if (gripped and self._tick_gripping()) or (free and self._tick_freely(strained)):
             scene.time = scene.due
             self._ticked[:] = self._rotors
@@ -178,7 +178,7 @@ class World:
         if self._rotors == self._ticked and not strained:
             return True
         commands = self.wanted
-        if not self._holds_on(commands):
+        if self._loaded and not self._holds_on(commands):
             return False
         joints = self._led_to(commands, strained)
         if not self._outlook.clear_at(joints):
@@ -199,8 +199,6 @@ class World:
     def _holds_on(self, commands: list[float]) -> bool:
         """Whether the hand still holds its load as it took it up."""
         carrying = self.bench.scene.carrying
-        if not self._loaded:
-            return True
         return carrying.openings[0] <= commands[-1] <= carrying.openings[1] and (
             self._rotors[3:5] == self._ticked[3:5]
             or carrying.upright_in(self.linkage.hand_at(commands))

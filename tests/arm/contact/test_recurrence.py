@@ -11,7 +11,7 @@ from tests.arm.writes import CELL
 from trs80arm.arm import MiniMover, benchfile
 from trs80arm.arm.contact.bodies import Body, Shape
 from trs80arm.arm.contact.clock import TICK_STATES
-from trs80arm.arm.contact.recurrence import Recurrence, question
+from trs80arm.arm.contact.recurrence import Recurrence, brief, question
 from trs80arm.arm.contact.rotations import oriented
 from trs80arm.arm.contact.scene import Scene
 from trs80arm.arm.contact.solids import box
@@ -164,6 +164,11 @@ def test_a_question_is_the_same_to_the_last_bit_only() -> None:
     assert question(0.1 + 0.2) != question(0.3)
     assert question(1) != question(1.0)
     assert question((1.0, 2.0), 3.0) != question(1.0, (2.0, 3.0))
+
+
+def test_a_question_told_in_brief_is_told_apart_to_the_last_bit_as_well() -> None:
+    assert brief((0.1 + 0.2, [1.0])) == brief((0.1 + 0.2, [1.0]))
+    assert len({brief(0.0), brief(-0.0), brief(0.3), brief(0.1 + 0.2), brief(0), brief((0,))}) == 6
 
 
 def test_what_has_been_known_longest_is_forgotten() -> None:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
+from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage, Screw
 from trs80arm.arm.contact.bounds import NEARBY, spheres_around
 from trs80arm.arm.contact.clock import TICK
 from trs80arm.arm.contact.contacts import Contact, Mobile
@@ -31,6 +31,8 @@ BESIDE = 8
 """Solids of which it is known whether they are near to the arm that stands somewhere."""
 STANDINGS = 256
 """Places of the arm whose links are known at once."""
+STANDS: Screw = (NOWHERE, NOWHERE)
+"""How a link moves with a coordinate that does not move it."""
 HELD_FAST = 1e3
 """How many times as inert the fingers are while something rests between them."""
 
@@ -396,7 +398,11 @@ def _reach(link: Link, solid: Placed) -> list[float]:
     """How far any point of a link moves at most for a unit of each coordinate, inches."""
     (x, y, z), radius = solid.middle, solid.radius
     out = []
-    for (a, b, c), (u, v, w) in link.screws:
+    for screw in link.screws:
+        if screw == STANDS:
+            out.append(0.0)
+            continue
+        (a, b, c), (u, v, w) = screw
         u, v, w = u + b * z - c * y, v + c * x - a * z, w + a * y - b * x
         far = math.sqrt(u * u + v * v + w * w)
         out.append(far + radius * math.sqrt(a * a + b * b + c * c) if a or b or c else far)

@@ -48,6 +48,8 @@ _NOTHING_KNOWN, _UNKNOWN = repeat(_APART), repeat(_LEVEL)
 
 Columns = list[tuple[int, Six]]
 """Of an arm's coordinates: which, and how it moves a link for a unit."""
+Slope = tuple[float, float, float, float]
+"""Of friction at a point: how it grows with the speed there, and the way in which that slides."""
 Pressures = list[float] | None
 """At each point of a contact; None where nothing presses at all."""
 
@@ -72,6 +74,7 @@ class Patch:
         "_seconds",
         "_soonest",
         "_spread",
+        "_stiff",
         "columns_one",
         "columns_two",
         "contact",
@@ -116,6 +119,7 @@ class Patch:
         self.expected: Pressures = None
         self.overheld = False
         self.found: Pressures = None
+        self._stiff: tuple[list[int], list[Slope], list[float]] | None = None
         self._nothing = [_APART] * len(contact.points)
         self.regimes = self._nothing
         self.slopes = [_LEVEL] * len(contact.points)
@@ -318,7 +322,7 @@ class Patch:
         along = nx * vx + ny * vy + nz * vz
         fx = fy = fz = mx = my = mz = 0.0
         regimes_before: Iterable[int] = _NOTHING_KNOWN
-        slopes_before: Iterable[tuple[float, float, float, float]] = _UNKNOWN
+        slopes_before: Iterable[Slope] = _UNKNOWN
         if guess >= CAUGHT:
             regimes_before, slopes_before = self.regimes, self.slopes
         self.regimes = regimes = []
@@ -385,6 +389,10 @@ class Patch:
         """
         if not any(self.regimes):
             return None
+        if self._stiff is not None:
+            regimes, slopes, known = self._stiff
+            if regimes == self.regimes and slopes == self.slopes:
+                return known
         nx, ny, nz = self.normal
         # Of what acts along the normal: the sum, and its first and second moments.
         n = n_x = n_y = n_z = n_xx = n_xy = n_yy = n_xz = n_yz = n_zz = 0.0
@@ -445,6 +453,7 @@ class Patch:
                 for b in way[: p + 1]:
                     out[k] -= a * b
                     k += 1
+        self._stiff = self.regimes, self.slopes, out
         return out
 
 
