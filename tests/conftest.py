@@ -11,12 +11,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
-
-# A busy computer is slow, not wrong. Where `CI` is set hypothesis has such a profile of its own.
-settings.register_profile("patient", deadline=None)
-if "CI" not in os.environ:
-    settings.load_profile("patient")
 
 if sys.dont_write_bytecode:
     # The program is started by dozens of tests. Where nothing may be written beside its modules
@@ -28,6 +22,16 @@ if sys.dont_write_bytecode:
 
 NOBODY = 65534
 """A user who owns nothing."""
+
+
+def pytest_configure() -> None:
+    """A busy computer is slow, not wrong: where `CI` is set hypothesis knows it."""
+    # Only now, or it would be imported before there is a place for what is compiled of it.
+    from hypothesis import settings
+
+    settings.register_profile("patient", deadline=None)
+    if "CI" not in os.environ:
+        settings.load_profile("patient")
 
 
 def pytest_collection_finish() -> None:
