@@ -9,6 +9,7 @@ that a statement that fails is charged for what it has done.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from types import CellType, CodeType, FunctionType
 from typing import Any, Final, NamedTuple
 
@@ -19,6 +20,9 @@ from trs80arm.basic.variables import Key
 MARGIN: Final = 200_000
 """T-states that a block of statements may take without looking at the clock itself; near the
 clock's limit single statements are executed instead, so that both ways stop at the same one."""
+_KEPT: Final = 2000
+"""Texts whose code is kept: a machine that runs again what it or another one ran, as each of a
+sweep does, does not wait for Python to read the same text."""
 _LOOP_BODY: Final = "f.body"
 """Where NEXT goes back to, in generated text."""
 _KNOWN_LOOP, _KNOWN_LIMIT = "around", "last"
@@ -360,7 +364,7 @@ class Emitter:
             TooDeep: the text must be written flat.
         """
         try:
-            module = compile(self.source(), "<statement>", "exec")
+            code = _code(self.source())
         except (SyntaxError, RecursionError, MemoryError):
             if not self.flat:
                 raise TooDeep from None
@@ -368,13 +372,19 @@ class Emitter:
             del self._lines[:], self.marks[:]
             self.indent = 1
             self.fail(Code.OM)
-            module = compile(self.source(), "<statement>", "exec")
-        code = _inner(_inner(module, "cells"), "statement")
+            code = _code(self.source())
         for name in code.co_names:
             if name not in environment and name not in ATTRIBUTES:
                 raise UnlistedName(name)
         closure = tuple(self._cells[name] for name in code.co_freevars)
         return FunctionType(code, environment, "statement", None, closure), self._first_line
+
+
+@lru_cache(_KEPT)
+def _code(source: str) -> CodeType:
+    """What Python makes of the text of a function: the same for the same text."""
+    module = compile(source, "<statement>", "exec")
+    return _inner(_inner(module, "cells"), "statement")
 
 
 def _inner(code: CodeType, name: str) -> CodeType:
