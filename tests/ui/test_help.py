@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from textual.widgets import Input, Markdown
+from textual.containers import VerticalScroll
+from textual.widgets import Input
 from textual.widgets.markdown import MarkdownFence
 
 from tests.ui.conftest import Opener, Sitting
@@ -11,7 +12,7 @@ from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
 from trs80arm.options import KeyMode
 from trs80arm.ui.help_topics import AFTER_A_SLIP, WHILE_WAITING, Topic, topics
-from trs80arm.ui.screens.help import HelpScreen
+from trs80arm.ui.screens.help import AT_ONCE, HelpScreen, TopicPage
 
 TOPICS = [Topic("One", "about the ARM"), Topic("Two", "of tapes"), Topic("Three", "arm and tapes")]
 
@@ -28,8 +29,17 @@ async def first_topic(sitting: Sitting) -> str:
 
 def seen(screen: HelpScreen) -> list[str]:
     """The headings of the topics that are shown, from the top."""
-    pages = [words.source for words in screen.query(Markdown) if words.display]
-    return [str(page).splitlines()[0].removeprefix("## ") for page in pages]
+    return [page.topic.title for page in screen.query(TopicPage) if page.display]
+
+
+async def read_through(sitting: Sitting) -> None:
+    """Scroll from the top to the end."""
+    place = sitting.app.screen.query_one(VerticalScroll)
+    for _ in range(200):
+        if place.scroll_offset.y == place.max_scroll_y:
+            return
+        await sitting.press("pagedown")
+    pytest.fail("there is no end")
 
 
 @piloted
@@ -109,8 +119,30 @@ async def test_no_language_is_guessed_for_its_tables(
     )
     async with sit_down() as sitting:
         await first_topic(sitting)
+        for page in sitting.app.screen.query(TopicPage):
+            if "```" in page.topic.page:
+                page.write()
+        await sitting.settle()
         assert sitting.app.screen.query(MarkdownFence)
         assert guessed == []
+
+
+@piloted
+async def test_what_is_scrolled_to_is_written_and_what_is_far_below_is_not(
+    sit_down: Opener,
+) -> None:
+    async with sit_down() as sitting:
+        await first_topic(sitting)
+        pages = list(sitting.app.screen.query(TopicPage))
+        written = [page.is_written for page in pages]
+        assert written == sorted(written, reverse=True)
+        assert written[:AT_ONCE] == [True] * AT_ONCE
+        assert not all(written[: len(pages) // 2])
+        await read_through(sitting)
+        await sitting.settle()
+        assert [page.source for page in pages] == [page.topic.page for page in pages]
+        *_, last = (line for line in pages[-1].topic.text.split() if line.isalpha())
+        assert last in screen_text(sitting.app)
 
 
 @piloted

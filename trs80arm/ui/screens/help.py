@@ -15,7 +15,43 @@ from trs80arm.ui.help_topics import Topic
 from trs80arm.ui.screens.dialog import Dialog
 
 AT_ONCE = 2
-"""Topics that are there when it opens: more than a screen has room for."""
+"""Topics that are written at once: more than a screen has room for."""
+WIDTH = 90
+"""Columns that lines of a topic have about, for how long it will be."""
+
+
+class TopicPage(Markdown):
+    """A topic in its place; its text is written when somebody is about to see it.
+
+    Writing takes a while, as each paragraph and each row of a table is a widget of its own.
+
+    Args:
+        topic: what it is on.
+        at_once: whether it is written as soon as it is there.
+    """
+
+    def __init__(self, topic: Topic, *, at_once: bool) -> None:
+        super().__init__(topic.page if at_once else None)
+        self.topic = topic
+        self._is_written = at_once
+        if not at_once:
+            # About as long as it will be, for the scroll bar.
+            self.styles.height = sum(1 + len(line) // WIDTH for line in topic.page.splitlines())
+
+    @property
+    def is_written(self) -> bool:
+        """Whether its text is there, or about to be."""
+        return self._is_written
+
+    def write(self) -> None:
+        """Have its text there, if it is not yet."""
+        if not self._is_written:
+            self._is_written = True
+            self.run_worker(self._write())
+
+    async def _write(self) -> None:
+        await self.update(self.topic.page)
+        self.styles.height = "auto"
 
 
 class HelpScreen(Dialog[None]):
@@ -42,51 +78,54 @@ class HelpScreen(Dialog[None]):
     def __init__(self, topics: Sequence[Topic], first: str = "") -> None:
         super().__init__()
         self._topics = sorted(topics, key=lambda topic: topic.title != first)
-        self._shown: list[tuple[Topic, Markdown]] = []
+        self._pages = [
+            TopicPage(topic, at_once=place < AT_ONCE) for place, topic in enumerate(self._topics)
+        ]
 
     def compose(self) -> ComposeResult:
-        """What is searched, and the topic that comes first."""
+        """What is searched, and the topics, the one that comes first at the top."""
         with Vertical(classes="dialog") as box:
             box.border_title = "Help"
             box.border_subtitle = "Type to search; arrows scroll, Escape goes back"
             yield Input(placeholder="type to search")
             with VerticalScroll(can_focus=False):
                 yield Static("", id="nothing", markup=False)
-                for topic in self._topics[:AT_ONCE]:
-                    yield self._words_on(topic)
+                yield from self._pages
 
     def on_mount(self) -> None:
-        """Let it be searched, and put the other topics below."""
+        """Let it be searched, and look after what is scrolled to."""
         self.query_one(Input).focus()
-        self.run_worker(self._put_the_others_below())
+        self.watch(self.query_one(VerticalScroll), "scroll_y", self._write_what_is_near)
 
-    async def _put_the_others_below(self) -> None:
-        """One after the other, as each takes a while, so that keys come through."""
+    def on_resize(self) -> None:
+        """There may be room for more."""
+        self.call_after_refresh(self._write_what_is_near)
+
+    def _write_what_is_near(self) -> None:
+        """Write the topics down to a screen below what is seen."""
         place = self.query_one(VerticalScroll)
-        for topic in self._topics[AT_ONCE:]:
-            await place.mount(self._words_on(topic))
-
-    def _words_on(self, topic: Topic) -> Markdown:
-        words = Markdown(topic.page)
-        words.display = topic.has(self._wanted)
-        self._shown.append((topic, words))
-        return words
-
-    @property
-    def _wanted(self) -> list[str]:
-        """The words that are searched, none before there is a line to type them in."""
-        lines = self.query(Input)
-        return lines.first().value.casefold().split() if lines else []
+        end = place.scroll_offset.y + 2 * place.size.height
+        near = [page for page in self._pages if page.display and page.virtual_region.y < end]
+        unwritten = [page for page in near if not page.is_written]
+        for page in unwritten:
+            page.write()
+        if unwritten:
+            # They may turn out shorter.
+            self.call_after_refresh(self._write_what_is_near)
 
     def on_input_changed(self, event: Input.Changed) -> None:
         """Show what has the words."""
-        wanted = self._wanted
-        for topic, words in self._shown:
-            words.display = topic.has(wanted)
+        wanted = event.value.casefold().split()
+        found = [page for page in self._pages if page.topic.has(wanted)]
+        for page in self._pages:
+            page.display = page in found
+        for page in found[:AT_ONCE]:
+            page.write()
         nothing = self.query_one("#nothing", Static)
         nothing.update(f"Nothing here has {shown(event.value)}.")
-        nothing.display = not any(topic.has(wanted) for topic in self._topics)
+        nothing.display = not found
         self.query_one(VerticalScroll).scroll_home(animate=False)
+        self.call_after_refresh(self._write_what_is_near)
 
     def action_scroll(self, by: int) -> None:
         """Look further down or up."""
