@@ -222,6 +222,29 @@ def test_a_device_that_was_opened_by_nobody_passes_bytes_as_they_are() -> None:
     port.close()
 
 
+@posix
+def test_who_comes_and_goes_between_two_looks_leaves_nothing_behind() -> None:
+    port, rig = PseudoTerminal(), Rig(SETTINGS)
+    attendant = Attendant(port, rig)
+    for left in (b"@STEP 240,100\r", b"@READ\n"):
+        client = os.open(port.name, os.O_WRONLY | os.O_NOCTTY)
+        os.write(client, left)
+        os.close(client)
+        attendant.attend()
+        assert attendant.lines[-1].text == "(hung up)"
+        rig.run_for(1)
+        assert not attendant.attend()
+    assert rig.registers == (0, 0, 0, 0, 0, 0)
+    client = os.open(port.name, os.O_RDWR | os.O_NOCTTY)
+    os.write(client, b"@RESET\r")
+    attendant.attend()
+    rig.run_for(1)
+    attendant.attend()
+    assert os.read(client, 10) == b"1\r"
+    os.close(client)
+    port.close()
+
+
 class Deaf:
     """A port whose client sends without end and reads nothing."""
 

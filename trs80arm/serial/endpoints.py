@@ -96,20 +96,26 @@ class PseudoTerminal:
         """As in `Port`."""
         before = self.connected
         self.connected = not _shut(self._own)
-        if self.connected or not before:
+        # Somebody may have come and gone since, and have left something.
+        if self.connected or not (self._take_unread() or before):
             return False
         self._clean()
         return True
+
+    def _take_unread(self) -> bool:
+        """Throw away what nobody is there any more to be answered for; whether there was any."""
+        found = False
+        # When it is all taken it is an error that nobody is there.
+        with contextlib.suppress(OSError):
+            while os.read(self._own, MOST_UNREAD):
+                found = True
+        return found
 
     def _clean(self) -> None:
         """What was sent and not read is not for who comes next, nor are modes that were set."""
         import termios
         import tty
 
-        # What they sent is still to be read, and then that nobody is there, which is an error.
-        with contextlib.suppress(OSError):
-            while os.read(self._own, MOST_UNREAD):
-                pass
         with contextlib.suppress(OSError, termios.error):
             other = os.open(self.name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
             termios.tcflush(other, termios.TCIOFLUSH)
