@@ -10,12 +10,12 @@ import io
 import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass, field, replace
 from functools import partial
 from os.path import realpath
 from pathlib import Path
-from typing import Any, TextIO
+from typing import TYPE_CHECKING, Any, TextIO
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.bars import running
@@ -29,13 +29,14 @@ from trs80arm.reasons import one_line
 from trs80arm.report import ended, report
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.script import Expected, RunScript, read_script, script_beside
-from trs80arm.serial.courier import plugged
-from trs80arm.serial.limits import Plugging
 from trs80arm.serial.wire import WireError
 from trs80arm.shown import shown
 from trs80arm.teletype import ENTER, Teletype
 from trs80arm.trace import PoseTrace, Trace, TraceError
 from trs80arm.unattended import NotReadyError, ready_with
+
+if TYPE_CHECKING:
+    from trs80arm.serial.limits import Plugging
 
 DEFAULT_SECONDS = 3600.0
 """Virtual seconds after which an unattended run ends when no limit is given."""
@@ -260,7 +261,7 @@ def carry_out(
     """
     rig = ready_with(options.rig, options.program, options.bench)
     begun = stopwatch() if stopwatch else 0.0
-    with traced(rig, options), plugged(rig, options.plug) as follow:
+    with traced(rig, options), _plugged(rig, options.plug) as follow:
         looks = [each for each in (look, follow) if each is not None]
         waiting, spent = _from_run_to_end(rig, script, stream, _all_of(looks))
     wall = stopwatch() - begun if stopwatch else None
@@ -275,6 +276,16 @@ def _all_of(looks: Sequence[Look]) -> Look | None:
             each(rig)
 
     return look if looks else None
+
+
+def _plugged(rig: Rig, plug: Plugging | None) -> AbstractContextManager[Look | None]:
+    """What has to be called now and then for an arm on a wire to follow, if one is plugged in."""
+    if plug is None:
+        return nullcontext()
+    # Threads and ports: few runs have them.
+    from trs80arm.serial.courier import plugged
+
+    return plugged(rig, plug)
 
 
 @contextmanager

@@ -92,3 +92,10 @@ def test_the_line_mode_starts_without_textual() -> None:
     )
     assert "trs80arm.plain" in modules
     assert modules.isdisjoint({"textual", "trs80arm.ui"})
+
+
+def test_the_wire_to_a_real_arm_costs_who_has_none_nothing() -> None:
+    modules = loaded_after(
+        "import trs80arm.batch, trs80arm.plain, trs80arm.ui.start, trs80arm.ui.app"
+    )
+    assert modules.isdisjoint({"trs80arm.serial.courier", "trs80arm.serial.port", "serial"})

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from trs80arm.desk.asking import Asking, Choice, Question, Say
 from trs80arm.desk.session import Session
 from trs80arm.rig import Key, Waiting
-from trs80arm.serial.courier import Courier
-from trs80arm.serial.limits import Plugging
-from trs80arm.serial.port import Port
+
+if TYPE_CHECKING:
+    from trs80arm.serial.courier import Courier
+    from trs80arm.serial.limits import Plugging
 
 OTHER_MACHINE = "The machine is another one, and the arm on the wire is not where its model is."
 STOPPED = "The arm is stopped; what is left of its motion goes first when it is moved again."
@@ -23,6 +26,10 @@ def plug_in(session: Session, plugging: Plugging | None) -> Courier | None:
     """
     if plugging is None:
         return None
+    # Threads and ports: few sittings have them.
+    from trs80arm.serial.courier import Courier
+    from trs80arm.serial.port import Port
+
     return Courier(session.rig, Port(plugging.path), plugging.settings)
 
 

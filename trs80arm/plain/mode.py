@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable, Iterator
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from trs80arm.deck import Deck
 from trs80arm.desk.code_debugger import CodeDebugger
@@ -39,11 +39,13 @@ from trs80arm.plain.table import do_command, is_command
 from trs80arm.plain.teaching import show_positions
 from trs80arm.reasons import one_line
 from trs80arm.rig import Rig, Waiting
-from trs80arm.serial.courier import Courier
-from trs80arm.serial.limits import Plugging
 from trs80arm.serial.wire import WireError
 from trs80arm.shown import shown
 from trs80arm.teletype import Teletype
+
+if TYPE_CHECKING:
+    from trs80arm.serial.courier import Courier
+    from trs80arm.serial.limits import Plugging
 
 SLICE = 0.05
 """Virtual seconds between two looks at the wall's clock and at Ctrl+C."""

@@ -133,24 +133,20 @@ class Courier:
 
 
 @contextmanager
-def plugged(rig: Rig, plugging: Plugging | None) -> Iterator[Callable[[Rig], None] | None]:
+def plugged(rig: Rig, plugging: Plugging) -> Iterator[Callable[[Rig], None]]:
     """Have an arm on a wire do what the twin does while a block runs.
 
     Args:
         rig: the machine with the twin.
-        plugging: by which wire; None plugs nothing in.
+        plugging: by which wire.
 
     Yields:
-        What has to be called now and then: it returns when the arm has caught up. None where
-        nothing is plugged in.
+        What has to be called now and then: it returns when the arm has caught up.
 
     Raises:
         WireError: nobody has said that the arm may move; or, from what is yielded too, the arm
             cannot be reached, or may not or did not follow.
     """
-    if plugging is None:
-        yield None
-        return
     if not plugging.allowed:
         raise WireError(f"nothing moves at {plugging.path} without --yes")
     courier = Courier(rig, Port(plugging.path), plugging.settings)

@@ -18,6 +18,7 @@ import threading
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from textual import events
 from textual.app import App
@@ -49,7 +50,6 @@ from trs80arm.desk.tour import FILE as TOUR_FILE
 from trs80arm.desk.tour import Tour
 from trs80arm.drawing.glyphs import choose
 from trs80arm.options import ArmStyle, TerminalOptions
-from trs80arm.serial.courier import Courier
 from trs80arm.serial.endpoints import Port
 from trs80arm.shown import shown
 from trs80arm.trace.history import History
@@ -82,6 +82,9 @@ from trs80arm.ui.terminal.driver import choose_driver
 from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
 from trs80arm.ui.terminal.no_codes import NoControlCodes
 from trs80arm.ui.themes import THEMES, Themed
+
+if TYPE_CHECKING:
+    from trs80arm.serial.courier import Courier
 
 OFFER = (
     "`Ctrl+N` begins a tour of five minutes: drive, pick, run, teach.",
