@@ -1,9 +1,10 @@
 """How many BASIC statements a second the compiled language executes, beside its peers.
 
 Each listing of `benchmarks/basic/`, made longer, is RUN until enough time of the processor has
-gone. Beside it stand, in the same run, the same work translated by hand into a Python function that
-rounds every result to 24 bits in line and checks nothing, which is the most that CPython could
-give, and whichever other BASICs are installed: how many times as fast as they the machine is.
+gone. Beside it stand, in the same run, the same with hot loops as native code, where the extra
+`fast` is installed; the same work translated by hand into a Python function that rounds every
+result to 24 bits in line and checks nothing, which is the most that CPython could give; and
+whichever other BASICs are installed: how many times as fast as they the machine is.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from __future__ import annotations
 import subprocess
 import time
 from collections.abc import Callable, Iterator, Sequence
+from importlib.util import find_spec
 from pathlib import Path
 from statistics import geometric_mean
 
@@ -34,7 +36,7 @@ AMOUNTS: dict[str, tuple[str, int, int]] = {
 """Where a listing says how much it does, how much that is, how many times that is timed here."""
 LONGEST = 10_000
 """Times its work at most, for a peer."""
-SPEED, BY_HAND_SHARE = "M statements/s", "of hand-written"
+SPEED, FAST, BY_HAND_SHARE = "M statements/s", "with fast", "of hand-written"
 
 
 def listing(name: str, times: float) -> list[str]:
@@ -45,9 +47,9 @@ def listing(name: str, times: float) -> list[str]:
     return text.replace(pattern.format(amount), pattern.format(more)).splitlines()
 
 
-def rate(lines: list[str], seconds: float) -> float:
-    """Statements a second of the machine."""
-    basic = loaded(lines)
+def rate(lines: list[str], seconds: float, *, native: bool = False) -> float:
+    """Statements a second of the machine, of Python or with native loops."""
+    basic = loaded(lines, native=native)
     statements = count(basic)
     run(basic)
     return _repeated(lambda: (run(basic), statements), seconds)
@@ -117,7 +119,10 @@ def rows(
     peers = installed() if peers is None else peers
     for name in names:
         speed = rate(listing(name, AMOUNTS[name][2]), seconds)
-        measures = {SPEED: speed / 1e6, BY_HAND_SHARE: speed / rate_by_hand(name, seconds)}
+        measures = {SPEED: speed / 1e6}
+        if find_spec("wasmtime"):
+            measures[FAST] = rate(listing(name, AMOUNTS[name][2]), seconds, native=True) / 1e6
+        measures[BY_HAND_SHARE] = speed / rate_by_hand(name, seconds)
         listed = Listing(name) if peers else None
         for peer in peers:
             theirs = rate_of_peer(peer, listed, seconds) if listed else None

@@ -24,14 +24,15 @@ class Counter:
         self.statements += 1
 
 
-def loaded(listing: Iterable[str], blocks: bool = True) -> Interpreter:
+def loaded(listing: Iterable[str], blocks: bool = True, native: bool = False) -> Interpreter:
     """A 48K machine with the lines of a listing in memory.
 
     Args:
         listing: lines with their numbers.
         blocks: whether straight runs of statements are compiled as one.
+        native: whether hot loops of numbers are made native code.
     """
-    rig = Rig(RigSettings(ram_kib=48, blocks=blocks))
+    rig = Rig(RigSettings(ram_kib=48, blocks=blocks, native=native))
     rig.run_until_waiting(10.0)
     lines = []
     for line in listing:

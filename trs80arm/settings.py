@@ -52,6 +52,8 @@ class MachineSettings:
         memory_size: what is typed at MEMORY SIZE?
         armbasic: whether ARMBASIC is loaded.
         blocks: whether BASIC is compiled in blocks, or statement by statement.
+        native: whether hot loops of numbers are made native code, where the extra `fast` is
+            installed.
         ghosting: whether three keys at the corners of a rectangle show a fourth.
         tapes: the folder of the cassettes.
         printer: the file for the printer's paper.
@@ -62,6 +64,7 @@ class MachineSettings:
     memory_size: str = ""
     armbasic: bool = True
     blocks: bool = True
+    native: bool = True
     ghosting: bool = False
     tapes: Path | None = None
     printer: Path | None = None
@@ -122,6 +125,7 @@ class Settings:
             memory_size=machine.memory_size,
             armbasic=machine.armbasic,
             blocks=machine.blocks,
+            native=machine.native,
             ghosting=machine.ghosting,
             rom=self.rom(),
             tape_folder=machine.tapes,

@@ -116,9 +116,12 @@ class Machine:
     Args:
         armbasic: whether the `@` statements are there.
         blocks: whether runs of statements are compiled into one function.
+        native: whether hot loops may be native code.
     """
 
-    def __init__(self, *, armbasic: bool = True, blocks: bool = True, ram: int = 16) -> None:
+    def __init__(
+        self, *, armbasic: bool = True, blocks: bool = True, ram: int = 16, native: bool = True
+    ) -> None:
         self.clock = Clock()
         self.memory = Memory(ram)
         self.screen = Screen(self.clock)
@@ -134,7 +137,7 @@ class Machine:
             tape=NoTape(),
             arm=self.arm,
         )
-        self.basic = Interpreter(host, armbasic=armbasic, blocks=blocks)
+        self.basic = Interpreter(host, armbasic=armbasic, blocks=blocks, native=native)
         self.basic.state.stack.pop()
         self.basic.state.cold_start(self.memory.top - 1)
 

@@ -29,6 +29,14 @@ def test_each_part_has_rows_of_numbers(part: str) -> None:
 def test_the_language_is_told_beside_python_written_by_hand() -> None:
     *listings, mean = language.rows(TINY, ["bm1"], [])
     assert [row.name for row in listings] == ["bm1"]
+    assert mean.measures.keys() == {"M statements/s", "with fast", "of hand-written"}
+
+
+def test_native_loops_are_told_only_where_they_are_installed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(language, "find_spec", lambda name: None)
+    *_, mean = language.rows(TINY, ["bm1"], [])
     assert mean.measures.keys() == {"M statements/s", "of hand-written"}
 
 

@@ -26,6 +26,7 @@ from trs80arm.basic.control import DIRECT, ForFrame
 from trs80arm.basic.engine import Place
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.execution import CodeCall, Leave
+from trs80arm.basic.native.hot import Hot
 from trs80arm.basic.runtime.again import recorded
 from trs80arm.basic.runtime.environment import environment
 from trs80arm.basic.state import State
@@ -189,6 +190,7 @@ class CompiledCode:
         statements: one function a statement.
         blocks: one function for a run of statements.
         pace: until when blocks may be begun.
+        hot: who makes hot loops native, None where nobody does.
         environment: the names that compiled statements know; what a single one of them keeps
             for itself is among its cells.
         stale: the text or the types of names changed under the running statement.
@@ -208,6 +210,7 @@ class CompiledCode:
         self._version = state.program.version
         self.statements = Table(self, self._compile_statement)
         self.blocks = Table(self, self._compile_block)
+        self.hot = Hot(self.alone, self.types, state) if state.native else None
         self.stale = False
 
     # -- executing ----------------------------------------------------------------------------
@@ -217,13 +220,19 @@ class CompiledCode:
         clock = self._state.clock
         pace = self.pace
         address = place.next
-        table = self.blocks
+        table, hot = self.blocks, self.hot
         try:
             if self._state.blocks:
-                pace.soft = clock.limit - MARGIN
-                while clock.now < pace.soft:
-                    place.statement = address
-                    address = table[address]()
+                end = clock.limit - MARGIN
+                pace.soft = end if hot is None else hot.begin(end)
+                while True:
+                    while clock.now < pace.soft:
+                        place.statement = address
+                        address = table[address]()
+                    if pace.soft == end or hot is None:
+                        break
+                    self.check_version()
+                    address, pace.soft = hot.reach(address, end)
             table = self.statements
             while clock.now < clock.limit:
                 place.statement = address
@@ -267,17 +276,23 @@ class CompiledCode:
         """The text, the types of names or the mode changed: start afresh."""
         self.statements.clear()
         self.blocks.clear()
+        if self.hot is not None:
+            self.hot.look_around()
         self.stale = True
 
     def cleared(self) -> None:
         """The variables are gone."""
         self.statements.cleared()
         self.blocks.cleared()
+        if self.hot is not None:
+            self.hot.look_around()
 
     def created(self) -> None:
         """A variable or an array was made."""
         self.statements.created()
         self.blocks.created()
+        if self.hot is not None:
+            self.hot.look_around()
 
     def forget_direct(self) -> None:
         """Another direct line stands in the buffer."""
@@ -293,6 +308,8 @@ class CompiledCode:
             self._version = program.version
             self.statements.forget_from(first)
             self.blocks.forget_from(first)
+            if self.hot is not None:
+                self.hot.forget_from(first)
 
     def types(self) -> bytes:
         """The table of DEFINT and so on, by which compiled statements are kept.
@@ -321,6 +338,23 @@ class CompiledCode:
         except TooDeep:
             with _deep():
                 return self._compile_alone(address, types, Emitter(flat=True))
+
+    def alone(self, address: int, loops: list[Key]) -> tuple[Emitter, Assumptions]:
+        """The text of one statement, and what it takes for granted.
+
+        Args:
+            address: the separator in front of it.
+            loops: the variables of the loops that are open there, changed by FOR and NEXT.
+
+        Raises:
+            TooDeep: it can only be written flat.
+        """
+        out = Emitter()
+        scope = self._scope(self.types())
+        goes_on = self._write(address, out, scope, loops).goes_on
+        if goes_on is not None:
+            out.go(goes_on)
+        return out, scope.assumptions()
 
     def _compile_alone(self, address: int, types: bytes, out: Emitter) -> Compiled:
         scope = self._scope(types)

@@ -32,8 +32,12 @@ class Interpreter:
         state: the machine's state, which the activities work on.
     """
 
-    def __init__(self, host: Host, armbasic: bool = True, blocks: bool = True) -> None:
-        state = self.state = State(host, CompiledCode, armbasic=armbasic, blocks=blocks)
+    def __init__(
+        self, host: Host, armbasic: bool = True, blocks: bool = True, native: bool = True
+    ) -> None:
+        state = self.state = State(
+            host, CompiledCode, armbasic=armbasic, blocks=blocks, native=native
+        )
         state.memory.attach(*SystemArea.RANGE, SystemArea(state))
         state.memory.attach(addresses.PROGRAM, state.memory.top, Workspace(state))
         self._switch_on()

@@ -124,6 +124,7 @@ class State:
         stops: who may stop a program before a statement; not part of a snapshot either.
         armbasic: whether the `@` statements are there.
         blocks: whether runs of statements are compiled into one function.
+        native: whether hot loops of numbers are made native code, where that is installed.
     """
 
     def __init__(
@@ -133,6 +134,7 @@ class State:
         *,
         armbasic: bool = True,
         blocks: bool = True,
+        native: bool = True,
     ) -> None:
         self.host = host
         self.clock = host.clock
@@ -151,6 +153,7 @@ class State:
         self.stops = Stops()
         self.armbasic = armbasic
         self.blocks = blocks
+        self.native = native
         self._make_engine = make_engine
         self._engine: Engine | None = None
 

@@ -51,6 +51,8 @@ class RigSettings:
     own they are machine code in memory, put there when the machine is switched on."""
     blocks: bool = True
     """Whether statements are compiled in basic blocks (faster) or one by one."""
+    native: bool = True
+    """Whether hot loops of numbers are made native code, where the extra `fast` is installed."""
     card: CardSettings = field(default_factory=CardSettings)
     driver: DriverSettings = field(default_factory=DriverSettings)
     arm: ArmSettings = field(default_factory=ArmSettings)
@@ -223,7 +225,7 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
     )
     basic: Language
     if settings.rom is None:
-        basic = Interpreter(host, armbasic=armbasic, blocks=settings.blocks)
+        basic = Interpreter(host, armbasic=armbasic, blocks=settings.blocks, native=settings.native)
     else:
         memory.attach(0, SIZE, RomArea(settings.rom))
         basic = RomLanguage(host, processor, matrix, console, settings.rom, settings.card)

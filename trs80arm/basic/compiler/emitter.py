@@ -325,6 +325,11 @@ class Emitter:
             self._cells[name] = CellType(value)
         return name
 
+    @property
+    def constants(self) -> dict[str, Any]:
+        """The objects that the function keeps for itself, by their names."""
+        return {name: self._cells[name].cell_contents for name in self._constants.values()}
+
     # -- the function -------------------------------------------------------------------------
 
     def source(self) -> str:

@@ -219,6 +219,7 @@ class ProgramCommands:
                 "memory_size": rig.memory_size,
                 "armbasic": rig.armbasic,
                 "blocks": rig.blocks,
+                "native": rig.native,
                 "ghosting": rig.ghosting,
                 "tapes": str(rig.tape_folder or ""),
                 "printer": str(rig.printer_file or ""),
