@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from tests.desk.sitting import Person
 from tests.serial.lab import SETTINGS
 from trs80arm.desk.opening import open_session
-from trs80arm.desk.recording import Recording
+from trs80arm.desk.recording import Recording, load
 from trs80arm.desk.served import NO_LINE, Served, open_line
 from trs80arm.desk.session import Session
 from trs80arm.options import TerminalOptions
@@ -145,6 +147,25 @@ def test_what_is_done_again_is_not_answered_again() -> None:
     assert sitting.client.heard == before
     assert session.rig.registers[0] == 100
     assert sitting.send(b"@RESET\r") == b"1\r"
+
+
+def test_a_recording_has_what_came_over_the_line_and_the_stop_key(tmp_path: Path) -> None:
+    sitting = Sitting()
+    sitting.send(b"@STEP 230,100\r@NONSENSE\x00\xff\r", 0.7)
+    sitting.send(b"@STEP 200,900\r", 0.3)
+    sitting.served.stop()
+    sitting.client.there = False
+    sitting.pass_time(0.5)
+    path = tmp_path / "serial.jsonl"
+    sitting.session.save_recording(path)
+    recording = load(path)
+    assert {done.action for done in recording.inputs} == {"receive", "press_pendant", "hang_up"}
+    again = Session()
+    again.play(recording)
+    while again.playing:
+        again.run_for(0.5)
+    assert again.rig.registers == sitting.session.rig.registers
+    assert again.rig.registers[0] > 100
 
 
 def test_another_machine_is_answered_for() -> None:

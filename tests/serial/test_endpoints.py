@@ -11,6 +11,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from io import StringIO
+from random import Random
 
 import pytest
 
@@ -169,6 +170,21 @@ def test_10_mb_without_an_end_are_neither_held_nor_waited_for(tcp: int | None) -
         assert served.do(lambda rig: len(rig.controller._stream)) <= LONGEST
         assert ask(line, b"\r") == b"0\r"
         assert ask(line, b"@RESET\r") == b"1\r"
+
+
+@pytest.mark.parametrize("tcp", WAYS)
+def test_every_line_of_a_storm_of_bytes_is_answered(tcp: int | None) -> None:
+    storm = Random(1).randbytes(100_000)
+    lines = storm.count(b"\r")
+    with lab(None, tcp) as (_, url), opened(url) as line:
+        sending = threading.Thread(target=line.write, args=(storm,))
+        sending.start()
+        answers = [line.read_until(b"\r") for _ in range(lines)]
+        sending.join(PATIENCE)
+        assert set(answers) <= {b"0\r", b"1\r", b"2\r"}
+        # What is left of it has no end yet.
+        assert ask(line, b"\r") == b"0\r"
+        assert ask(line, b"@READ\r", 2).startswith(b"1\r")
 
 
 def test_only_one_is_at_the_other_end_of_a_port() -> None:

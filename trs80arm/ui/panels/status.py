@@ -75,8 +75,8 @@ class StatusLine(Panel):
 The machine's own time since it was switched on; the speed that was asked for and how much of it is
 achieved; how keys are read (`events`: real press and release; `repeat`: your terminal does not
 report releases, so a tap jogs and a held key runs; `latch`: a key goes down at the first press and
-up at the second); what the machine is doing or waiting for; and for some seconds what the program
-has to say.
+up at the second); what the machine is doing or waiting for, or with `--serial` where the arm's
+serial line is and what went over it last; and for some seconds what the program has to say.
 """
 
     def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:
