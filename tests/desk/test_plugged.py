@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import threading
 from collections.abc import Callable
 from pathlib import Path
 
@@ -110,6 +111,33 @@ def test_break_holds_the_wire_at_the_end_of_a_line() -> None:
     sitting.pass_time(1)
     assert len(far.heard) == sent
     assert sitting.person.told.count(STOPPED) == 1
+
+
+def test_break_is_seen_while_the_machine_waits_for_the_arm() -> None:
+    sitting = Sitting(MOVE)
+    session, far = sitting.session, sitting.far
+    slow = threading.Event()
+
+    def slowly(line: str) -> None:
+        if line.startswith("@STEP"):
+            slow.wait(10)
+
+    far.answer = slowly
+    session.rig.type("@STEP 50,-1500\r")
+    for _ in range(400):
+        sitting.plugged.go_on()
+        session.run_for(0.05)
+    standing = session.time
+    session.run_for(1)
+    assert session.time == standing, "the machine is as far ahead as it may be"
+    session.rig.hold([Key.BREAK], 0.2)
+    sitting.plugged.go_on()
+    session.run_for(1)
+    assert session.time > standing
+    slow.set()
+    sitting.pass_time(3)
+    assert len(far.steps) == 1
+    assert session.waiting.name == "COMMAND"
 
 
 def test_a_fault_stops_the_program_and_is_told_once() -> None:

@@ -11,7 +11,6 @@ import signal
 import subprocess
 import sys
 import threading
-import tty
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -27,6 +26,7 @@ from trs80arm.operator import Operator, parse_holds
 from trs80arm.serial.port import Port
 from trs80arm.serial.wire import WireError
 
+tty = pytest.importorskip("tty", reason="there are no pseudo-terminals")
 PROGRAMS = Path(__file__).parents[2] / "programs"
 TABLE4 = PROGRAMS / "table4-teachmover.bas"
 BENCH = PROGRAMS / "table4.toml"

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from trs80arm.desk.asking import Asking, Choice, Question, Say
 from trs80arm.desk.session import Session
-from trs80arm.rig import Key, Waiting
+from trs80arm.rig import Input, Key, Waiting
 
 if TYPE_CHECKING:
     from trs80arm.serial.courier import Courier
@@ -71,8 +72,16 @@ class Plugged:
                 Choice(MOVE, "Yes, move", "the arm follows the model"),
             ),
         )
+        self._unwatch: Callable[[], None] = lambda: None
         if courier is not None:
             session.held_back = self._must_wait
+            # A machine that has to wait for the arm sees no key: BREAK is seen on its way.
+            self._unwatch = session.rig.record(self._did)
+
+    def _did(self, done: Input) -> None:
+        """The operator did something: BREAK stops the arm."""
+        if done.action in ("press", "hold") and Key.BREAK in done.arguments[0]:
+            self.stop()
 
     def begin(self) -> None:
         """Ask whether the arm may move, unless that is said already."""
@@ -120,8 +129,6 @@ class Plugged:
                 self._leave_alone()
             self._asked = asking
             return
-        if Key.BREAK in self._session.rig.held:
-            self.stop()
         courier.go_on()
         self._mind_faults()
 
@@ -163,5 +170,6 @@ class Plugged:
     def close(self) -> None:
         """Unplug the wire."""
         courier, self._courier = self._courier, None
+        self._unwatch()
         if courier is not None:
             courier.close()

@@ -12,7 +12,7 @@ ARM: tuple[Command, ...] = (
         "The teach pendant: jog the arm, teach points, play them, write the program.",
         "f12",
         "Teach",
-        also="jog positions points lesson program world tool joint",
+        also="jog positions points lesson program world tool joint teachmover train memory",
     ),
     Command(
         "teach_here",
