@@ -17,12 +17,17 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from tests.serial.lab import SETTINGS
+from tests.serial.lab import HIGH, SETTINGS
 from trs80arm import Rig, RigSettings
 from trs80arm.arm import ArmSettings, EventKind, benchfile
 from trs80arm.cli.commands import cli
 from trs80arm.operator import Operator, parse_holds
+from trs80arm.rig import Waiting
+from trs80arm.serial.courier import Courier
+from trs80arm.serial.limits import PlugSettings
 from trs80arm.serial.port import Port
 from trs80arm.serial.wire import WireError
 
@@ -299,3 +304,48 @@ def test_ctrl_c_ends_a_run_at_the_end_of_a_line() -> None:
             running.send_signal(signal.SIGINT)
             _, told = running.communicate(timeout=20)
         assert (running.returncode, told) == (130, "")
+
+
+class Direct:
+    """A wire that is no wire: straight to the computer of another arm, in virtual time."""
+
+    def __init__(self, rig: Rig) -> None:
+        self._rig = rig
+        self._heard = bytearray()
+        rig.watch_answers(self._heard.extend)
+
+    def send(self, line: bytes, answers: int, seconds: float) -> list[str]:
+        self._heard.clear()
+        begun = self._rig.time
+        self._rig.receive(line)
+        assert self._rig.run_until(lambda rig: not rig.controller.busy, 60)
+        assert self._rig.time - begun < seconds, "the real arm would be given up"
+        return self._heard.decode("ascii").split("\r")[:-1]
+
+    def close(self) -> None:
+        """There is nothing to let go of."""
+
+
+moves = st.lists(
+    st.tuples(st.integers(45, 200), *[st.integers(-90, 90)] * 6), min_size=1, max_size=4
+)
+
+
+@settings(max_examples=15, deadline=None)
+@given(moves=moves)
+def test_two_arms_on_a_wire_stand_alike(moves: list[tuple[int, ...]]) -> None:
+    here = Rig(RigSettings(arm=ArmSettings(model="teachmover")), benchfile.parse(HIGH, "bench"))
+    there = Rig(SETTINGS, benchfile.parse(HIGH, "bench"))
+    courier = Courier(here, Direct(there), PlugSettings())
+    for move in moves:
+        here.type(f"@STEP {','.join(map(str, move))}\r")
+        while here.typing or here.waiting is not Waiting.COMMAND:
+            here.run_for(0.05)
+            courier.deliver()
+    courier.finish()
+    courier.close()
+    if not courier.fault:
+        assert there.joints == here.joints == here.registers == there.registers
+    else:
+        assert "slipped" in courier.fault
+        assert there.state.slipped == (0,) * 6, "it did not befall the arm"
