@@ -16,7 +16,7 @@ from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
 from textual.message import Message
-from textual.widgets import Footer, OptionList, Static
+from textual.widgets import OptionList, Static
 
 from trs80arm import inspection
 from trs80arm.desk.debugger import Condition, Debugger, Reason
@@ -27,6 +27,7 @@ from trs80arm.machine.video import COLUMNS
 from trs80arm.shown import shown
 from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.dialog import Dialog
+from trs80arm.ui.screens.keys_line import KeysLine
 from trs80arm.ui.screens.states import StatesScreen
 
 BESIDE = 116
@@ -176,7 +177,7 @@ on standing.
                     yield OptionList(id="memory", markup=False)
                     yield Static("", id="stack", markup=False)
             yield Static("", classes="wrong", markup=False)
-        yield Footer(show_command_palette=False, compact=True)
+        yield KeysLine()
 
     def on_mount(self) -> None:
         """Show where the machine stands."""

@@ -14,7 +14,7 @@ from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
-from textual.widgets import Footer, OptionList, Static
+from textual.widgets import OptionList, Static
 
 from trs80arm.desk.code_debugger import CodeDebugger
 from trs80arm.desk.debugger import Reason
@@ -24,6 +24,7 @@ from trs80arm.shown import shown
 from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.debugger import BESIDE, Leaving
 from trs80arm.ui.screens.dialog import Dialog
+from trs80arm.ui.screens.keys_line import KeysLine
 
 INSTRUCTIONS = 64
 """Instructions that are listed."""
@@ -99,7 +100,7 @@ machine goes on standing.
             with Horizontal(id="parts"):
                 yield OptionList(id="code", markup=False)
                 yield OptionList(id="memory", markup=False)
-        yield Footer(show_command_palette=False, compact=True)
+        yield KeysLine()
 
     def on_mount(self) -> None:
         """Show where the processor stands."""

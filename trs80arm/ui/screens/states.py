@@ -8,12 +8,13 @@ from typing import ClassVar
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
-from textual.widgets import Footer, OptionList, Static
+from textual.widgets import OptionList, Static
 
 from trs80arm.desk.session import Session
 from trs80arm.desk.states import QUICK, StateError, States
 from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.dialog import Dialog
+from trs80arm.ui.screens.keys_line import KeysLine
 from trs80arm.ui.screens.marking_list import MarkingList
 
 
@@ -48,7 +49,7 @@ class StatesScreen(Dialog[str]):
             yield Static("The whole machine, the newest first.", classes="hint", markup=False)
             yield MarkingList(markup=False)
             yield Static("", classes="wrong", markup=False)
-        yield Footer(show_command_palette=False, compact=True)
+        yield KeysLine()
 
     def on_mount(self) -> None:
         """Show what there is."""

@@ -10,7 +10,7 @@ from typing import ClassVar
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical, VerticalScroll
-from textual.widgets import Footer, Static
+from textual.widgets import Static
 
 from trs80arm.desk.asking import Choice, FileQuestion, Question
 from trs80arm.desk.pendant import Pendant
@@ -21,6 +21,7 @@ from trs80arm.saving import write_whole
 from trs80arm.shown import shown
 from trs80arm.ui.screens.dialog import Ask, AskPath, Dialog
 from trs80arm.ui.screens.edit_point import AskSpeed
+from trs80arm.ui.screens.keys_line import KeysLine
 
 REPLACE = Question(
     "Read points back",
@@ -79,7 +80,7 @@ class ProgramScreen(Dialog[TeachResult]):
             yield Static("", classes="wrong", markup=False)
             with VerticalScroll(id="listing-box"):
                 yield Static("", id="listing", markup=False)
-        yield Footer(show_command_palette=False, compact=True)
+        yield KeysLine()
 
     def on_mount(self) -> None:
         """Show the program as it is."""
