@@ -214,7 +214,8 @@ POLLS = "21 00 3C 3A 01 38 77 23 7C E6 3F F6 3C 67 D3 98 18 F1"
 def test_sliced_equals_whole_and_a_state_goes_on(slices: list[int], key: Key) -> None:
     def begun() -> tuple[Rig, int]:
         rig = program(POLLS, '20 PRINT "X";USR(0)')
-        rig.run_for(1)
+        rig.run_for(0.5)
+        assert rig.joints[0] != 0, "the code is at work"
         rig.hold([key], 0.2)
         return rig, rig.clock.now
 
