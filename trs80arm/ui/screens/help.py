@@ -15,58 +15,37 @@ from trs80arm.ui.help_topics import Topic
 from trs80arm.ui.screens.dialog import Dialog
 
 AT_ONCE = 2
-"""Topics that are written at once: more than a screen has room for."""
+"""Topics that are there when it opens: more than a screen has room for."""
+PAGE = 12
+"""Rows that are scrolled by at a time; what is no further below what is seen is there as well."""
 WIDTH = 90
 """Columns that lines of a topic have about, for how long it will be."""
 
 
-class TopicPage(Markdown):
-    """A topic in its place; its text is written when somebody is about to see it.
-
-    Writing takes a while, as each paragraph and each row of a table is a widget of its own.
-
-    Args:
-        topic: what it is on.
-        at_once: whether it is written as soon as it is there.
-    """
-
-    def __init__(self, topic: Topic, *, at_once: bool) -> None:
-        super().__init__(topic.page if at_once else None)
-        self.topic = topic
-        self._is_written = at_once
-        if not at_once:
-            # About as long as it will be, for the scroll bar.
-            self.styles.height = sum(1 + len(line) // WIDTH for line in topic.page.splitlines())
-
-    @property
-    def is_written(self) -> bool:
-        """Whether its text is there, or about to be."""
-        return self._is_written
-
-    def write(self) -> None:
-        """Have its text there, if it is not yet."""
-        if not self._is_written:
-            self._is_written = True
-            self.run_worker(self._write())
-
-    async def _write(self) -> None:
-        await self.update(self.topic.page)
-        self.styles.height = "auto"
+def _rows(topic: Topic) -> int:
+    """How many rows a topic takes, about."""
+    return sum(1 + len(line) // WIDTH for line in topic.page.splitlines())
 
 
 class HelpScreen(Dialog[None]):
     """The help.
 
+    Each paragraph and each row of a table is a widget of its own, so a topic is written when it is
+    nearly scrolled to, or found.
+
     Args:
         topics: what it has.
         first: the title of the topic that it opens at.
+
+    Attributes:
+        found: the topics that have what is searched, in their order.
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("down", "scroll(2)", show=False),
         Binding("up", "scroll(-2)", show=False),
-        Binding("pagedown", "scroll(12)", show=False),
-        Binding("pageup", "scroll(-12)", show=False),
+        Binding("pagedown", f"scroll({PAGE})", show=False),
+        Binding("pageup", f"scroll({-PAGE})", show=False),
     ]
     DEFAULT_CSS = """
     HelpScreen > .dialog { width: 100; height: 96%; }
@@ -78,19 +57,22 @@ class HelpScreen(Dialog[None]):
     def __init__(self, topics: Sequence[Topic], first: str = "") -> None:
         super().__init__()
         self._topics = sorted(topics, key=lambda topic: topic.title != first)
-        self._pages = [
-            TopicPage(topic, at_once=place < AT_ONCE) for place, topic in enumerate(self._topics)
-        ]
+        self.found = self._topics
+        self._pages: dict[Topic, Markdown] = {}
+        self._rest = Static("")
 
     def compose(self) -> ComposeResult:
-        """What is searched, and the topics, the one that comes first at the top."""
+        """What is searched, the topic that comes first, room for the others."""
         with Vertical(classes="dialog") as box:
             box.border_title = "Help"
             box.border_subtitle = "Type to search; arrows scroll, Escape goes back"
             yield Input(placeholder="type to search")
             with VerticalScroll(can_focus=False):
                 yield Static("", id="nothing", markup=False)
-                yield from self._pages
+                for topic in self.found[:AT_ONCE]:
+                    self._pages[topic] = Markdown(topic.page)
+                    yield self._pages[topic]
+                yield self._rest
 
     def on_mount(self) -> None:
         """Let it be searched, and look after what is scrolled to."""
@@ -102,29 +84,42 @@ class HelpScreen(Dialog[None]):
         self.call_after_refresh(self._write_what_is_near)
 
     def _write_what_is_near(self) -> None:
-        """Write the topics down to a screen below what is seen."""
+        """Write the topics down to a little below what is seen, and leave room for the others."""
         place = self.query_one(VerticalScroll)
-        end = place.scroll_offset.y + 2 * place.size.height
-        near = [page for page in self._pages if page.display and page.virtual_region.y < end]
-        unwritten = [page for page in near if not page.is_written]
-        for page in unwritten:
-            page.write()
-        if unwritten:
+        end = place.scroll_offset.y + place.size.height + PAGE
+        down = rest = 0
+        is_new = False
+        for topic in self.found:
+            if topic not in self._pages and down < end:
+                self._write(topic, place)
+                is_new = True
+            if topic not in self._pages:
+                rest += _rows(topic)
+            else:
+                down += self._pages[topic].size.height or _rows(topic)
+        self._rest.styles.height = rest
+        if is_new:
             # They may turn out shorter.
             self.call_after_refresh(self._write_what_is_near)
+
+    def _write(self, topic: Topic, place: VerticalScroll) -> None:
+        """Put a topic between those that are there."""
+        below = self._topics[self._topics.index(topic) + 1 :]
+        behind = next((self._pages[other] for other in below if other in self._pages), self._rest)
+        self._pages[topic] = Markdown(topic.page)
+        place.mount(self._pages[topic], before=behind)
 
     def on_input_changed(self, event: Input.Changed) -> None:
         """Show what has the words."""
         wanted = event.value.casefold().split()
-        found = [page for page in self._pages if page.topic.has(wanted)]
-        for page in self._pages:
-            page.display = page in found
-        for page in found[:AT_ONCE]:
-            page.write()
+        self.found = [topic for topic in self._topics if topic.has(wanted)]
+        for topic, page in self._pages.items():
+            page.display = topic in self.found
         nothing = self.query_one("#nothing", Static)
         nothing.update(f"Nothing here has {shown(event.value)}.")
-        nothing.display = not found
+        nothing.display = not self.found
         self.query_one(VerticalScroll).scroll_home(animate=False)
+        self._write_what_is_near()
         self.call_after_refresh(self._write_what_is_near)
 
     def action_scroll(self, by: int) -> None:
