@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from benchmarks.machine import loaded, run
 from benchmarks.rows import Row
 
-LINES = (10, 100, 500, 2000)
+LINES = (10, 200, 500, 2000)
 VARIABLES = (2, 50, 200, 800)
 ROUNDS_A_SECOND = 200_000
 RUNS = 5
@@ -62,6 +62,12 @@ def until_running(lines: list[str]) -> float:
     return min(run(loaded(lines)) for _ in range(3))
 
 
+def until_the_first(count: int) -> float:
+    """Seconds from RUN of a program of so many new lines until its first statement is done."""
+    lines = ["1 STOP", *(f"{number} A={number}:IF A<1 THEN 1" for number in range(2, count + 1))]
+    return min(run(loaded(lines)) for _ in range(RUNS))
+
+
 def after_an_edit(lines: list[str]) -> float:
     """Seconds that RUN takes when one line of a program that has run has been stored anew."""
     basic = loaded(lines)
@@ -97,6 +103,8 @@ def rows(seconds: float) -> Iterator[Row]:
         measures = {"ms": 1000 * taken, "us each": 1e6 * taken / size}
         measures["ms after an edit"] = 1000 * again
         yield Row(f"RUN of {size} new lines", measures)
+    for size in LINES:
+        yield Row(f"first of {size} new lines", {"ms": 1000 * until_the_first(size)})
     for size in VARIABLES:
         lines = with_variables(size, 1)
         basic = loaded(lines)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks import language, peers
+from benchmarks import growth, language, peers
 from benchmarks.report import PARTS, markdown, plain, written
 from benchmarks.rows import Row
 
@@ -38,6 +38,10 @@ def test_native_loops_are_told_only_where_they_are_installed(
     monkeypatch.setattr(language, "find_spec", lambda name: None)
     *_, mean = language.rows(TINY, ["bm1"], [])
     assert mean.measures.keys() == {"M statements/s", "of hand-written"}
+
+
+def test_a_program_of_200_lines_has_begun_within_20_ms() -> None:
+    assert growth.until_the_first(200) < 0.02
 
 
 def test_a_terminal_is_timed_through_a_pty(monkeypatch: pytest.MonkeyPatch) -> None:
