@@ -240,11 +240,20 @@ class Program:
         Args:
             first: where the text, and so the first link, may be another one.
         """
-        ram = self._memory.ram
+        ram, top = self._memory.ram, self._memory.top
+        places: list[int] = []
+        numbers: list[int] = []
         address = self.start
         end = self.end
         while address < end - 2 and (ram[address] or ram[address + 1]):
-            following = self._text_end(address + LINE_HEAD) + 1
-            set_word(ram, address, following & 0xFFFF)
+            places.append(address)
+            numbers.append(ram[address + 2] | ram[address + 3] << 8)
+            zero = ram.find(0, address + LINE_HEAD, top)
+            following = (zero if zero >= 0 else max(address + LINE_HEAD, top)) + 1
+            ram[address] = following & 0xFF
+            ram[address + 1] = following >> 8 & 0xFF
             address = following
         self.changed(first)
+        if self.start >= _RAM_START and address < top - 4 and not word(ram, address):
+            # Who follows the links comes by the same lines.
+            self._index = places, numbers

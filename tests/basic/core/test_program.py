@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -80,3 +82,32 @@ def test_lines_are_kept_in_order_whatever_the_order_of_typing(lines: dict[int, s
     for number, text in lines.items():
         machine.load(f"{number} X{text}")
     assert machine.basic.program.numbers() == sorted(lines)
+
+
+@given(
+    st.lists(
+        st.one_of(
+            st.tuples(st.integers(1, 12), st.sampled_from([b"A", b"PRINT 1", b"B\xd5\x02:C"])),
+            st.integers(1, 12),
+            st.tuples(st.just("poke"), st.integers(0, 90), st.integers(0, 255)),
+        ),
+        max_size=15,
+    )
+)
+def test_what_is_known_of_the_lines_after_a_change_is_what_the_links_lead_to(
+    changes: list[Any],
+) -> None:
+    machine = Machine()
+    program, ram = machine.basic.program, machine.memory.ram
+    for change in changes:
+        match change:
+            case ("poke", place, value):
+                ram[program.start + place] = value
+                program.changed()
+            case (number, text):
+                program.store(number, text)
+            case number:
+                program.delete(number)
+        known = program._walk()
+        program._index = None
+        assert program._walk() == known
