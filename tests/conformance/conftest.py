@@ -16,3 +16,8 @@ def told_times(tmp_path_factory: pytest.TempPathFactory) -> ToldTimes:
     # Each worker of pytest-xdist has its folder inside that of the run.
     worker = os.environ.get("PYTEST_XDIST_WORKER")
     return ToldTimes(own.parent if worker else own, worker or "alone")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Have all cases played before their times are asked for, whichever process plays them."""
+    items.sort(key=lambda item: "segments" in getattr(item, "fixturenames", ()))
