@@ -24,6 +24,10 @@ pytest_plugins = ["pytester"]
 ASKS = '10 INPUT "HOW MANY";N\n20 @STEP 50,N\n30 @SET\n40 PRINT "AT";N\n'
 
 
+OTHERS = ("-pno:hypothesispytest", "-pno:anyio", "-pno:xdist")
+"""Plugins of this run that have no part in what a run of their own is to show, and take a while."""
+
+
 def rig_with(program: str) -> ProgramRig:
     rig = ProgramRig()
     rig.load_text(program)
@@ -210,19 +214,19 @@ def test_kinds_of_snapshot_and_a_wrong_marker_in_a_run(pytester: pytest.Pytester
             pass
         """
     )
-    written = pytester.runpytest_subprocess("--strict-markers", "--snapshot-update")
+    written = pytester.runpytest_subprocess(*OTHERS, "--strict-markers", "--snapshot-update")
     written.assert_outcomes(passed=1, errors=1)
     written.stdout.fnmatch_lines(["trs80arm: *gone.bas*"])
     assert "another exception" not in written.stdout.str()
     kept = {path.name for path in pytester.path.rglob("__snapshots__/*/*")}
     assert kept == {"test_kinds.arm.txt", "test_kinds.svg", "test_kinds.csv"}
-    again = pytester.runpytest_subprocess("-k", "not gone")
+    again = pytester.runpytest_subprocess(*OTHERS, "-k", "not gone")
     again.assert_outcomes(passed=1, deselected=1)
 
 
 def test_without_syrupy_a_line_says_what_to_install(pytester: pytest.Pytester) -> None:
     pytester.makepyfile("def test_it(rig, arm_snapshot): pass")
-    done = pytester.runpytest_subprocess("-p", "no:syrupy")
+    done = pytester.runpytest_subprocess(*OTHERS, "-p", "no:syrupy")
     assert done.ret == pytest.ExitCode.TESTS_FAILED
     done.stdout.fnmatch_lines(["*pip install 'trs80arm?pytest?'*"])
 
