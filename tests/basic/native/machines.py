@@ -13,7 +13,9 @@ from trs80arm.basic.code import CompiledCode
 from trs80arm.basic.control import ForFrame, Frame
 from trs80arm.basic.native import hot
 
-WHOLE = [2_000_000_000]
+MOST = 60_000_000
+"""T-states that a program is given: some never end."""
+WHOLE = [MOST]
 
 
 @contextmanager
@@ -79,10 +81,11 @@ def finish(
         machine = Machine(native=native, blocks=blocks)
         machine.load(*lines)
         machine.do("RUN", seconds=0)
+        end = machine.clock.now + MOST
         for number, length in enumerate(slices * 400, 1):
-            if machine.basic.waiting is Waiting.COMMAND:
+            if machine.basic.waiting is Waiting.COMMAND or machine.clock.now >= end:
                 break
-            machine.clock.limit = machine.clock.now + length
+            machine.clock.limit = min(machine.clock.now + length, end)
             machine.basic.advance(until_waiting=True)
             if moves and not number % moves:
                 machine = copy.deepcopy(machine)

@@ -18,7 +18,7 @@ WITH_LOOPS = (
     if any(word in line for line in one.program for word in ("FOR", "GOTO", "THEN"))
     and one.id not in EXCEPTIONS
 )
-SHARE = list(islice(WITH_LOOPS, 0, None, 6))
+SHARE = list(islice(WITH_LOOPS, 0, None, 9))
 
 
 @pytest.mark.parametrize("one", SHARE, ids=lambda one: one.id)

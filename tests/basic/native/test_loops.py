@@ -102,7 +102,7 @@ def test_most_of_a_loop_of_numbers_is_native(name: str) -> None:
     assert taken(machine) > machine.clock.now / 4
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(
     st.sampled_from(sorted(PROGRAMS)),
     st.lists(st.integers(200_000, 3_000_000), min_size=1, max_size=4),

@@ -10,7 +10,7 @@ from tests.basic.native.machines import finish, left
 SINGLES = ("A", "B", "X", "Y1")
 INTEGERS = ("I%", "J%", "K%")
 MANY = settings(
-    max_examples=60,
+    max_examples=25,
     deadline=None,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
 )
@@ -69,6 +69,7 @@ def programs(draw: st.DrawFn) -> list[str]:
     body = draw(st.lists(st.one_of(STATEMENTS, STATEMENTS, LOOPS), min_size=1, max_size=6))
     begun = draw(st.lists(ASSIGNMENTS, max_size=3))
     lines = [
+        "5 ON ERROR GOTO 990",
         "10 DIM F(9),G%(9,3):A=1:B=2.5:X=1E5:Y1=0:I%=3:J%=1:K%=0",
         *(f"{number} {text}" for number, text in enumerate(begun, 20)),
         *(f"{number} {text}" for number, text in enumerate(body, 100)),
@@ -76,6 +77,7 @@ def programs(draw: st.DrawFn) -> list[str]:
         "210 END",
         "900 J%=J%+1:IF J%>9 THEN J%=0",
         "910 X=X-.1:RETURN",
+        "990 E=E+ERR:RESUME NEXT",
     ]
     return [line for line in lines if len(line) < 200]
 

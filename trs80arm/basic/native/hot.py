@@ -26,9 +26,9 @@ native loop."""
 WARM, HOT = 4_000_000_000, 150_000_000
 """T-states that a program computes before the library is loaded, which takes as long; and at one
 place before the loop around it is compiled, four times as many before that is tried again."""
-WAY, ELEMENT, BALANCE = 1_500_000, 800, 300_000_000
+WAY, ELEMENT, BALANCE, STRETCH = 1_500_000, 800, 300_000_000, 10**12
 """What going in and out costs, and an element of an array, as T-states of blocks that take as long;
-T-states won or lost that are remembered of a loop."""
+T-states won or lost that are remembered of a loop; and of a run, some second."""
 
 
 class Hot:
@@ -73,7 +73,7 @@ class Hot:
     def _run(self, loop: NativeLoop, address: int, end: int) -> int:
         state = self._state
         clock, frames = state.clock, state.control.frames
-        budget = end - clock.now - loop.costliest
+        budget = min(end - clock.now, STRETCH) - loop.costliest
         cost = WAY + ELEMENT * loop.elements
         if budget <= 4 * cost or len(frames) > FEW or not state.room.plenty:
             return address

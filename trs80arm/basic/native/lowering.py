@@ -425,6 +425,7 @@ _ROUTINES: Final[dict[str, Callable[..., Value]]] = {
     "sign": Lowering._sign,
     "floor": lambda low, value: low._small(_of_float("(f64.floor %s)")(low, value).as_(INTEGER)),
     "abs": _of_float("(f64.abs %s)"),
+    "absolute": lambda low, it: low._small(f"(i32.trunc_sat_f64_s (f64.abs {it.as_(FLOAT)}))"),
     "negate": lambda low, value: low._integer("sub", Value(INTEGER, "(i32.const 0)"), value),
     "any_floor": _of_float("(f64.floor %s)"),
     "fix": _of_float(f"(f64.add (f64.trunc %s) {_ZERO})"),  # A zero has no sign.
