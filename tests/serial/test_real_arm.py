@@ -299,10 +299,15 @@ def test_ctrl_c_ends_a_run_at_the_end_of_a_line() -> None:
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             text=True,
+            # Who runs the tests in the background has Ctrl+C ignored, and so would a child.
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         ) as running:
-            assert far.moved.wait(30)
-            running.send_signal(signal.SIGINT)
-            _, told = running.communicate(timeout=20)
+            try:
+                assert far.moved.wait(30)
+                running.send_signal(signal.SIGINT)
+                _, told = running.communicate(timeout=20)
+            finally:
+                running.kill()
         assert (running.returncode, told) == (130, "")
 
 
