@@ -24,7 +24,7 @@ LONG, SHORT = 32_000_000, 500_000
 """T-states after which a program is looked at, a millisecond or so; while it has just been in a
 native loop."""
 WARM, HOT = 4_000_000_000, 150_000_000
-"""T-states that a program computes before the library is loaded, which takes as long; and at one
+"""T-states before a program is looked at first, in which the library could be loaded; and at one
 place before the loop around it is compiled, four times as many before that is tried again."""
 WAY, ELEMENT, BALANCE, STRETCH = 1_500_000, 800, 300_000_000, 10**12
 """What going in and out costs, and an element of an array, as T-states of blocks that take as long;
@@ -51,7 +51,7 @@ class Hot:
         self._engine: wasmtime.Engine | None = None
         self._off = False
         self._portion = LONG
-        self._warmth = 0
+        self._next = state.clock.now + WARM
         self._heat: Counter[int] = Counter()
         self._tries: Counter[int] = Counter()
         self._kept: list[NativeLoop] = []
@@ -59,7 +59,8 @@ class Hot:
 
     def begin(self, end: int) -> int:
         """Until when blocks, which must end at a T-state, may be run first."""
-        return end if self._off else min(end, self._state.clock.now + self._portion)
+        now = self._state.clock.now
+        return end if self._off or end - now < 4 * WAY else min(end, max(now, self._next))
 
     def reach(self, address: int, end: int) -> tuple[int, int]:
         """The program has come to a statement: where it goes on, and until when by blocks."""
@@ -68,7 +69,8 @@ class Hot:
         self._portion = SHORT if loop else min(2 * self._portion, LONG)
         if loop is not None:
             address = self._run(loop, address, end)
-        return address, end if self._off else min(end, clock.now + (self._portion or 1))
+        self._next = clock.now + max(self._portion, 1)
+        return address, end if self._off else min(end, self._next)
 
     def _run(self, loop: NativeLoop, address: int, end: int) -> int:
         state = self._state
@@ -92,10 +94,8 @@ class Hot:
             types = self._types()
             found = next((each for each in self._kept if each.holds(address, types)), None)
             if found is None:
-                self._warmth += self._portion
                 heat = self._heat[address] = self._heat[address] + self._portion
-                patience = HOT << 2 * self._tries[address]
-                if heat < patience or (self._engine is None and self._warmth < WARM):
+                if heat < HOT << 2 * self._tries[address]:
                     return None
                 self._heat[address] = 0
                 self._tries[address] += 1
