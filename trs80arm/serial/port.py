@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -50,7 +51,10 @@ class Port:
             self._port: serial.SerialBase = serial.serial_for_url(path, BAUD, write_timeout=2.0)
             self._port.reset_input_buffer()
         except self._dead as error:
-            raise WireError(f"{path}: {one_line(error)}") from None
+            # pyserial says it in its own words, with number and path; the system's are enough.
+            number = error.errno if isinstance(error, OSError) else None
+            why = os.strerror(number) if number else one_line(error)
+            raise WireError(f"{path}: {why}") from None
 
     def send(self, line: bytes, answers: int, seconds: float) -> list[str]:
         """As in `Wire`."""
