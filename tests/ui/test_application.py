@@ -244,6 +244,20 @@ async def test_leaving_with_an_unsaved_program_asks(sit_down: Opener, tmp_path: 
 
 
 @piloted
+async def test_the_first_letter_of_an_answer_goes_to_it(sit_down: Opener) -> None:
+    async with sit_down() as sitting:
+        await sitting.type_line('10 PRINT "MINE"')
+        await sitting.press("f10", "x", "b")
+        assert isinstance(sitting.app.screen, Ask)
+        await sitting.press("enter")
+        await sitting.settle()
+        assert not isinstance(sitting.app.screen, Ask)
+        await sitting.press("f10", "l", "enter")
+        await sitting.pilot.pause()
+    assert sitting.app.return_value == 0
+
+
+@piloted
 async def test_leaving_with_a_saved_program_does_not_ask(sit_down: Opener) -> None:
     async with sit_down(program=PROGRAMS / "table4.bas") as sitting:
         await sitting.press("f10")

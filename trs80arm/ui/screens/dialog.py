@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, ClassVar, Generic, Literal, TypeVar
 
+from textual import events
 from textual.app import App, ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
@@ -159,6 +160,15 @@ class Ask(Dialog[str]):
             with Horizontal(classes="buttons"):
                 for number, answer in enumerate(self.question.answers):
                     yield Button(answer.label, id=f"answer-{number}", compact=True)
+
+    def on_key(self, event: events.Key) -> None:
+        """A letter goes to the answer that begins with it; Enter gives it."""
+        letter = event.character or ""
+        for answer, button in zip(self.question.answers, self.query(Button), strict=True):
+            if letter.isalpha() and answer.label.casefold().startswith(letter.casefold()):
+                button.focus()
+                event.stop()
+                return
 
     def on_button_pressed(self, event: Button.Pressed) -> None:
         """Answer."""
