@@ -17,13 +17,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from trs80arm.machine.cassette import SystemRecording, encode_system
+from trs80arm.works.rom_driver import ORIGINS
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "trs80arm" / "machine" / "z80" / "armbasic.asm"
 PAGE = ROOT / "docs" / "armbasic-z80.md"
 MARK = "<!-- from here on written by docs/make_armbasic_z80.py -->\n"
-ORIGINS = {16: 31200, 32: 47584, 48: 63968}
-"""By kilobytes of RAM, where the driver begins: as high as it goes, at a multiple of 32."""
 BLOCK = 128
 """Bytes of a block on the tape."""
 _LISTED = re.compile(r"([0-9A-F]{4})? +((?:[0-9A-F]{2} )*) *\t(.*)")

@@ -126,7 +126,7 @@ def switch_on(works: Works, running: Running) -> None:
         # A ROM of its own tests the memory before it looks at the keyboard.
         running.run_until(lambda: basic.waiting is Waiting.MEMORY_SIZE, LONGEST)
     type_until(Waiting.COMMAND, settings.memory_size)
-    if settings.rom is not None and settings.armbasic and basic.waiting is Waiting.COMMAND:
+    if settings.rom is not None and settings.has_armbasic and basic.waiting is Waiting.COMMAND:
         # SYSTEM takes its stack out of the way of what it loads.
         type_until(Waiting.SYSTEM, "SYSTEM")
         start = rom_driver.put_in(works.memory, settings.ram_kib, settings.card)

@@ -74,8 +74,13 @@ class RigSettings:
         if self.ram_kib not in RAM_SIZES_KIB:
             raise ValueError(f"ram_kib must be 4, 16, 32 or 48, not {self.ram_kib}")
         check_answer(self.memory_size)
-        if self.rom is not None and self.armbasic:
+        if self.rom is not None and self.has_armbasic:
             rom_driver.check(self.ram_kib, self.card)
+
+    @property
+    def has_armbasic(self) -> bool:
+        """Whether the machine has ARMBASIC: not where the arm's own computer has the card."""
+        return self.armbasic and not self.controller
 
 
 @dataclass(order=True)
@@ -155,7 +160,7 @@ class Works:
 
     @property
     def _driver_in_memory(self) -> int | None:
-        if self.settings.rom is None:
+        if self.settings.rom is None or self.controller is not None:
             return None
         return rom_driver.origin(self.memory.ram, self.settings.card)
 
@@ -205,7 +210,6 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
     ports = Ports()
     if controller is None:
         ports.attach(card)
-    armbasic = settings.armbasic and controller is None
     line = None if settings.rom is None else CassetteLine(clock, tape)
     system_port = SystemPort(clock, video, line)
     ports.attach(system_port)
@@ -220,12 +224,17 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
         printer=PrinterDriver(clock, memory, printer),
         ports=ports,
         tape=tape,
-        arm=driver if armbasic else None,
+        arm=driver if settings.has_armbasic else None,
         processor=processor,
     )
     basic: Language
     if settings.rom is None:
-        basic = Interpreter(host, armbasic=armbasic, blocks=settings.blocks, native=settings.native)
+        basic = Interpreter(
+            host,
+            armbasic=settings.has_armbasic,
+            blocks=settings.blocks,
+            native=settings.native,
+        )
     else:
         memory.attach(0, SIZE, RomArea(settings.rom))
         basic = RomLanguage(host, processor, matrix, console, settings.rom, settings.card)

@@ -19,7 +19,7 @@ from trs80arm.machine.half_steps import HALF_STEPS, RING
 from trs80arm.machine.memory import Memory
 
 ORIGINS: Final = {16: 31200, 32: 47584, 48: 63968}
-"""By K of RAM, where the driver begins."""
+"""By K of RAM, where the driver begins: as high as it goes, at a multiple of 32."""
 MANUAL: Final = 9
 """Its entry for `@SET`."""
 RESET_DONE: Final = 1147

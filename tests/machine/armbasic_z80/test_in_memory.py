@@ -9,7 +9,9 @@ import pytest
 from tests.machine.armbasic_z80.assembled import driver
 from tests.machine.armbasic_z80.board import Board
 from tests.machine.armbasic_z80.rom_machine import ROM
+from tests.machine.z80.own_rom import own_rom
 from trs80arm.arm.bench import Bench
+from trs80arm.arm.settings import ArmSettings
 from trs80arm.machine.card import CardSettings, Jumper, Latch
 from trs80arm.machine.memory import Memory
 from trs80arm.machine.z80.rom import Rom
@@ -79,6 +81,16 @@ def test_its_registers_are_what_read_gives() -> None:
 def test_a_machine_that_it_cannot_drive_is_told(ram: int, card: CardSettings, says: str) -> None:
     with pytest.raises(rom_driver.DriverError, match=says):
         rom_driver.check(ram, card)
+
+
+def test_the_registers_are_the_arms_own_computers_where_it_has_one() -> None:
+    settings = RigSettings(rom=own_rom(), controller=True, arm=ArmSettings(model="teachmover"))
+    assert not settings.has_armbasic
+    rig = Rig(settings)
+    rom_driver.put_in(rig.memory, 16, rig.settings.card)
+    rig.receive(b"@STEP 100,5\r")
+    rig.run_for(1)
+    assert rig.registers == rig.joints == (5, 0, 0, 0, 0, 0)
 
 
 @pytest.mark.skipif(ROM is None, reason="TRS80ARM_TEST_ROM names no ROM")
