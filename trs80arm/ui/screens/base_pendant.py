@@ -17,17 +17,12 @@ from trs80arm.drawing.readings import Readings
 from trs80arm.options import ArmStyle
 from trs80arm.serial.pendant_keys import FunctionKey
 from trs80arm.ui.keys.jog_keyboard import JogKeyboard
-from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.joint_pad import JointPad
 from trs80arm.ui.panels.key_line import KeyHint, KeyLine
-from trs80arm.ui.panels.keys_by_mouse import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.side_view import SideView
 from trs80arm.ui.panels.top_view import TopView
-from trs80arm.ui.screens.dialog import Dialog
+from trs80arm.ui.screens.jog_dialog import JogDialog
 
-FRAMES_PER_SECOND = 15
-WIDE = 110
-"""Columns from which on the arm is seen from above, too."""
 KEYS = {
     FunctionKey.TRAIN: "a",
     FunctionKey.MOVE: "m",
@@ -72,7 +67,7 @@ class Means:
     style: ArmStyle = ArmStyle.ASCII
 
 
-class BasePendantScreen(Dialog[None]):
+class BasePendantScreen(JogDialog[None]):
     """The pendant.
 
     Args:
@@ -89,12 +84,6 @@ class BasePendantScreen(Dialog[None]):
         Binding("f1", "app.do('help')", "Help"),
     ]
     DEFAULT_CSS = """
-    BasePendantScreen > .dialog {
-        width: 100%; height: 100%; max-width: 100%; max-height: 100%; padding: 0;
-    }
-    BasePendantScreen .views { height: 1fr; }
-    BasePendantScreen SideView { width: 5fr; height: 100%; }
-    BasePendantScreen TopView { width: 4fr; height: 100%; }
     BasePendantScreen .program {
         width: 38; height: 100%; border-left: solid $frame; text-wrap: nowrap;
         text-overflow: clip;
@@ -103,7 +92,6 @@ class BasePendantScreen(Dialog[None]):
     BasePendantScreen .state { height: 1; color: $text-muted; text-wrap: nowrap; }
     BasePendantScreen .message { height: 1; color: $text-accent; text-wrap: nowrap; }
     BasePendantScreen KeyLine { height: 2; }
-    BasePendantScreen.narrow TopView { display: none; }
     """
     HELP = """
 ## The TeachMover's teach pendant
@@ -121,10 +109,8 @@ Enter clear the memory. What is in it `@QDUMP` gives and `@RUN` runs.
 """
 
     def __init__(self, means: Means) -> None:
-        super().__init__()
-        self._means = means
+        super().__init__(means)
         self._pendant = means.pendant
-        self._said: dict[str, str] = {}
 
     def compose(self) -> ComposeResult:
         """Views and memory, buttons, and what the pendant says."""
@@ -139,61 +125,31 @@ Enter clear the memory. What is in it `@QDUMP` gives and `@RUN` runs.
             yield Static("", classes="message", markup=False)
             yield KeyLine(HINTS)
 
-    def on_mount(self) -> None:
-        """Look at the arm, again and again."""
-        self._means.keyboard.take_up()
-        for view in self.query(ArmView):
-            view.picture.style = self._means.style
-        self.set_interval(1 / FRAMES_PER_SECOND, self.show)
-        self.call_after_refresh(self.show)
-
-    def on_resize(self, event: events.Resize) -> None:
-        """More in a larger window."""
-        self.set_class(event.size.width < WIDE, "narrow")
-
-    def on_screen_suspend(self) -> None:
-        """Another dialog opened: all hands off."""
-        self._hands_off()
-
     def on_unmount(self) -> None:
         """Left: all hands off."""
-        self._hands_off()
+        self.hands_off()
 
-    def _hands_off(self) -> None:
-        self._means.keyboard.keyboard.let_go()
+    def hands_off(self) -> None:
+        """Let every key go, those of the pendant too."""
+        super().hands_off()
         self._pendant.let_go()
 
-    def show(self) -> None:
-        """Show how it stands."""
-        if not self.is_current:
-            return
-        readings = self._means.look()
-        for view in self.query(ArmView):
-            view.show(readings)
+    def show_rest(self, readings: Readings) -> None:
+        """Buttons, memory, and what the pendant says."""
         self.query_one(JointPad).show(readings)
         program = self.query_one(".program", Static)
         lines = self._pendant.program(max(1, program.size.height))
-        self._say(".program", "\n".join(lines))
-        self._say(".state", self._pendant.state)
-        self._say(".message", self._pendant.message)
-
-    def _say(self, where: str, text: str) -> None:
-        """Have a text stand somewhere; one that stands there already costs nothing."""
-        if self._said.get(where) != text:
-            self._said[where] = text
-            self.query_one(where, Static).update(text, layout=False)
+        self.say(".program", "\n".join(lines))
+        self.say(".state", self._pendant.state)
+        self.say(".message", self._pendant.message)
 
     # -- keys and buttons -------------------------------------------------------------------------
 
     def on_key(self, event: events.Key) -> None:
-        """A digit of a number, or a joint key of a terminal that does not tell releases."""
+        """A digit of a number."""
         if self._takes(event.character):
             event.stop()
             event.prevent_default()
-        elif self._means.keyboard.jogs(event.key, event.character):
-            event.stop()
-            event.prevent_default()
-            self._means.keyboard.keyboard.typed(event.key, event.character)
 
     def _takes(self, character: str | None) -> bool:
         """Whether a key is a digit that the pendant asks for; it has it then."""
@@ -204,28 +160,9 @@ Enter clear the memory. What is in it `@QDUMP` gives and `@RUN` runs.
         return True
 
     def went_down(self, base: str, name: str, text: str | None) -> None:
-        """A key went down, and the terminal will tell when it goes up."""
-        if not self._pendant.asks and self._means.keyboard.jogs(name, text):
-            self._means.keyboard.keyboard.went_down(base, name, text)
-
-    def went_up(self, base: str) -> None:
-        """It went up."""
-        self._means.keyboard.keyboard.went_up(base)
-
-    def on_key_held(self, message: KeyHeld) -> None:
-        """The mouse holds a button."""
-        message.stop()
-        self._means.keyboard.keyboard.point(message.key)
-
-    def on_keys_let_go(self, message: KeysLetGo) -> None:
-        """The mouse lets go."""
-        message.stop()
-        self._means.keyboard.keyboard.unpoint()
-
-    def on_key_latched(self, message: KeyLatched) -> None:
-        """The mouse latches a button."""
-        message.stop()
-        self._means.keyboard.keyboard.latch(message.key)
+        """A key went down; while digits are asked for it moves nothing."""
+        if not self._pendant.asks:
+            super().went_down(base, name, text)
 
     def action_push(self, name: str) -> None:
         """A function key."""

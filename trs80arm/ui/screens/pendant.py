@@ -21,19 +21,15 @@ from trs80arm.desk.teach import Position
 from trs80arm.drawing.readings import Kind, Readings, Thing
 from trs80arm.options import ArmStyle
 from trs80arm.ui.keys.jog_keyboard import JogKeyboard
-from trs80arm.ui.panels.arm_view import ArmView
 from trs80arm.ui.panels.jog_pad import JogPad
 from trs80arm.ui.panels.key_line import KeyHint, KeyLine
-from trs80arm.ui.panels.keys_by_mouse import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.side_view import SideView
 from trs80arm.ui.panels.top_view import TopView
-from trs80arm.ui.screens.dialog import Dialog, LineDialog
+from trs80arm.ui.screens.dialog import LineDialog
 from trs80arm.ui.screens.edit_point import AskSpeed, EditPoint
+from trs80arm.ui.screens.jog_dialog import JogDialog
 from trs80arm.ui.screens.taught_program import ProgramScreen, TeachResult
 
-FRAMES_PER_SECOND = 15
-WIDE = 110
-"""Columns from which on the arm is seen from above, too."""
 TALL = 34
 """Rows from which on more of what was typed is seen."""
 PARTS_SHOWN = 2
@@ -102,7 +98,7 @@ class Means:
     style: ArmStyle = ArmStyle.ASCII
 
 
-class PendantScreen(Dialog[TeachResult]):
+class PendantScreen(JogDialog[TeachResult]):
     """The pendant.
 
     Args:
@@ -138,12 +134,6 @@ class PendantScreen(Dialog[TeachResult]):
         Binding("f1", "app.do('help')", "Help"),
     ]
     DEFAULT_CSS = """
-    PendantScreen > .dialog {
-        width: 100%; height: 100%; max-width: 100%; max-height: 100%; padding: 0;
-    }
-    PendantScreen .views { height: 1fr; }
-    PendantScreen SideView { width: 5fr; height: 100%; }
-    PendantScreen TopView { width: 4fr; height: 100%; }
     PendantScreen .points { width: 35; height: 100%; border-left: solid $frame; }
     PendantScreen .points OptionList {
         height: 1fr; text-wrap: nowrap; text-overflow: clip; padding: 0;
@@ -155,7 +145,6 @@ class PendantScreen(Dialog[TeachResult]):
     PendantScreen .message { height: 2; color: $text-accent; }
     PendantScreen KeyLine { height: 3; }
     PendantScreen.tall .sent { height: 8; }
-    PendantScreen.narrow TopView { display: none; }
     """
     HELP = """
 ## The teach pendant
@@ -177,11 +166,10 @@ gets BREAK.
 """
 
     def __init__(self, means: Means) -> None:
-        super().__init__()
+        super().__init__(means)
         self._means = means
         self._pendant = means.pendant
         self._shown: tuple[tuple[Position, ...], int | None] | None = None
-        self._said: dict[str, str] = {}
         self._width = 1.5
 
     def compose(self) -> ComposeResult:
@@ -201,35 +189,21 @@ gets BREAK.
             yield Static("", classes="message", markup=False)
             yield KeyLine(HINTS)
 
-    def on_mount(self) -> None:
-        """Look at the arm, again and again."""
-        self._means.keyboard.take_up()
-        for view in self.query(ArmView):
-            view.picture.style = self._means.style
-        self.set_interval(1 / FRAMES_PER_SECOND, self.show)
-        self.call_after_refresh(self.show)
-
     def on_resize(self, event: events.Resize) -> None:
-        """More in a larger window."""
-        self.set_class(event.size.width < WIDE, "narrow")
+        """More of what was typed in a taller window."""
         self.set_class(event.size.height >= TALL, "tall")
 
-    def on_screen_suspend(self) -> None:
-        """Another dialog opened: all hands off."""
-        self._means.keyboard.keyboard.let_go()
+    def hands_off(self) -> None:
+        """Let every key go, those of the pendant too."""
+        super().hands_off()
         self._pendant.let_go()
 
-    def show(self) -> None:
-        """Show how it stands."""
-        if not self.is_current:
-            return
-        readings = self._means.look()
-        for view in self.query(ArmView):
-            view.show(readings)
+    def show_rest(self, readings: Readings) -> None:
+        """Buttons, points, parts, and what is said and typed."""
         self.query_one(JogPad).show(readings)
         self._show_points()
         self._show_words()
-        self._say(".parts", "\n".join(part_texts(readings)))
+        self.say(".parts", "\n".join(part_texts(readings)), layout=True)
 
     def _show_points(self) -> None:
         pendant, options = self._pendant, self.query_one(OptionList)
@@ -260,56 +234,15 @@ gets BREAK.
             step = f"{size.inches:g} in, {size.degrees:g}°"
         manner = pendant.manner
         once = "round and round" if manner.repeats else "once"
-        self._say(
+        self.say(
             ".state",
             f"Step {step}   Speed {self._means.override.speed_text}   D {manner.speed}   "
             f"Plays {once}   Keys: {self._means.keyboard.keyboard.in_use.value}",
         )
         sent = self.query_one(".sent", Static)
         lines = [f">{line}" for line in list(pendant.sent)[-max(1, sent.size.height) :]]
-        self._say(
-            ".sent", "\n".join(lines) or "What the pendant types into the TRS-80 stands here."
-        )
-        self._say(".message", " ".join(filter(None, (pendant.message, pendant.hint))))
-
-    def _say(self, where: str, text: str) -> None:
-        """Have a text stand somewhere; one that stands there already costs nothing."""
-        if self._said.get(where) != text:
-            self._said[where] = text
-            self.query_one(where, Static).update(text, layout=where == ".parts")
-
-    # -- keys and buttons -------------------------------------------------------------------------
-
-    def on_key(self, event: events.Key) -> None:
-        """A key that jogs, of a terminal that does not tell when it is let go."""
-        if self._means.keyboard.jogs(event.key, event.character):
-            event.stop()
-            event.prevent_default()
-            self._means.keyboard.keyboard.typed(event.key, event.character)
-
-    def went_down(self, base: str, name: str, text: str | None) -> None:
-        """A key went down, and the terminal will tell when it goes up."""
-        if self._means.keyboard.jogs(name, text):
-            self._means.keyboard.keyboard.went_down(base, name, text)
-
-    def went_up(self, base: str) -> None:
-        """It went up."""
-        self._means.keyboard.keyboard.went_up(base)
-
-    def on_key_held(self, message: KeyHeld) -> None:
-        """The mouse holds a button."""
-        message.stop()
-        self._means.keyboard.keyboard.point(message.key)
-
-    def on_keys_let_go(self, message: KeysLetGo) -> None:
-        """The mouse lets go."""
-        message.stop()
-        self._means.keyboard.keyboard.unpoint()
-
-    def on_key_latched(self, message: KeyLatched) -> None:
-        """The mouse latches a button."""
-        message.stop()
-        self._means.keyboard.keyboard.latch(message.key)
+        self.say(".sent", "\n".join(lines) or "What the pendant types into the TRS-80 stands here.")
+        self.say(".message", " ".join(filter(None, (pendant.message, pendant.hint))))
 
     # -- points -----------------------------------------------------------------------------------
 
