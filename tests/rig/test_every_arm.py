@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from tests.block_bench import BLOCK
 from tests.slices import elsewhere
 from tests.statements import done
 from trs80arm import Rig
@@ -66,18 +67,6 @@ def machine(model: ArmModel, bench: str, *statements: str) -> Rig:
     """A machine with an arm, when it has done some statements."""
     rig = Rig(RigSettings(arm=ArmSettings(model=model.name)), benchfile.parse(bench))
     return done(rig, *statements)
-
-
-BLOCK = """
-[arm]
-at = [6, 0, 0.3]
-opening = 0.9
-[[part]]
-name = "block"
-at = [6, 0]
-size = [0.5, 0.4, 0.8]
-weight = 1
-"""
 
 
 def lift(model: ArmModel) -> str:

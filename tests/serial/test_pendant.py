@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.block_bench import BLOCK
 from tests.serial.lab import SETTINGS, Line
 from tests.serial.test_endpoints import Nobody
 from trs80arm import Rig
@@ -27,16 +28,6 @@ from trs80arm.serial.serving import Server
 from trs80arm.serial.speeds import delay_of
 
 NAMES = {str(digit): key.name for key, digit in DIGITS.items()}
-BLOCK = """
-[arm]
-at = [6, 0, 0.3]
-opening = 0.9
-[[part]]
-name = "block"
-at = [6, 0]
-size = [0.5, 0.4, 0.8]
-weight = 1
-"""
 
 
 class Hand:

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.block_bench import BLOCK
 from tests.serial.far_side import HIGH, FarSide, Plugged, nobody
 from trs80arm import Rig
 from trs80arm.serial.courier import Courier
@@ -14,17 +15,6 @@ from trs80arm.serial.gathering import Leg
 from trs80arm.serial.limits import PlugSettings
 from trs80arm.serial.speeds import delay_of
 from trs80arm.serial.wire import WireError
-
-BLOCK = """
-[arm]
-at = [6, 0, 0.3]
-opening = 0.9
-[[part]]
-name = "block"
-at = [6, 0]
-size = [0.5, 0.4, 0.8]
-weight = 1
-"""
 
 
 def test_the_other_arm_has_the_registers_of_the_model() -> None:
