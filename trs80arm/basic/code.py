@@ -14,7 +14,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
-from types import CellType, FunctionType
+from types import CellType, FrameType, FunctionType
 from typing import Any, Final, NamedTuple
 
 from trs80arm.basic import addresses, characters, costs
@@ -35,6 +35,8 @@ from trs80arm.basic.variables import Key
 _LONGEST = 40
 _MOST: Final = 2_000_000
 """Statements, and T-states, of a block at most."""
+_STRETCH: Final = 2**29
+"""T-states after which blocks are begun anew: what they count with stays a small number."""
 _LOWEST = 0x4000
 _LINE_HEAD = 5
 """A line's final zero, link and number; where these do not fit there is no statement."""
@@ -166,10 +168,18 @@ class Table(dict[int, Function]):
                 if traceback.tb_frame.f_code is code:
                     index = traceback.tb_lineno - compiled.first_line - 1
                     if 0 <= index < len(compiled.marks):
-                        return compiled.marks[index]
+                        statement, cost = compiled.marks[index]
+                        return Mark(statement, cost + _counted(traceback.tb_frame))
                     break
                 traceback = traceback.tb_next
         return Mark(address, 0)
+
+
+def _counted(frame: FrameType) -> int:
+    """T-states that a block has counted and not told the clock."""
+    names = frame.f_locals
+    spent: int = names["given"] - names["left"] if "given" in names else 0
+    return spent
 
 
 @contextmanager
@@ -224,15 +234,17 @@ class CompiledCode:
         try:
             if self._state.blocks:
                 end = clock.limit - MARGIN
-                pace.soft = end if hot is None else hot.begin(end)
+                until = end if hot is None else hot.begin(end)
                 while True:
-                    while clock.now < pace.soft:
-                        place.statement = address
-                        address = table[address]()
-                    if pace.soft == end or hot is None:
+                    while clock.now < until:
+                        pace.soft = min(until, clock.now + _STRETCH)
+                        while clock.now < pace.soft:
+                            place.statement = address
+                            address = table[address]()
+                    if until == end or hot is None:
                         break
                     self.check_version()
-                    address, pace.soft = hot.reach(address, end)
+                    address, until = hot.reach(address, end)
             table = self.statements
             while clock.now < clock.limit:
                 place.statement = address

@@ -9,6 +9,7 @@ that a statement that fails is charged for what it has done.
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from types import CellType, CodeType, FunctionType
 from typing import Any, Final, NamedTuple
@@ -36,6 +37,22 @@ ATTRIBUTES: Final = frozenset(
     }
 )
 """Attributes that generated text may use, beside the names of its environment."""
+QUIET: Final = frozenset(
+    {
+        *("abs", "float", "int", "len", "fail", "byte", "below", "subscript", "bad", "always"),
+        *("floor", "to_kind", "to_single", "to_double", "narrow", "negate", "absolute", "sign"),
+        *("any_floor", "fix", "compare", "any_add", "any_sub", "any_mul", "any_div"),
+        *("integer_add", "integer_sub", "integer_mul", "integer_step"),
+        *("add", "sub", "mul", "div", "double_compare", "double_negate", "rnd"),
+        *("sin", "cos", "tan", "atn", "log", "exp", "sqr", "power"),
+        *("room", "open_subroutine", "close_subroutine"),
+        *("frames", "open_loop", "drop_loop", "step_loop", "goes_on"),
+    }
+)
+"""Routines that take no time of their own: they may give back what was charged, no more, and do not
+ask what time it is. Where a block calls no others, its time is summed up in a local name."""
+_CALLED: Final = re.compile(r"(?<![\w.])[a-z_]+(?=[(\[])")
+"""A name of the environment that is called, or looked something up in, in generated text."""
 
 
 class Mark(NamedTuple):
@@ -117,6 +134,7 @@ class Emitter:
         self.marks: list[Mark] = []
         self.indent = 1
         self._lines: list[str] = []
+        self._counted: dict[int, str] = {}
         self._cells: dict[str, CellType] = {}
         self._stored: set[str] = set()
         self._constants: dict[int, str] = {}
@@ -186,8 +204,7 @@ class Emitter:
 
     def go_round(self) -> None:
         """The innermost loop's body again."""
-        self._leave(again="")
-        self.emit(f"return {self.loops[-1].body}")
+        self._leave(str(self.loops[-1].body), again="")
 
     def end_loop(self) -> None:
         """The innermost loop is done."""
@@ -210,6 +227,8 @@ class Emitter:
         """Take back what was written since."""
         length, numbers, (cells, stored, constants), flow = state
         del self._lines[length:], self.marks[length:]
+        for line in [line for line in self._counted if line >= length]:
+            del self._counted[line]
         self.cost, self.most_cost, self._charged, self._temporaries, self.indent, self._base = (
             numbers
         )
@@ -222,12 +241,23 @@ class Emitter:
         self._lines.append("  " * self.indent + text)
         self.marks.append(Mark(self.statement, self.cost))
 
+    def _emit_timed(self, text: str, counted: str) -> None:
+        """Add a line that has to do with the clock.
+
+        Args:
+            text: the line.
+            counted: what stands there in a block that counts down what is `left` of `given`
+                T-states, and tells the clock when it is left.
+        """
+        self._counted[len(self._lines)] = "  " * self.indent + counted
+        self.emit(text)
+
     def charge(self) -> None:
         """Write what has come together to the clock."""
         if self.cost:
             cost, self.cost = self.cost, 0
             self._charged += cost
-            self.emit(f"clock.now += {cost}")
+            self._emit_timed(f"clock.now += {cost}", f"left -= {cost}")
 
     def depends_on(self, address: int) -> None:
         """The function holds only as long as the text stays the same up to an address."""
@@ -253,19 +283,21 @@ class Emitter:
 
     def leave_for(self, address: int) -> None:
         """Leave the function for the statement at an address."""
-        self._leave(again="" if address == self._leader and not self.loops else None)
-        self.emit(f"return {address}")
+        again = "" if address == self._leader and not self.loops else None
+        self._leave(str(address), again)
 
     def look_at_clock(self, address: int) -> None:
         """Leave for the statement at an address if too little time is left for more."""
         self.charge()
         self._asks = True
-        self.emit(f"if clock.now >= soft: return {address}")
+        self._emit_timed(
+            f"if clock.now >= soft: return {address}",
+            f"if left <= 0: clock.now += given - left; return {address}",
+        )
 
     def go_to_found(self, text: str) -> None:
         """Leave the function for an address found at run time."""
-        self._leave()
-        self.emit(f"return {text}")
+        self._leave(text)
 
     def go_to_start(self) -> None:
         """Go round to the block's own start."""
@@ -275,23 +307,24 @@ class Emitter:
     def go_to_loop_body(self) -> None:
         """Leave the function for the body of the loop in `f`."""
         around = self._leader is not None and not self.loops
-        self._leave(again=f"{_LOOP_BODY} == {self._leader} and " if around else None)
-        self.emit(f"return {_LOOP_BODY}")
+        self._leave(_LOOP_BODY, f"{_LOOP_BODY} == {self._leader} and " if around else None)
 
-    def _leave(self, again: str | None = None) -> None:
-        """Charge what is left; go round at once if there is time.
+    def _leave(self, to: str, again: str | None = None) -> None:
+        """Charge what has come together and leave; go round at once if there is time.
 
         Args:
+            to: text of the address to go on at.
             again: what must be true besides, with its ` and `; None if it is not to go round.
         """
         self.note_cost()
-        if again is None:
-            if self.cost:
-                self.emit(f"clock.now += {self.cost}")
-            return
-        self._asks = True
-        self.emit(f"clock.now = now = clock.now + {self.cost}")
-        self.emit(f"if {again}now < soft: continue")
+        cost = self.cost
+        if again is not None:
+            self._asks = True
+            self._emit_timed(f"clock.now = now = clock.now + {cost}", f"left -= {cost}")
+            self._emit_timed(f"if {again}now < soft: continue", f"if {again}left > 0: continue")
+        elif cost:
+            self._emit_timed(f"clock.now += {cost}", f"left -= {cost}")
+        self._emit_timed(f"return {to}", f"clock.now += given - left; return {to}")
 
     def fail(self, code: Code) -> None:
         """Raise a Level II error."""
@@ -334,6 +367,10 @@ class Emitter:
 
     def source(self) -> str:
         """The Python text of the function, inside one that declares its cells."""
+        return self._text()[0]
+
+    def _text(self) -> tuple[str, int]:
+        """The same, and the number of its lines in front of the emitted ones."""
         names = list(self._cells)
         out = ["def cells():"]
         if names:
@@ -341,23 +378,31 @@ class Emitter:
         out.append(" def statement():")
         if self._stored:
             out.append(f"  nonlocal {', '.join(sorted(self._stored))}")
-        head = self._pace() + self._head
+        counting = self._asks and self.quiet()
+        head = self._pace(counting) + self._head
         out += [f"  {line}" for line in head]
-        return "\n".join([*out, *self._lines, " return statement\n"])
+        lines = self._lines
+        if counting:
+            lines = lines.copy()
+            for place, counted in self._counted.items():
+                lines[place] = counted
+        return "\n".join([*out, *lines, " return statement\n"]), len(out)
 
-    def _pace(self) -> list[str]:
+    def quiet(self, since: int = 0) -> bool:
+        """Whether the lines written since one of them call nothing that takes time of its own."""
+        return all(QUIET.issuperset(_CALLED.findall(line)) for line in self._lines[since:])
+
+    def _pace(self, counting: bool) -> list[str]:
         """The lines of a block that find out until when it may go on."""
         more = self.most_cost - MARGIN
+        lines = []
         if self._leader is not None and more > 0:
             # It takes longer than the loop that called it reckons with.
             alone = f"if clock.now >= soft: return alone({self._leader})"
-            return [f"soft = pace.soft - {more}", alone]
-        return ["soft = pace.soft"] if self._asks else []
-
-    @property
-    def _first_line(self) -> int:
-        """The number of lines of `source` in front of the emitted ones."""
-        return 2 + bool(self._cells) + bool(self._stored) + len(self._pace()) + len(self._head)
+            lines = [f"soft = pace.soft - {more}", alone]
+        elif self._asks:
+            lines = ["soft = pace.soft"]
+        return [*lines, "left = given = soft - clock.now"] if counting else lines
 
     def build(self, environment: dict[str, Any]) -> tuple[FunctionType, int]:
         """The function, and the number of its text lines in front of the first emitted one.
@@ -368,21 +413,24 @@ class Emitter:
         Raises:
             TooDeep: the text must be written flat.
         """
+        source, first_line = self._text()
         try:
-            code = _code(self.source())
+            code = _code(source)
         except (SyntaxError, RecursionError, MemoryError):
             if not self.flat:
                 raise TooDeep from None
             # A hundred IFs in one another: out of memory here.
             del self._lines[:], self.marks[:]
+            self._counted.clear()
             self.indent = 1
             self.fail(Code.OM)
-            code = _code(self.source())
+            source, first_line = self._text()
+            code = _code(source)
         for name in code.co_names:
             if name not in environment and name not in ATTRIBUTES:
                 raise UnlistedName(name)
         closure = tuple(self._cells[name] for name in code.co_freevars)
-        return FunctionType(code, environment, "statement", None, closure), self._first_line
+        return FunctionType(code, environment, "statement", None, closure), first_line
 
 
 @lru_cache(_KEPT)
