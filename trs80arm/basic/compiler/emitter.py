@@ -26,8 +26,10 @@ _KEPT: Final = 2000
 sweep does, does not wait for Python to read the same text."""
 _LOOP_BODY: Final = "f.body"
 """Where NEXT goes back to, in generated text."""
-_KNOWN_LOOP, _KNOWN_LIMIT = "around", "last"
+KNOWN_LOOP, KNOWN_LIMIT = "around", "last"
 """The frame and the limit of the loop around a block, in generated text."""
+_CHANGING_FRAMES: Final = ("drop_loop(", "step_loop(")
+"""Calls behind which the innermost frame may be any, in generated text."""
 ATTRIBUTES: Final = frozenset(
     {
         *("now", "soft"),  # the clock's, the pace's
@@ -88,6 +90,10 @@ class Loop(NamedTuple):
         frame: the name of its frame.
         limit: the name of its limit.
         step: a number of usual size.
+        whole: the name of a limit that shows as long as it is not passed that the loop counts whole
+            numbers and is exact; empty if it is no such loop.
+        start: how many lines the function had before the body.
+        calls: how many subroutines it had gone into.
     """
 
     key: Key
@@ -95,6 +101,9 @@ class Loop(NamedTuple):
     frame: str
     limit: str
     step: float
+    whole: str
+    start: int
+    calls: int
 
 
 class UnlistedName(Exception):  # noqa: N818 - never raised unless the compiler is wrong
@@ -143,6 +152,7 @@ class Emitter:
         self._leader: int | None = None
         self.around: ForFrame | None = None
         self._head: list[str] = []
+        self._head_whole = False
         self._asks = False
         self._base = 0
         self.calls: list[Call] = []
@@ -183,24 +193,54 @@ class Emitter:
         self._base = self.indent
         self.loops.append(loop)
 
-    def know_loop_around(self, scalar: str, step: float) -> tuple[str, str]:
+    def know_loop_around(
+        self, scalar: str, step: float, limit: str, beyond: str, whole: bool
+    ) -> bool:
         """Have the loop around the block looked at where the block begins.
 
         Args:
             scalar: the name of its variable.
             step: what it must go on by.
+            limit: text of its limit.
+            beyond: what is its limit if it is another loop.
+            whole: whether the limit shows that the loop counts whole numbers.
 
         Returns:
-            The names of its frame, None if it is another loop, and of its limit.
+            Whether it shows that: what was asked for first holds.
         """
-        frame, limit = _KNOWN_LOOP, _KNOWN_LIMIT
+        if self._head:
+            return self._head_whole
+        self._head_whole = whole
+        frame = KNOWN_LOOP
         same = f"{frame}.scalar is {scalar} and {frame}.body == {self._leader}"
         self._head = [
             f"{frame} = frames[-1]",
-            f"if {same} and {frame}.step == {step!r}: {limit} = {frame}.limit",
-            f"else: {frame} = None",
+            f"if {same} and {frame}.step == {step!r}: {KNOWN_LIMIT} = {limit}",
+            f"else: {KNOWN_LIMIT} = {beyond}",
         ]
-        return frame, limit
+        return whole
+
+    @property
+    def lines(self) -> int:
+        """How many lines have been written."""
+        return len(self._lines)
+
+    def keeps_frames(self, since: int, calls: int) -> bool:
+        """Whether the innermost frame is the same where the lines written since come to their end.
+
+        Args:
+            since: how many lines there were before.
+            calls: how many subroutines the function had gone into then.
+        """
+        if len(self.calls) != calls:
+            return False
+        changing = any(call in line for line in self._lines[since:] for call in _CHANGING_FRAMES)
+        return self.straight and not changing and self.quiet(since)
+
+    def stores(self, name: str, since: int) -> bool:
+        """Whether one of the lines written since gives a variable a value."""
+        assignment = f"{name} = "
+        return any(line.lstrip().startswith(assignment) for line in self._lines[since:])
 
     def go_round(self) -> None:
         """The innermost loop's body again."""
@@ -220,7 +260,7 @@ class Emitter:
             len(self._lines),
             (self.cost, self.most_cost, self._charged, self._temporaries, self.indent, self._base),
             (dict(self._cells), set(self._stored), dict(self._constants)),
-            (list(self.calls), list(self.loops), self._head),
+            (list(self.calls), list(self.loops), self._head, self._head_whole),
         )
 
     def restore(self, state: tuple[Any, ...]) -> None:
@@ -233,7 +273,7 @@ class Emitter:
             numbers
         )
         self._cells, self._stored, self._constants = cells, stored, constants
-        self.calls, self.loops, self._head = flow
+        self.calls, self.loops, self._head, self._head_whole = flow
         self.followed = None
 
     def emit(self, text: str) -> None:
@@ -283,7 +323,8 @@ class Emitter:
 
     def leave_for(self, address: int) -> None:
         """Leave the function for the statement at an address."""
-        again = "" if address == self._leader and not self.loops else None
+        home = address == self._leader and not self.loops and not self.calls
+        again = "" if home else None
         self._leave(str(address), again)
 
     def look_at_clock(self, address: int) -> None:

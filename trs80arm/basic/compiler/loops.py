@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import math
+from typing import Final
 
 from trs80arm.basic import costs, room, tokens, words
 from trs80arm.basic.characters import COMMA
 from trs80arm.basic.compiler import rounding
 from trs80arm.basic.compiler.assignments import AssignmentCompiler
 from trs80arm.basic.compiler.draft import Draft, Mistake
-from trs80arm.basic.compiler.emitter import Loop
+from trs80arm.basic.compiler.emitter import KNOWN_LIMIT, KNOWN_LOOP, Loop
 from trs80arm.basic.compiler.expressions import ExpressionCompiler
+from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.control import ForFrame
 from trs80arm.basic.errors import Code
-from trs80arm.basic.kinds import DOUBLE, INTEGER, STRING
+from trs80arm.basic.kinds import DOUBLE, INTEGER, SINGLE, STRING
 from trs80arm.basic.variables import Key
 from trs80arm.basic.words import Word
+
+_ALL_EXACT: Final = 2.0**24
+"""Up to here every whole number is a single."""
+_LONGEST_STRIDE: Final = 2.0**20
+"""Whole steps up to this are counted without a look at each."""
 
 
 class LoopCompiler:
@@ -59,7 +66,8 @@ class LoopCompiler:
         reader.restore(start)
         target = self._assignments.target(arrays=False)
         self._draft.expect(tokens.EQUAL)
-        self._assignments.store(target, self._expressions.expression())
+        begins = self._expressions.expression()
+        self._assignments.store(target, begins)
         scalar = self._scalar(key)
         out.emit("if frames[-1].scalar is not None:")
         out.emit(f"  drop_loop({scalar})")
@@ -72,7 +80,8 @@ class LoopCompiler:
             raise Mistake(Code.TM)
         to_kind = self._expressions.convert.to_kind
         with self._draft.deeper(room.LIMIT):
-            limit = out.keep(to_kind(self._expressions.number(), key[1]).text)
+            ends = to_kind(self._expressions.number(), key[1])
+            limit = out.keep(ends.text)
         by: int | float | None = 1 if key[1] == INTEGER else 1.0
         step = repr(by)
         with self._draft.deeper(room.STEP):
@@ -96,7 +105,9 @@ class LoopCompiler:
         out.emit("else:")
         out.emit(f"  {frame} = {before}[0] = {opened}")
         if out.straight and reader.address == body:
-            out.begin_loop(Loop(key, body, frame, limit, by))
+            name = self._scope.cell_name(key)
+            whole = self._whole_limit(name, key, by, begins, ends, limit)
+            out.begin_loop(Loop(key, body, frame, limit, by, whole, out.lines, len(out.calls)))
 
     def next_(self, word: Word) -> None:
         """NEXT [names]: step, compare, and go back to the body or on."""
@@ -133,8 +144,9 @@ class LoopCompiler:
         name = out.cell(self._scope.cell_name(guess), cell, stored=True)
         charged = out.cost
         around = out.around
-        if around and around.scalar is self._scope.object(guess) and _usual(around.step):
-            self._step_around(name, guess, around.step)
+        known = around and around.scalar is self._scope.object(guess) and _usual(around.step)
+        if around and known:
+            self._step_around(name, guess, around)
             out.cost = charged
         out.emit("f = frames[-1]")
         out.emit(f"if f.scalar is {self._scalar(guess)}:")
@@ -161,12 +173,42 @@ class LoopCompiler:
         out.cost = charged
         self._slow_step(key)
         out.indent -= 1
+        if around and known:
+            # The loop is done: who jumps to its body now finds another one.
+            out.emit(f"{KNOWN_LIMIT} = {_beyond(around.step)}")
 
-    def _step_around(self, name: str, key: Key, step: float) -> None:
+    def _whole_limit(
+        self, name: str, key: Key, step: float, begins: Expression, ends: Expression, limit: str
+    ) -> str:
+        """What a loop of whole numbers that is opened can be compared with and no more.
+
+        Such a loop counts exactly: no step needs to be looked at. The limit where that is certain
+        now, a name that is beyond all numbers where it is not so, nothing for other loops.
+        """
+        most = _counted_to(key, step)
+        if not most:
+            return ""
+        if begins.constant is not None and not _counts(begins.constant, most):
+            return ""
+        if begins.constant is not None and ends.constant is not None:
+            return limit if abs(ends.constant) <= most else ""
+        return self._out.keep(_least_limit(name, step, most, limit))
+
+    def _step_around(self, name: str, key: Key, frame: ForFrame) -> None:
         """The short way of the loop whose body begins where this block does."""
         out = self._out
-        frame, limit = out.know_loop_around(self._scalar(key), step)
-        out.emit(f"if {frame} is frames[-1] and {_short_step(name, key, step, limit)}:")
+        step, value = frame.step, frame.scalar.cell.cell_contents
+        most = _counted_to(key, step)
+        certain = not out.loops and out.keeps_frames(0, 0)
+        whole = bool(most) and certain and _counts(value, most) and not out.stores(name, 0)
+        limit = f"{KNOWN_LOOP}.limit"
+        if whole:
+            limit = _least_limit(name, step, most, limit)
+        whole &= out.know_loop_around(self._scalar(key), step, limit, _beyond(step), whole)
+        test = f"(s := {name} + ({step!r})) {_until(step)} {KNOWN_LIMIT}"
+        if not whole:
+            test = _short_step(name, key, step, KNOWN_LIMIT)
+        out.emit(f"if {test}:" if certain else f"if {KNOWN_LOOP} is frames[-1] and {test}:")
         out.indent += 1
         out.emit(f"{name} = s")
         out.go_to_start()
@@ -180,30 +222,55 @@ class LoopCompiler:
         name = out.cell(
             self._scope.cell_name(loop.key), self._scope.scalar(loop.key).cell, stored=True
         )
+        whole = "" if out.stores(name, loop.start) else loop.whole
         charged = out.cost
-        out.emit(f"if frames[-1] is {loop.frame}:")
+        certain = out.keeps_frames(loop.start, loop.calls)
+        if not certain:
+            out.emit(f"if frames[-1] is {loop.frame}:")
+            out.indent += 1
+        self._go_round_or_on(name, loop, whole)
+        out.emit("frames.pop()")
+        if not certain:
+            out.indent -= 1
+            out.emit("else:")
+            out.indent += 1
+            out.cost = charged
+            self._slow_step(loop.key)
+            out.indent -= 1
+        out.end_loop()
+
+    def _go_round_or_on(self, name: str, loop: Loop, whole: str) -> None:
+        """The step, and the body again if the loop goes on."""
+        out = self._out
+        step, until = loop.step, _until(loop.step)
+        if loop.key[1] == INTEGER:
+            self._round(f"{_short_step(name, loop.key, step, loop.limit)}", name)
+            out.emit(f"{name} = integer_step({name}, {step!r})")
+            return
+        if whole:
+            self._round(f"(s := {name} + ({step!r})) {until} {whole}", name)
+            if whole == loop.limit:
+                out.emit(f"{name} = s")
+                return
+            out.emit(f"if {whole} == {loop.limit}:")
+            out.emit(f"  {name} = s")
+            out.emit("else:")
+            out.indent += 1
+        self._round(_short_step(name, loop.key, step, loop.limit), name)
+        out.emit(f"{name} = t = add({name}, {step!r})")
+        self._round(f"t {until} {loop.limit}")
+        if whole:
+            out.indent -= 1
+
+    def _round(self, test: str, name: str = "") -> None:
+        """The loop's body again where a text is true; `s` is the variable's value then."""
+        out = self._out
+        out.emit(f"if {test}:")
         out.indent += 1
-        out.emit(f"if {_short_step(name, loop.key, loop.step, loop.limit)}:")
-        out.indent += 1
-        out.emit(f"{name} = s")
+        if name:
+            out.emit(f"{name} = s")
         out.go_round()
         out.indent -= 1
-        if integer:
-            out.emit(f"{name} = integer_step({name}, {loop.step!r})")
-        else:
-            out.emit(f"{name} = t = add({name}, {loop.step!r})")
-            out.emit(f"if t {_until(loop.step)} {loop.limit}:")
-            out.indent += 1
-            out.go_round()
-            out.indent -= 1
-        out.emit("frames.pop()")
-        out.indent -= 1
-        out.emit("else:")
-        out.indent += 1
-        out.cost = charged
-        self._slow_step(loop.key)
-        out.indent -= 1
-        out.end_loop()
 
     def _slow_step(self, key: Key | None) -> None:
         wanted = "None" if key is None else self._scalar(key)
@@ -217,6 +284,30 @@ class LoopCompiler:
 def _usual(step: float) -> bool:
     """Whether a step has a short way."""
     return bool(step) if isinstance(step, int) else rounding.is_near(step)
+
+
+def _counted_to(key: Key, step: float) -> float:
+    """How far from zero a loop of whole singles may be, so that its next value is exact; or 0."""
+    if key[1] != SINGLE or step % 1.0 or abs(step) > _LONGEST_STRIDE:
+        return 0.0
+    return _ALL_EXACT - abs(step)
+
+
+def _counts(value: float, most: float) -> bool:
+    """Whether a loop that begins with a value is one of such whole numbers."""
+    return not value % 1.0 and abs(value) <= most
+
+
+def _least_limit(name: str, step: float, most: float, limit: str) -> str:
+    """Text of the limit up to where a loop counts whole numbers, beyond all if it does not."""
+    end = most if step > 0 else -most
+    least = f"{limit} if {limit} {_until(step)} {end!r} else {end!r}"
+    return f"({least}) if not {name} % 1.0 and -{most!r} <= {name} <= {most!r} else {_beyond(step)}"
+
+
+def _beyond(step: float) -> str:
+    """Text of a limit that a loop has passed with any value."""
+    return "-1e39" if step > 0 else "1e39"
 
 
 def _until(step: float) -> str:
