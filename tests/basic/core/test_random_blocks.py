@@ -1,6 +1,6 @@
 """Programs that jump anywhere, also into and out of loops: blocks do what single statements do.
 
-Loops of whole numbers and of others, loops whose variable is assigned in them, that are opened again
+Loops of whole numbers and of others, whose variable is assigned in them, that are opened again
 from within, left by jumps and entered by jumps; the last of 24 bits and beyond; subroutines left
 without RETURN; errors and their traps.
 """
