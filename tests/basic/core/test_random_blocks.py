@@ -30,14 +30,13 @@ FORS = st.one_of(
     st.tuples(NAMES, NUMBERS, NUMBERS, STEPS).map(lambda p: f"FOR {p[0]}={p[1]} TO {p[2]}{p[3]}"),
 )
 NEXTS = st.sampled_from(("NEXT", "NEXT I", "NEXT J", "NEXT J,I", "NEXT I", "NEXT K%", "NEXT X"))
-SIMPLE = st.one_of(
-    st.sampled_from(
-        ("S=S+I", "X=X+J", "I=I+.5", "J=J+1", "S=S-J*X", "F(K% AND 7)=I", "A$=STR$(I)")
-    ),
-    st.sampled_from(
-        ("S=S+F(J)", "X=SIN(I)", "S=S+RND(0)", "X=I/J", 'B$=LEFT$(A$,2)+"X"', "READ X")
-    ),
-    st.sampled_from(("POKE 16000,PEEK(16000)+1 AND 255", "D#=D#+I", "X=INT(X)", "I=0")),
+NUMERIC = st.one_of(
+    st.sampled_from(("S=S+I", "X=X+J", "I=I+.5", "J=J+1", "S=S-J*X", "F(K% AND 7)=I", "S=S+F(J)")),
+    st.sampled_from(("X=SIN(I)", "I=0", "S=S+RND(0)", "X=I/J", "X=INT(X)", "X=J[2", "K%=K%+1")),
+    st.sampled_from(("X=SQR(S)", "S=0")),
+)
+OTHERS = st.sampled_from(
+    ("A$=STR$(I)", 'B$=LEFT$(A$,2)+"X"', "READ X", "POKE 16000,PEEK(16000)+1 AND 255", "D#=D#+I")
 )
 JUMPS = st.one_of(
     TARGETS.map(lambda line: f"GOTO {line}"),
@@ -46,34 +45,36 @@ JUMPS = st.one_of(
     TARGETS.map(lambda line: f"ON J GOTO {line},170"),
 )
 CONDITIONS = st.sampled_from(("I<2", "J>1", "S<40", "X", "K%=2", "N/3=INT(N/3)", "LEN(A$)>3"))
-BRANCHES = st.one_of(
-    st.tuples(CONDITIONS, TARGETS).map(lambda p: f"IF {p[0]} THEN {p[1]}"),
-    st.tuples(CONDITIONS, SIMPLE, st.one_of(NEXTS, SIMPLE)).map(
-        lambda p: f"IF {p[0]} THEN {p[1]} ELSE {p[2]}"
-    ),
-    st.tuples(CONDITIONS, NEXTS).map(lambda p: f"IF {p[0]} THEN {p[1]}"),
-)
-LOOPS = st.tuples(NAMES, NUMBERS, NUMBERS, STEPS, SIMPLE, st.one_of(SIMPLE, BRANCHES)).map(
-    lambda p: f"FOR {p[0]}={p[1]} TO {p[2]}{p[3]}:{p[4]}:{p[5]}:NEXT"
-)
-NESTS = st.tuples(st.integers(0, 4), STEPS, LOOPS, SIMPLE).map(
-    lambda p: f"FOR N={p[0]} TO 6{p[1]}:{p[2]}:{p[3]}:NEXT N"
-)
-TEXTS = st.one_of(
-    st.lists(st.one_of(FORS, NEXTS, NEXTS, SIMPLE, BRANCHES, JUMPS), min_size=1, max_size=3).map(
-        ":".join
-    ),
-    SIMPLE,
-    LOOPS,
-    LOOPS,
-    NESTS,
-)
+
+
+def texts(simple: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
+    """Lines of such statements, loops and jumps."""
+    branches = st.one_of(
+        st.tuples(CONDITIONS, TARGETS).map(lambda p: f"IF {p[0]} THEN {p[1]}"),
+        st.tuples(CONDITIONS, simple, st.one_of(NEXTS, simple)).map(
+            lambda p: f"IF {p[0]} THEN {p[1]} ELSE {p[2]}"
+        ),
+        st.tuples(CONDITIONS, NEXTS).map(lambda p: f"IF {p[0]} THEN {p[1]}"),
+    )
+    loops = st.tuples(NAMES, NUMBERS, NUMBERS, STEPS, simple, st.one_of(simple, branches)).map(
+        lambda p: f"FOR {p[0]}={p[1]} TO {p[2]}{p[3]}:{p[4]}:{p[5]}:NEXT"
+    )
+    nests = st.tuples(st.integers(0, 4), STEPS, loops, simple).map(
+        lambda p: f"FOR N={p[0]} TO 6{p[1]}:{p[2]}:{p[3]}:NEXT N"
+    )
+    anything = st.one_of(FORS, NEXTS, NEXTS, simple, branches, JUMPS)
+    several = st.lists(anything, min_size=1, max_size=3).map(":".join)
+    return st.one_of(several, simple, loops, loops, nests)
+
+
+NUMBERS_ALONE, WITH_OTHERS = texts(NUMERIC), texts(st.one_of(NUMERIC, NUMERIC, OTHERS))
 
 
 @st.composite
 def programs(draw: st.DrawFn) -> list[str]:
     """Lines of anything, and a trap that goes on behind an error."""
-    body = draw(st.lists(TEXTS, min_size=len(LINES), max_size=len(LINES)))
+    lines = draw(st.sampled_from((NUMBERS_ALONE, WITH_OTHERS)))
+    body = draw(st.lists(lines, min_size=len(LINES), max_size=len(LINES)))
     return [
         "5 CLEAR 60:ON ERROR GOTO 500",
         '10 DIM F(9):I=1:J=2:K%=0:X=1.5:S=0:N=0:E=0:A$="":B$="":D#=0',

@@ -48,7 +48,8 @@ QUIET: Final = frozenset(
         *("add", "sub", "mul", "div", "double_compare", "double_negate", "rnd"),
         *("sin", "cos", "tan", "atn", "log", "exp", "sqr", "power"),
         *("room", "open_subroutine", "close_subroutine"),
-        *("frames", "open_loop", "drop_loop", "step_loop", "goes_on"),
+        *("frames", "open_loop", "drop_loop", "step_loop", "other_step"),
+        "goes_on",
     }
 )
 """Routines that take no time of their own: they may give back what was charged, no more, and do not
@@ -298,6 +299,10 @@ class Emitter:
             cost, self.cost = self.cost, 0
             self._charged += cost
             self._emit_timed(f"clock.now += {cost}", f"left -= {cost}")
+
+    def charge_found(self, text: str) -> None:
+        """Write T-states that are found at run time to the clock."""
+        self._emit_timed(f"clock.now += {text}", f"left -= {text}")
 
     def depends_on(self, address: int) -> None:
         """The function holds only as long as the text stays the same up to an address."""

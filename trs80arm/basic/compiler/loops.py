@@ -133,13 +133,14 @@ class LoopCompiler:
         guess = key or (self._loops[-1] if self._loops else None)
         if guess is None or guess[1] in (STRING, DOUBLE):
             out.cost += word.work
-            self._slow_step(key)
+            self._slow_step(key, word.work)
             return
         if out.straight and out.loops and out.loops[-1].key == guess:
-            self._step_in_block(word, out.loops[-1])
+            self._step_in_block(word, out.loops[-1], key)
             return
         integer = guess[1] == INTEGER
-        out.cost += costs.NEXT_INTEGER if integer else word.work
+        work = costs.NEXT_INTEGER if integer else word.work
+        out.cost += work
         cell = self._scope.scalar(guess).cell
         name = out.cell(self._scope.cell_name(guess), cell, stored=True)
         charged = out.cost
@@ -171,7 +172,7 @@ class LoopCompiler:
         out.emit("else:")
         out.indent += 1
         out.cost = charged
-        self._slow_step(key)
+        self._slow_step(key, work)
         out.indent -= 1
         if around and known:
             # The loop is done: who jumps to its body now finds another one.
@@ -214,11 +215,18 @@ class LoopCompiler:
         out.go_to_start()
         out.indent -= 1
 
-    def _step_in_block(self, word: Word, loop: Loop) -> None:
-        """The step of a loop whose body is in this function, from its FOR on."""
+    def _step_in_block(self, word: Word, loop: Loop, key: Key | None) -> None:
+        """The step of a loop whose body is in this function, from its FOR on.
+
+        Args:
+            word: NEXT.
+            loop: which.
+            key: the variable, if it is named.
+        """
         out = self._out
         integer = loop.key[1] == INTEGER
-        out.cost += costs.NEXT_INTEGER if integer else word.work
+        work = costs.NEXT_INTEGER if integer else word.work
+        out.cost += work
         name = out.cell(
             self._scope.cell_name(loop.key), self._scope.scalar(loop.key).cell, stored=True
         )
@@ -235,7 +243,7 @@ class LoopCompiler:
             out.emit("else:")
             out.indent += 1
             out.cost = charged
-            self._slow_step(loop.key)
+            self._slow_step(key, work)
             out.indent -= 1
         out.end_loop()
 
@@ -272,8 +280,11 @@ class LoopCompiler:
         out.go_round()
         out.indent -= 1
 
-    def _slow_step(self, key: Key | None) -> None:
+    def _slow_step(self, key: Key | None, work: int) -> None:
+        """NEXT of whatever loop there is; `work` was charged."""
         wanted = "None" if key is None else self._scalar(key)
+        if key is None:
+            self._out.charge_found(f"other_step({work})")
         self._out.emit(f"t = step_loop({wanted})")
         self._out.emit("if t:")
         self._out.indent += 1

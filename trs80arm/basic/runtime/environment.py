@@ -79,7 +79,8 @@ ROUTINES: Final[dict[type[Part], tuple[str, ...]]] = {
         *("tape_number", "tape_string"),
     ),
     Flow: (
-        *("room", "open_subroutine", "drop_loop", "open_loop", "step_loop", "goes_on"),
+        *("room", "open_subroutine", "drop_loop", "open_loop", "step_loop", "other_step"),
+        "goes_on",
         *("set_trap", "end_handling", "resume_again", "resume_next"),
         *("end_of_text", "end_program", "stop_program", "now_at", "leave"),
     ),

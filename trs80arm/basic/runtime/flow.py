@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NoReturn
 
-from trs80arm.basic import endings, room
+from trs80arm.basic import costs, endings, room, words
 from trs80arm.basic.control import TRACE_ON, ForFrame, GosubFrame
 from trs80arm.basic.dialogue import auto, edit, lister
 from trs80arm.basic.errors import BasicError, Code, LineError
@@ -16,6 +16,7 @@ from trs80arm.basic.program import LINE_HEAD
 from trs80arm.basic.runtime.part import Part
 from trs80arm.basic.variables import Scalar
 
+_NEXT = words.word("NEXT")
 _LAST = 0xFFF0
 """No statement begins behind this address."""
 
@@ -111,6 +112,12 @@ class Flow(Part):
             return frame.body
         frames.pop()
         return 0
+
+    def other_step(self, charged: int) -> int:
+        """T-states that NEXT without a name takes beside those for the loop that was expected."""
+        frame = self._control.frames[-1]
+        integer = frame.scalar is not None and frame.scalar.kind == INTEGER
+        return (costs.NEXT_INTEGER if integer else _NEXT.work) - charged
 
     # -- errors -------------------------------------------------------------------------------
 
