@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -83,6 +85,16 @@ def test_a_burst_is_cut_before_a_time(burst: Pulses, time: int) -> None:
     before, rest = burst.until(time)
     assert writes(before) == [write for write in as_said(burst) if write[0] < time]
     assert writes(rest) == [write for write in as_said(burst) if write[0] >= time]
+
+
+@given(bursts().filter(len), st.integers(1, 4000))
+def test_a_burst_goes_up_to_its_first_pause(burst: Pulses, pause: int) -> None:
+    times = [time for time, _, _ in as_said(burst)]
+    apart = [later - time for time, later in pairwise(times)]
+    count = next((i for i, each in enumerate(apart, 1) if each >= pause), len(burst))
+    near = burst.before_pause(pause)
+    assert writes(near) == as_said(burst)[:count] == writes(burst.columns().before_pause(pause))
+    assert (near is burst) == (count == len(burst))
 
 
 @given(bursts(), st.integers(0, 400))

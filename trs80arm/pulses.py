@@ -56,6 +56,12 @@ class Burst(Protocol):
     def until(self, time: int) -> tuple[Burst, Burst]:
         """The writes that come before a T-state, and the rest of them."""
 
+    def before_pause(self, pause: int) -> Burst:
+        """The writes before the first that comes so many T-states or more after the one before.
+
+        The burst itself, if there is none.
+        """
+
     def held(self) -> Iterable[tuple[int, int]]:
         """What latches hold after it, as (latch, nibble); those that are not written are not in it.
 
@@ -115,6 +121,11 @@ class Columns:
     def until(self, time: int) -> tuple[Columns, Columns]:
         """As in `Burst`."""
         return self.split(int(np.searchsorted(self.times, time)))
+
+    def before_pause(self, pause: int) -> Columns:
+        """As in `Burst`."""
+        pauses = (np.diff(self.times) >= pause).nonzero()[0]
+        return self.split(int(pauses[0]) + 1)[0] if len(pauses) else self
 
     def held(self) -> Iterable[tuple[int, int]]:
         """As in `Burst`."""
@@ -353,6 +364,20 @@ class Pulses:
         """As in `Burst`."""
         tick = self.first_tick_from(time)
         return self._cut([train.before(tick) for train in self.trains])
+
+    def before_pause(self, pause: int) -> Pulses:
+        """As in `Burst`."""
+        if self._even(pause):
+            return self
+        count = len(self.columns().before_pause(pause))
+        return self if count == len(self) else self.split(count)[0]
+
+    def _even(self, pause: int) -> bool:
+        """Whether its longest train alone leaves no pause in it."""
+        train = max(self.trains, key=len)
+        apart = -(-train.over // train.under) * self.over // self.under + 1
+        first, last = self.time(train.tick(train.begin)), self.time(train.tick(train.end - 1))
+        return max(apart, first - self.begins, self.ends - last) < pause
 
     def _cut(self, done: Sequence[int]) -> tuple[Pulses, Pulses]:
         """So many writes of each train, and the rest of them."""

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from tests.arm.writes import CELL, Recorder, Writes, picks_and_places
 from trs80arm.arm import Bench, MiniMover, benchfile
+from trs80arm.arm.contact.clock import PAUSE
 from trs80arm.arm.motors import PHASES
 from trs80arm.arm.stepping import SWITCH_CLOSED, PulseGenerator, delay_period
 from trs80arm.pulses import Columns
@@ -102,6 +103,25 @@ def test_any_cutting_of_the_same_writes_gives_the_same_state(
     writes = motions(seed, most)
     whole = run(writes, [])
     assert signature(run(writes, cuts)) == signature(whole)
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    st.integers(0, 10**6),
+    st.lists(st.tuples(st.integers(0, 1200), st.integers(0, 2 * PAUSE)), min_size=1, max_size=8),
+    st.lists(st.integers(1, 900), max_size=6),
+)
+@example(3, [(40, PAUSE - 1), (41, PAUSE), (300, PAUSE + 1), (700, 2 * PAUSE)], [35, 10])
+def test_pauses_in_which_the_clock_stands_are_the_same_however_cut(
+    seed: int, waits: list[tuple[int, int]], cuts: list[int]
+) -> None:
+    writes = [
+        (time + sum(wait for place, wait in waits if place <= number), latch, nibble)
+        for number, (time, latch, nibble) in enumerate(motions(seed, 2))
+    ]
+    whole = signature(run(writes, []))
+    assert signature(run(writes, cuts)) == whole
+    assert signature(run(writes, [1] * len(writes))) == whole
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from trs80arm.arm.burst import LONGEST, run_free
 from trs80arm.arm.cell.device import NEVER
+from trs80arm.arm.contact.clock import PAUSE
 from trs80arm.arm.model import HAND
 from trs80arm.arm.stride import stride
 from trs80arm.pulses import Burst
@@ -28,15 +29,16 @@ def follow_burst(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> 
     while size:
         if size >= SHORT:
             arm.let_pass(rest.begins)
+            arm.world.begins(rest.begins)
         if size >= SHORT and arm.free:
-            near, beyond = _before_alarm(arm, rest)
+            near = _uninterrupted(arm, rest)
             left, ended = _stride(arm, near, stop)
             done = len(near) - len(left)
             if ended:
                 return count - size + done
             # Where something happens it goes on happening for a while.
             patience = FEW if done else min(2 * patience, 8 * SHORT)
-            rest = left if beyond is None else rest.split(done)[1]
+            rest = left if near is rest else rest.split(done)[1]
             size -= done
             if not size:
                 break
@@ -49,12 +51,12 @@ def follow_burst(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> 
     return count
 
 
-def _before_alarm(arm: MiniMover, burst: Burst) -> tuple[Burst, Burst | None]:
-    """The writes before a device acts of itself, and the rest of them if it does by the end."""
-    alarm = arm.world.alarm
+def _uninterrupted(arm: MiniMover, burst: Burst) -> Burst:
+    """The writes before a device acts of itself, or the clock of contact may come to stand."""
+    burst, alarm = burst.before_pause(PAUSE), arm.world.alarm
     if alarm == NEVER or alarm > burst.ends:
-        return burst, None
-    return burst.until(alarm)
+        return burst
+    return burst.until(alarm)[0]
 
 
 def _stride(arm: MiniMover, burst: Burst, stop: tuple[int, int] | None) -> tuple[Burst, bool]:

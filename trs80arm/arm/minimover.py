@@ -238,6 +238,7 @@ class MiniMover:
         bench = self.bench
         if bench.scene.due <= time or (bench.cell.devices and bench.cell.alarm <= time):
             self.let_pass(time)
+        self._world.begins(time)
         if time > self._time:
             self._time = time
         if latch == AUXILIARY:

@@ -13,7 +13,6 @@ import math
 from typing import TYPE_CHECKING
 
 from trs80arm.arm.ahead import Ahead, look_ahead
-from trs80arm.arm.contact.clock import TICK_STATES
 from trs80arm.arm.model import HAND, LEFT_WRIST
 from trs80arm.arm.motors import ROWS
 from trs80arm.arm.passage import known_passage, late, tails
@@ -116,7 +115,7 @@ def _arrive(
         motor.coils = turning.nibble
     # And where they all stood on the last tick.
     ticked = list(here)
-    tick = ahead.ends // TICK_STATES * TICK_STATES
+    tick = arm.world.last_tick(ahead.ends)
     for turning, turned in zip(turnings, ahead.turned_before(tick), strict=True):
         ticked[turning.latch] += turned
     arm.arrive(there, ticked, ahead.ends)

@@ -1,9 +1,10 @@
 """Where arm and bench meet: the arm among the parts, the hand's grip, sensors, feeders.
 
-The arm says here where its rotors are. Contact is looked at on the ticks of the clock only, so that
-it does not matter in what pieces time passes; and while nothing moves of itself and the arm is
-farther from everything than it can go in a tick, not even then. A rotor always turns; what is
-in the way stretches the cables, and comes back to the motors as torque.
+The arm says here where its rotors are. Contact is looked at on the ticks of the clock only, so
+that it does not matter in what pieces time passes; the clock stands while all rests, and begins
+anew with what is done next. While nothing moves of itself and the arm is farther from everything
+than it can go in a tick, nothing is looked at even then. A rotor always turns; what is in the way
+stretches the cables, and comes back to the motors as torque.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from trs80arm.arm.body import Body
 from trs80arm.arm.cell.home import HomeSwitch
 from trs80arm.arm.cell.inputs import IDLE, nibble
 from trs80arm.arm.cell.seen import Seen
-from trs80arm.arm.contact.clock import TICK_STATES
+from trs80arm.arm.contact.clock import PAUSE, TICK_STATES
 from trs80arm.arm.contact.sixes import Six
 from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.feeding import Feeding
@@ -60,7 +61,7 @@ class World:
         self._rotors = [0] * 6
         self._ticked = [0] * 6
         self._jumped = False
-        self._busy = True
+        self._rests: int | None = None
         self._loaded = False
         self._commanded: tuple[Sequence[int], bool, list[float]] | None = None
         self.linkage = ArmLinkage(self.model, settings)
@@ -101,7 +102,7 @@ class World:
         bench.news.clear()
         self._telling.clear()
         self._ticked[:] = self._rotors
-        self._jumped, self._busy = False, True
+        self._jumped, self._rests = False, None
         self._outlook.forget()
         bench.cell.begin()
 
@@ -115,7 +116,7 @@ class World:
     @property
     def idle(self) -> bool:
         """Whether a tick would change nothing."""
-        return not self._busy
+        return self._rests is not None
 
     @property
     def free(self) -> bool:
@@ -134,10 +135,23 @@ class World:
         """
         return self.bench.scene.gripped and self.grasp.firm and self.bench.cell.stands
 
+    def begins(self, time: int) -> None:
+        """A latch is written: where all has been at rest for a pause, ticks are counted from here.
+
+        Args:
+            time: T-state, up to which all has passed.
+        """
+        if self._rests is not None and time - self._rests >= PAUSE:
+            self.bench.scene.time = self._rests = time
+
+    def last_tick(self, time: int) -> int:
+        """T-state of the last tick up to a T-state, if they come one by one."""
+        last = self.bench.scene.time
+        return last + (time - last) // TICK_STATES * TICK_STATES
+
     def skip(self, time: int) -> None:
         """Let ticks pass, up to a T-state, that would change nothing."""
-        scene = self.bench.scene
-        scene.time += (time - scene.time) // TICK_STATES * TICK_STATES
+        self.bench.scene.time = self.last_tick(time)
 
     def tick(self) -> None:
         """Let a tick pass; contact is looked at if there can be any."""
@@ -151,7 +165,8 @@ class World:
                 # Nothing was near the fingers.
                 self.grip.contact = 0
             # What touches nothing is not strained by going on so.
-            self._busy = strained and not gripped and self._strained
+            eases = strained and not gripped and self._strained
+            self._rests = None if eases else scene.time
             if self._feeding.vacant and self._feeding.may_give(self.wanted):
                 self.show()
                 self._feed()
@@ -233,7 +248,7 @@ class World:
         self._feed()
         resting = scene.quiet and self.bench.cell.stands
         giving = self._strained and not self.grasp.leaned_on and scene.arm_still < GIVEN
-        self._busy = not resting or giving
+        self._rests = scene.time if resting and not giving else None
 
     @property
     def _strained(self) -> bool:
@@ -269,7 +284,7 @@ class World:
         """
         self._rotors[latch] = rotors[latch]
         self.grip.cable = self.drive.cable(self._rotors)
-        self._busy = True
+        self._rests = None
         if self.homes:
             self._turn_homes()
 
@@ -299,7 +314,7 @@ class World:
                 if self._strained:
                     # What was to ease off has.
                     self.show()
-        self._busy = True
+        self._rests = None
 
     def show_load(self) -> None:
         """Have what is carried be where it was on the last tick."""
@@ -433,10 +448,12 @@ class World:
         scene = self.bench.scene
         time = scene.time
         for _ in range(ticks):
-            if not self._busy:
+            if self.idle:
                 break
             self._contact()
         scene.time = time
+        if self.idle:
+            self._rests = time
 
     def carry(self, names: Sequence[str]) -> None:
         """Have some parts go along with the hand."""
@@ -449,7 +466,7 @@ class World:
         scene = self.bench.scene
         for load in scene.carried:
             scene.wake(load.name)
-        self._busy = True
+        self._rests = None
 
     def stand(self, rotors: Sequence[int]) -> None:
         """Be somewhere else at once, with what goes along with the hand.
@@ -499,7 +516,7 @@ class World:
     def _stirred(self) -> None:
         """A device has done something: have all be looked at."""
         self._outlook.forget()
-        self._busy = True
+        self._rests = None
         self._changed()
 
     # What else looks at the bench

@@ -75,14 +75,15 @@ class Work:
         self.generator.time = self.begun
 
 
-def test_a_program_that_goes_round_is_solved_once() -> None:
+@pytest.mark.parametrize("late", [0, 1701])
+def test_a_program_that_goes_round_is_solved_once_whenever_it_begins_anew(late: int) -> None:
     work = Work()
-    work.round()
-    work.round()
+    for _ in range(3):
+        work.round(late=late)
     steps, solved = work.scene.steps, work.scene.solved
-    work.round()
+    work.round(late=late)
     assert (work.scene.solved, work.scene.steps) == (solved, steps)
-    assert work.generator.arm.bench.trays[0].taken == 3
+    assert work.generator.arm.bench.trays[0].taken == 4
 
 
 @pytest.mark.parametrize("late", [0, 1, 1701, 5000])
