@@ -112,6 +112,7 @@ def test_any_cutting_of_the_same_writes_gives_the_same_state(
     st.lists(st.integers(1, 900), max_size=6),
 )
 @example(3, [(40, PAUSE - 1), (41, PAUSE), (300, PAUSE + 1), (700, 2 * PAUSE)], [35, 10])
+@example(262, [(405, 67), (90, 217), (907, 317), (0, 991), (1200, 130)], [41])
 def test_pauses_in_which_the_clock_stands_are_the_same_however_cut(
     seed: int, waits: list[tuple[int, int]], cuts: list[int]
 ) -> None:

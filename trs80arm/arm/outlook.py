@@ -6,6 +6,7 @@ there was is remembered until something may have moved.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -185,7 +186,7 @@ class Outlook:
         """
         driven = self._bench.scene.driven
         now, before = driven.joints, driven.reached
-        self._easing = []
+        self._easing, wanted = [], []
         for tick in ticks:
             rotors = list(here.rotors)
             turned = ahead.turned_before(tick)
@@ -194,11 +195,12 @@ class Outlook:
             commands = self._wanted_at(rotors)
             now = driven.eased(now, before, commands, loaded=here.loaded)
             self._easing.append(now)
+            wanted.append(commands)
             before = commands
             if now[:5] == commands[:5] and (here.loaded or now[5] == commands[5]):
                 break
-        ranges = Ranges.among(self._easing)
-        if not self._feeding.surely_unfed(ranges) or self._near(ranges):
+        unfed = self._feeding.surely_unfed(Ranges.among(wanted))
+        if not unfed or self._near(Ranges.among(self._easing)):
             return None
         return len(self._easing)
 
@@ -247,9 +249,8 @@ class Outlook:
         if self._feeding.surely_unfed(ranges):
             return len(ticks)
         if ahead.repeats is None:
-            return self._feeding.places_unfed(self._unstrained(here, _on_ticks(here, ahead, ticks)))
-        opening = here.loaded and self._bench.scene.joints[5]
-        asked = question(ahead.repeats, here.rotors, opening, self._feeding.bars)
+            return self._feeding.places_unfed(self._wanted(_on_ticks(here, ahead, ticks)))
+        asked = question(ahead.repeats, here.rotors, self._shut, self._feeding.bars)
         known = self._fed.get(asked)
         if known is None:
             known = self._fed.keep(asked, self._time_unfed(here, ahead))
@@ -263,8 +264,7 @@ class Outlook:
         times = np.concatenate(([begins], np.unique(np.concatenate(writes)) + 1))
         for first in range(0, len(times), STRETCH):
             some = times[first : first + STRETCH]
-            joints = self._unstrained(here, _on_ticks(here, ahead, some))
-            unfed = self._feeding.places_unfed(joints)
+            unfed = self._feeding.places_unfed(self._wanted(_on_ticks(here, ahead, some)))
             if unfed < len(some):
                 return int(some[unfed]) - begins
         return ahead.ends + 2 - begins
@@ -312,14 +312,20 @@ class Outlook:
         """Where motors want the arm's six coordinates, 6 x places, for positions of the rotors."""
         drive, model = self._drive, self._model
         opening = drive.cable(rotors) / model.hand_steps
-        opening = np.minimum(np.maximum(opening, 0.0), model.hand.range)
+        opening = np.minimum(np.maximum(opening, self._shut), model.hand.range)
         return np.array((*drive.driven(rotors), opening))
 
     def _wanted_at(self, rotors: Sequence[int]) -> list[float]:
         """The same for one place."""
         drive, model = self._drive, self._model
-        opening = min(max(drive.cable(rotors) / model.hand_steps, 0.0), model.hand.range)
+        opening = min(max(drive.cable(rotors) / model.hand_steps, self._shut), model.hand.range)
         return [*drive.driven(rotors), opening]
+
+    @property
+    def _shut(self) -> float:
+        """Inches of opening at which the hand is wanted at least, as `World.commands` has it."""
+        taut = self._grip.contact > 0 and self._bench.scene.torques[5] > 0
+        return -math.inf if taut else 0.0
 
     def _unstrained(self, here: Standing, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
         """The same with nothing in the arm's way but what rests in its hand."""
@@ -388,15 +394,17 @@ class Outlook:
         """
         if here.gripped:
             return self._ticks_gripping(self._wanted(rotors).T.tolist())
+        # Feeders ask where the arm is wanted, whatever its cables give.
+        count = len(rotors[0])
+        wanted = self._wanted(rotors)
+        if not self._feeding.surely_unfed(Ranges.of(wanted)):
+            count = self._feeding.places_unfed(wanted)
         if here.strained:
-            joints = self._wanted(rotors)
+            joints = wanted
             self._ease(joints, loaded=here.loaded)
         else:
             joints = self._unstrained(here, rotors)
         ranges = Ranges.of(joints)
-        count = len(joints[0])
-        if not self._feeding.surely_unfed(ranges):
-            count = self._feeding.places_unfed(joints)
         near = self._near(ranges) if count else []
         return self._around.places_clear(joints[:, :count], near) if near else count
 
