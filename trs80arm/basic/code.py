@@ -178,7 +178,7 @@ class Table(dict[int, Function]):
 def _counted(frame: FrameType) -> int:
     """T-states that a block has counted and not told the clock."""
     names = frame.f_locals
-    spent: int = names["given"] - names["left"] if "given" in names else 0
+    spent: int = names["given"] - names["spare"] if "given" in names else 0
     return spent
 
 
@@ -412,6 +412,9 @@ class CompiledCode:
                     scope.restore(asked)
                 break
             seen.add(here)
+            if found.observes:
+                # It may have been a POKE into a string.
+                out.strings = {}
             here, out.followed = found.goes_on or out.followed, None
             paced = found.paced
             if not solid:

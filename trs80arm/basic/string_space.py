@@ -211,44 +211,6 @@ class StringSpace:
             raise BasicError(Code.ST)
         return new
 
-    def keep(
-        self,
-        target: Descriptor,
-        text: bytes | bytearray,
-        stored: bytes | bytearray,
-        extra: int,
-    ) -> bool:
-        """Make `target` a string that was put together elsewhere, if it fits without more ado.
-
-        Args:
-            target: the variable's descriptor.
-            text: the string.
-            stored: all that its making leaves in string space; `text` is the beginning.
-            extra: T-states beside those of moving the bytes stored.
-
-        Returns:
-            Whether it was done. If not, nothing has changed.
-        """
-        length, count = len(text), len(stored)
-        before = self.next
-        next_ = before - count
-        bottom = self.bottom
-        if (
-            next_ < bottom
-            or length > LONGEST
-            or self.temporaries
-            or bottom < addresses.PROGRAM
-            or before >= self._end
-        ):
-            return False
-        address = next_ + 1
-        self._memory.view[address : before + 1] = stored
-        self.next = next_
-        self._clock.now += count * costs.STRING_BYTE + extra
-        target[0] = length
-        target[1] = address
-        return True
-
     def assign(self, target: Descriptor, string: Descriptor, text_start: int) -> None:
         """Make `target` the string, as LET, READ and INPUT do.
 
@@ -288,13 +250,19 @@ class StringSpace:
         live = [string for string in found if string[0] and bottom < string[1] <= top]
         live.sort(key=itemgetter(1), reverse=True)
         next_ = top
-        write, read = self._memory.write, self._memory.read
+        view, lowest, end = self._memory.view, addresses.PROGRAM, self._end
         for string in live:
             length, address = string
             next_ -= length
-            if next_ + 1 != address:
-                write(next_ + 1, read(address, length))
-                string[1] = next_ + 1
+            to = next_ + 1
+            if to == address:
+                continue
+            if lowest <= to and lowest <= address and to + length <= end >= address + length:
+                # Within RAM the bytes are moved as they are, also onto themselves.
+                view[to : to + length] = view[address : address + length]
+            else:
+                self._memory.write(to, self._memory.read(address, length))
+            string[1] = to
         self._clock.now += self._collecting(len(live)) + (top - next_) * costs.COLLECT_BYTE
         self.next = next_
 

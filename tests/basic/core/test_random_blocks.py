@@ -35,8 +35,18 @@ NUMERIC = st.one_of(
     st.sampled_from(("X=SIN(I)", "I=0", "S=S+RND(0)", "X=I/J", "X=INT(X)", "X=J[2", "K%=K%+1")),
     st.sampled_from(("X=SQR(S)", "S=0")),
 )
-OTHERS = st.sampled_from(
-    ("A$=STR$(I)", 'B$=LEFT$(A$,2)+"X"', "READ X", "POKE 16000,PEEK(16000)+1 AND 255", "D#=D#+I")
+POKED = 'A$=B$+"Z":Q=PEEK(VARPTR(A$)+1)+256*PEEK(VARPTR(A$)+2):POKE Q+65536*(Q>32767),66:B$=A$'
+STRINGS = st.sampled_from(
+    (
+        *("A$=STR$(I)", 'B$=LEFT$(A$,2)+"X"', 'A$="ROBOT"', "B$=A$", 'A$=A$+"Z"', POKED),
+        *("B$=MID$(A$,J,2)+B$", "S=S+LEN(A$)", "A$=CHR$(65+(N AND 7))", "S=S+FRE(B$)"),
+        *("A$=B$+RIGHT$(A$,2)", 'IF A$<B$ THEN A$=B$+"!"'),
+    )
+)
+OTHERS = st.one_of(
+    STRINGS,
+    STRINGS,
+    st.sampled_from(("READ X", "READ A$", "POKE 16000,PEEK(16000)+1 AND 255", "D#=D#+I")),
 )
 JUMPS = st.one_of(
     TARGETS.map(lambda line: f"GOTO {line}"),
@@ -44,7 +54,9 @@ JUMPS = st.one_of(
     st.just("RETURN"),
     TARGETS.map(lambda line: f"ON J GOTO {line},170"),
 )
-CONDITIONS = st.sampled_from(("I<2", "J>1", "S<40", "X", "K%=2", "N/3=INT(N/3)", "LEN(A$)>3"))
+CONDITIONS = st.sampled_from(
+    ("I<2", "J>1", "S<40", "X", "K%=2", "N/3=INT(N/3)", "LEN(A$)>3", "A$=B$")
+)
 
 
 def texts(simple: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
@@ -67,7 +79,7 @@ def texts(simple: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
     return st.one_of(several, simple, loops, loops, nests)
 
 
-NUMBERS_ALONE, WITH_OTHERS = texts(NUMERIC), texts(st.one_of(NUMERIC, NUMERIC, OTHERS))
+NUMBERS_ALONE, WITH_OTHERS = texts(NUMERIC), texts(st.one_of(NUMERIC, OTHERS, OTHERS))
 
 
 @st.composite

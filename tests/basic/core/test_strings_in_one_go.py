@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 
 from tests.basic.machine import Machine
 from trs80arm.basic.compiler import pieces
-from trs80arm.basic.string_space import StringSpace
 
 numbers = st.one_of(
     st.integers(0, 9).map(str), st.sampled_from(["I", "I%", "I+1", "LEN(A$)", "I/2", "255", "256"])
@@ -64,7 +63,7 @@ def test_put_together_or_step_by_step_is_the_same(
     room: int, targets: list[str], texts: list[str], compared: str
 ) -> None:
     at_once = _after(room, targets, texts, compared)
-    with mock.patch.object(StringSpace, "keep", return_value=False):
+    with mock.patch.object(pieces, "_room", return_value="False"):
         assert _after(room, targets, texts, compared) == at_once
     with mock.patch.object(pieces, "with_piece", lambda value, *_: value):
         assert _after(room, targets, texts, compared) == at_once

@@ -39,10 +39,14 @@ class AssignmentCompiler:
         draft: the statement.
         expressions: who reads the values.
         line: the number of the line that is compiled, 65535 for a direct one.
+        program_start: where the program begins; literals behind it stay where they stand.
     """
 
-    def __init__(self, draft: Draft, expressions: ExpressionCompiler, line: int) -> None:
+    def __init__(
+        self, draft: Draft, expressions: ExpressionCompiler, line: int, program_start: int
+    ) -> None:
         self._draft = draft
+        self._program_start = program_start
         self._reader = draft.reader
         self._out = draft.out
         self._scope = draft.scope
@@ -90,10 +94,14 @@ class AssignmentCompiler:
         if target.kind == STRING:
             self._out.cost += costs.STORE_STRING
             self._draft.paced = True
-            if value.piece is not None and value.piece.stored:
-                pieces.store(self._out, target.text, value.piece)
+            piece = value.piece
+            if piece is not None and piece.stored:
+                pieces.store(self._out, target.text, piece)
+            elif piece is not None and piece.place > self._program_start:
+                pieces.point_to(self._out, target.text, piece)
             else:
                 self._out.emit(f"assign({target.text}, {value.text})")
+            self._out.know_string(target.text, piece.text if piece and piece.certain else None)
             return
         self._out.cost += costs.store(target.kind, value.held)
         converted = self._expressions.convert.to_kind(value, target.kind)
@@ -134,6 +142,7 @@ class AssignmentCompiler:
             target = self.target()
             if target.kind == STRING:
                 self._out.emit(f"assign({target.text}, read_string())")
+                self._out.know_string(target.text, None)
             else:
                 kind = self._out.constant(target.kind)
                 self._out.emit(f"{target.text} = read_number({kind})")

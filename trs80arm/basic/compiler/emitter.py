@@ -28,13 +28,12 @@ _LOOP_BODY: Final = "f.body"
 """Where NEXT goes back to, in generated text."""
 KNOWN_LOOP, KNOWN_LIMIT = "around", "last"
 """The frame and the limit of the loop around a block, in generated text."""
-_CHANGING_FRAMES: Final = ("drop_loop(", "step_loop(")
-"""Calls behind which the innermost frame may be any, in generated text."""
 ATTRIBUTES: Final = frozenset(
     {
         *("now", "soft"),  # the clock's, the pace's
         *("append", "pop", "plenty"),  # the stack's of loops and subroutines, the room's
         *("scalar", "body", "limit", "step", "top", "up", "back"),  # a frame's
+        *("bottom", "next", "temporaries"),  # string space's
         "mantissa",  # a double's
     }
 )
@@ -49,11 +48,21 @@ QUIET: Final = frozenset(
         *("sin", "cos", "tan", "atn", "log", "exp", "sqr", "power"),
         *("room", "open_subroutine", "close_subroutine"),
         *("frames", "open_loop", "drop_loop", "step_loop", "other_step"),
-        "goes_on",
+        *("goes_on", "space", "view", "characters_of", "characters"),
+        *("shown_integers", "shown_singles", "literal"),
     }
 )
 """Routines that take no time of their own: they may give back what was charged, no more, and do not
 ask what time it is. Where a block calls no others, its time is summed up in a local name."""
+_KEEPING_FRAMES: Final = (QUIET - {"drop_loop", "step_loop"}) | {
+    *("assign", "concatenate", "left", "right", "middle", "str_", "chr_", "val_", "asc_", "len_"),
+    *("shown", "string_of", "first_code"),
+    *("alike", "order", "string_equal", "string_compare", "peek", "poke", "point", "plot"),
+    *("read_port", "write_port", "now_at", "to_screen", "print_newline", "print_comma"),
+    *("print_string", "print_number", "print_anything", "print_tab", "print_at"),
+    *("begin_read", "read_number", "read_string", "end_item", "end_read"),
+}
+"""Routines behind which the loop or subroutine that was open last is still that."""
 _CALLED: Final = re.compile(r"(?<![\w.])[a-z_]+(?=[(\[])")
 """A name of the environment that is called, or looked something up in, in generated text."""
 
@@ -134,6 +143,7 @@ class Emitter:
         followed: where a jump goes that the block is to go on behind, instead of leaving.
         reach: the highest address of the program's text that the function was made from.
         around: the open loop whose body begins where the block does, if there is one.
+        strings: text of the characters of string variables that a block knows, by their names.
     """
 
     def __init__(self, *, flat: bool = False) -> None:
@@ -160,6 +170,7 @@ class Emitter:
         self.loops: list[Loop] = []
         self.followed: int | None = None
         self.calls_code = False
+        self.strings: dict[str, str] = {}
         self._charged = 0
 
     def lead(self, address: int, frame: Frame) -> None:
@@ -193,6 +204,7 @@ class Emitter:
         self.indent += 1
         self._base = self.indent
         self.loops.append(loop)
+        self.strings = {}
 
     def know_loop_around(
         self, scalar: str, step: float, limit: str, beyond: str, whole: bool
@@ -235,8 +247,9 @@ class Emitter:
         """
         if len(self.calls) != calls:
             return False
-        changing = any(call in line for line in self._lines[since:] for call in _CHANGING_FRAMES)
-        return self.straight and not changing and self.quiet(since)
+        return self.straight and all(
+            _KEEPING_FRAMES.issuperset(_CALLED.findall(line)) for line in self._lines[since:]
+        )
 
     def stores(self, name: str, since: int) -> bool:
         """Whether one of the lines written since gives a variable a value."""
@@ -254,6 +267,7 @@ class Emitter:
         self.indent -= 1
         self._base = self.indent
         self.loops.pop()
+        self.strings = {}
 
     def state(self) -> tuple[Any, ...]:
         """What `restore` needs to take back what will be written."""
@@ -262,11 +276,12 @@ class Emitter:
             (self.cost, self.most_cost, self._charged, self._temporaries, self.indent, self._base),
             (dict(self._cells), set(self._stored), dict(self._constants)),
             (list(self.calls), list(self.loops), self._head, self._head_whole),
+            dict(self.strings),
         )
 
     def restore(self, state: tuple[Any, ...]) -> None:
         """Take back what was written since."""
-        length, numbers, (cells, stored, constants), flow = state
+        length, numbers, (cells, stored, constants), flow, self.strings = state
         del self._lines[length:], self.marks[length:]
         for line in [line for line in self._counted if line >= length]:
             del self._counted[line]
@@ -287,22 +302,32 @@ class Emitter:
 
         Args:
             text: the line.
-            counted: what stands there in a block that counts down what is `left` of `given`
+            counted: what stands there in a block that counts down what is to `spare` of `given`
                 T-states, and tells the clock when it is left.
         """
         self._counted[len(self._lines)] = "  " * self.indent + counted
         self.emit(text)
+
+    def know_string(self, name: str, text: str | None) -> None:
+        """A string variable was given a value: text of its characters, if they are known.
+
+        What is assigned on one of several ways leaves a block there.
+        """
+        if text is not None and self.straight:
+            self.strings[name] = text
+        elif self.straight:
+            self.strings.pop(name, None)
 
     def charge(self) -> None:
         """Write what has come together to the clock."""
         if self.cost:
             cost, self.cost = self.cost, 0
             self._charged += cost
-            self._emit_timed(f"clock.now += {cost}", f"left -= {cost}")
+            self._emit_timed(f"clock.now += {cost}", f"spare -= {cost}")
 
     def charge_found(self, text: str) -> None:
         """Write T-states that are found at run time to the clock."""
-        self._emit_timed(f"clock.now += {text}", f"left -= {text}")
+        self._emit_timed(f"clock.now += {text}", f"spare -= {text}")
 
     def depends_on(self, address: int) -> None:
         """The function holds only as long as the text stays the same up to an address."""
@@ -338,7 +363,7 @@ class Emitter:
         self._asks = True
         self._emit_timed(
             f"if clock.now >= soft: return {address}",
-            f"if left <= 0: clock.now += given - left; return {address}",
+            f"if spare <= 0: clock.now += given - spare; return {address}",
         )
 
     def go_to_found(self, text: str) -> None:
@@ -366,11 +391,11 @@ class Emitter:
         cost = self.cost
         if again is not None:
             self._asks = True
-            self._emit_timed(f"clock.now = now = clock.now + {cost}", f"left -= {cost}")
-            self._emit_timed(f"if {again}now < soft: continue", f"if {again}left > 0: continue")
+            self._emit_timed(f"clock.now = now = clock.now + {cost}", f"spare -= {cost}")
+            self._emit_timed(f"if {again}now < soft: continue", f"if {again}spare > 0: continue")
         elif cost:
-            self._emit_timed(f"clock.now += {cost}", f"left -= {cost}")
-        self._emit_timed(f"return {to}", f"clock.now += given - left; return {to}")
+            self._emit_timed(f"clock.now += {cost}", f"spare -= {cost}")
+        self._emit_timed(f"return {to}", f"clock.now += given - spare; given = spare; return {to}")
 
     def fail(self, code: Code) -> None:
         """Raise a Level II error."""
@@ -424,19 +449,16 @@ class Emitter:
         out.append(" def statement():")
         if self._stored:
             out.append(f"  nonlocal {', '.join(sorted(self._stored))}")
-        counting = self._asks and self.quiet()
+        counting = self._asks and all(
+            number in self._counted or _simple(line) or _is_quiet(line)
+            for number, line in enumerate(self._lines)
+        )
         head = self._pace(counting) + self._head
         out += [f"  {line}" for line in head]
         lines = self._lines
         if counting:
-            lines = lines.copy()
-            for place, counted in self._counted.items():
-                lines[place] = counted
+            lines = [self._counted.get(i) or _told(line) for i, line in enumerate(lines)]
         return "\n".join([*out, *lines, " return statement\n"]), len(out)
-
-    def quiet(self, since: int = 0) -> bool:
-        """Whether the lines written since one of them call nothing that takes time of its own."""
-        return all(QUIET.issuperset(_CALLED.findall(line)) for line in self._lines[since:])
 
     def _pace(self, counting: bool) -> list[str]:
         """The lines of a block that find out until when it may go on."""
@@ -448,7 +470,7 @@ class Emitter:
             lines = [f"soft = pace.soft - {more}", alone]
         elif self._asks:
             lines = ["soft = pace.soft"]
-        return [*lines, "left = given = soft - clock.now"] if counting else lines
+        return [*lines, "spare = given = soft - clock.now"] if counting else lines
 
     def build(self, environment: dict[str, Any]) -> tuple[FunctionType, int]:
         """The function, and the number of its text lines in front of the first emitted one.
@@ -477,6 +499,26 @@ class Emitter:
                 raise UnlistedName(name)
         closure = tuple(self._cells[name] for name in code.co_freevars)
         return FunctionType(code, environment, "statement", None, closure), first_line
+
+
+def _is_quiet(line: str) -> bool:
+    """Whether a line calls nothing that takes time of its own."""
+    return QUIET.issuperset(_CALLED.findall(line))
+
+
+def _simple(line: str) -> bool:
+    """Whether a line is a statement that others can stand beside."""
+    return not line.endswith(":")
+
+
+def _told(line: str) -> str:
+    """A line of a block that counts: if it takes time, the clock is right before it."""
+    if _is_quiet(line):
+        return line
+    text = line.lstrip()
+    indent = line[: len(line) - len(text)]
+    told = "clock.now += given - spare; given = spare"
+    return f"{indent}{told}; {text}; spare = given = soft - clock.now"
 
 
 @lru_cache(_KEPT)

@@ -261,7 +261,7 @@ class ExpressionCompiler:
                 return value
             start = address - reader.base
             text = reader.text[start : start + length]
-            return pieces.with_piece(value, pieces.literal(text, call), out)
+            return pieces.with_piece(value, pieces.literal(text, call, address), out)
         if code == tokens.NOT:
             reader.advance()
             return self._complement(self._nested(NOT))
@@ -360,7 +360,7 @@ class ExpressionCompiler:
         name = self._out.cell(self._scope.cell_name(key), scalar.cell)
         value = Expression(name, key[1], simple=True)
         if key[1] == STRING:
-            return pieces.with_piece(value, pieces.variable(name), self._out)
+            return pieces.with_piece(value, pieces.variable(self._out, name), self._out)
         return value
 
     def _element(self, key: Key) -> Expression:

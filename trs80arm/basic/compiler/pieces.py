@@ -3,7 +3,7 @@
 Level II makes a new string for every function and every `+`, and copies it. All of them go to
 string space one below the other, so that a whole expression is one stretch of bytes there: the
 result, and above it what was thrown away on the way. A statement written with pieces works out the
-characters first and stores that stretch once (`StringSpace.keep`). Where that cannot be said
+characters first and stores that stretch once. Where that cannot be said
 beforehand (no room without collecting, a string too long, temporaries left over) nothing has
 happened yet, and the routines do it step by step.
 
@@ -17,7 +17,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Final
 
-from trs80arm.basic import costs
+from trs80arm.basic import addresses, costs
+from trs80arm.basic.characters import LONGEST_STRING
 from trs80arm.basic.compiler.emitter import Emitter
 from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.kinds import INTEGER, SINGLE
@@ -41,6 +42,7 @@ class Piece:
         stored: what goes to string space, in this order: characters, or the text of some.
         extra: texts of T-states beside those of the bytes stored.
         known: the characters themselves, where they are known.
+        place: where a literal stands in the program's text.
         joined: whether it is two strings one after the other.
         count: operands in it.
     """
@@ -54,18 +56,24 @@ class Piece:
     stored: tuple[str | bytes, ...] = ()
     extra: tuple[str, ...] = ()
     known: bytes | None = None
+    place: int = 0
     joined: bool = False
     count: int = 1
 
+    @property
+    def certain(self) -> bool:
+        """Whether the text of its characters holds for as long as nothing is stored in memory."""
+        return not self.tests and (self.known is not None or bool(self.stored))
 
-def literal(characters: bytes, call: str) -> Piece:
+
+def literal(characters: bytes, call: str, place: int) -> Piece:
     """A string that stands in the program's text."""
-    return Piece(repr(characters), call, known=characters)
+    return Piece(repr(characters), call, known=characters, place=place)
 
 
-def variable(name: str) -> Piece:
+def variable(out: Emitter, name: str) -> Piece:
     """A simple variable."""
-    return Piece(f"characters_of({name})", name)
+    return Piece(out.strings.get(name, f"characters_of({name})"), name)
 
 
 def element(out: Emitter, text: str) -> Piece:
@@ -88,7 +96,7 @@ def shown(out: Emitter, value: Expression) -> Piece | None:
     characters, time = out.temporary(), out.temporary()
     return Piece(
         characters,
-        f"str_({name})",
+        f"shown({_SHOWN[value.kind]}[{name}])",
         lines=(f"{characters}, {time} = {_SHOWN[value.kind]}[{name}]",),
         hoisted=hoisted,
         stored=(characters,),
@@ -208,28 +216,65 @@ def _number(out: Emitter, text: str, *, simple: bool) -> tuple[str, tuple[tuple[
     return name, ((name, text),)
 
 
+def _room(size: str, length: str | None) -> str:
+    """Text that is true where a string can be stored without more ado (`StringSpace`)."""
+    room = f"{addresses.PROGRAM} <= space.bottom <= low"
+    short = f" and {length} <= {LONGEST_STRING}" if length else ""
+    return f"{room} and high < ram_end and not space.temporaries{short}"
+
+
 def store(out: Emitter, target: str, piece: Piece) -> None:
-    """Write LET of a piece that goes to string space."""
+    """Write LET of a piece that goes to string space.
+
+    In one go where the bytes fit below those that are there, no temporary is left over, and the
+    string is not too long; step by step where that is not so.
+    """
     for name, text in piece.hoisted:
         out.emit(f"{name} = {text}")
-    written = _written(piece.stored)
-    extra = " + ".join(piece.extra) or "0"
-    done = f"keep({target}, {piece.text}, {written}, {extra})"
-    done = " and ".join((*piece.present, done))
     slow = f"assign({target}, {piece.slow})"
-    if not piece.tests:
-        for line in piece.lines:
-            out.emit(line)
-        out.emit(f"if not ({done}):")
-        out.emit(f"  {slow}")
-        return
-    kept = out.temporary()
-    out.emit(f"{kept} = False")
-    out.emit(f"if {' and '.join(piece.tests)}:")
-    for line in (*piece.lines, f"{kept} = {done}"):
-        out.emit(f"  {line}")
-    out.emit(f"if not {kept}:")
-    out.emit(f"  {slow}")
+    kept = ""
+    if piece.tests:
+        kept = out.keep("False")
+        out.emit(f"if {' and '.join(piece.tests)}:")
+        out.indent += 1
+    for line in piece.lines:
+        out.emit(line)
+    written = _written(piece.stored)
+    if not written.isidentifier():
+        written = out.keep(written)
+    size = f"len({written})"
+    length = f"len({piece.text})"
+    out.emit("high = space.next")
+    out.emit(f"low = high - {size}")
+    room = _room(size, length if piece.joined else None)
+    out.emit(f"if {' and '.join((*piece.present, room))}:")
+    out.indent += 1
+    if kept:
+        out.emit(f"{kept} = True")
+    out.emit(f"view[low + 1 : high + 1] = {written}")
+    out.emit("space.next = low")
+    out.emit(f"{target}[0] = {size if written == piece.text else length}")
+    out.emit(f"{target}[1] = low + 1")
+    out.charge_found(" + ".join((f"{size} * {costs.STRING_BYTE}", *piece.extra)))
+    out.indent -= 1
+    if kept:
+        out.indent -= 1
+    out.emit(f"if not {kept}:" if kept else "else:")
+    out.indent += 1
+    out.emit(slow)
+    out.indent -= 1
+
+
+def point_to(out: Emitter, target: str, piece: Piece) -> None:
+    """Write LET of a literal: it stays where it stands, below string space."""
+    assert piece.known is not None
+    out.emit(f"if {piece.place} <= space.bottom and not space.temporaries:")
+    out.emit(f"  {target}[0] = {len(piece.known)}")
+    out.emit(f"  {target}[1] = {piece.place}")
+    out.emit("else:")
+    out.indent += 1
+    out.emit(f"assign({target}, {piece.slow})")
+    out.indent -= 1
 
 
 def with_piece(value: Expression, piece: Piece | None, out: Emitter) -> Expression:

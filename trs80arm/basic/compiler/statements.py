@@ -79,7 +79,8 @@ class StatementCompiler:
     @cached_property
     def assignments(self) -> AssignmentCompiler:
         """LET, READ, INPUT and so on."""
-        return AssignmentCompiler(self._draft, self.expressions, self._line)
+        start = self._program.start
+        return AssignmentCompiler(self._draft, self.expressions, self._line, start)
 
     @cached_property
     def flow(self) -> FlowCompiler:

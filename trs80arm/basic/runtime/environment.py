@@ -90,7 +90,7 @@ ROUTINES: Final[dict[type[Part], tuple[str, ...]]] = {
     ),
     StringFunctions: (
         *("assign", "string_equal", "string_compare", "alike", "order"),
-        *("first_code", "free_strings", "text_at"),
+        *("first_code", "free_strings", "shown", "text_at"),
     ),
     DataReader: (
         *("begin_read", "end_item", "end_read", "read_number", "read_string"),
@@ -126,7 +126,9 @@ def environment(state: State) -> dict[str, Any]:
         "literal": state.strings.literal,
         "concatenate": state.strings.concatenate,
         "characters_of": state.strings.characters_of,
-        "keep": state.strings.keep,
+        "space": state.strings,
+        "view": state.memory.view,
+        "ram_end": state.memory.top,
         "characters": CHARACTERS,
         **FUNCTIONS,
         **known_functions(state.clock),

@@ -119,6 +119,12 @@ class StringFunctions(Part):
         self._clock.now += costs.number_text(value, text)
         return self._strings.new(text.encode("ascii"))
 
+    def shown(self, text_and_time: tuple[bytes, int]) -> Descriptor:
+        """STR$ of a number whose text is remembered."""
+        text, time = text_and_time
+        self._clock.now += time + costs.STRING_BYTE * len(text)
+        return self._strings.new(text)
+
     def string_of(self, count: int, code: int) -> Descriptor:
         """STRING$."""
         self._clock.now += costs.STRING_FILLED * count
