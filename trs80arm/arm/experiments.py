@@ -8,8 +8,8 @@ the article lists. The tests and `trs80arm figure table1` read the rows.
 from __future__ import annotations
 
 import math
+import pickle
 from collections.abc import Callable
-from copy import deepcopy
 from dataclasses import dataclass
 from enum import Enum
 
@@ -103,6 +103,17 @@ def _gripping(weight: float, settings: ArmSettings | None = None) -> PulseGenera
     generator.turn(Motor.HAND, -145, SLOW)
     generator.off()
     return generator
+
+
+def _copies(generator: PulseGenerator) -> Callable[[], PulseGenerator]:
+    """What makes arms that stand as this one does now, for those who try many times."""
+    state = pickle.dumps(generator, pickle.HIGHEST_PROTOCOL)
+
+    def copy() -> PulseGenerator:
+        made: PulseGenerator = pickle.loads(state)
+        return made
+
+    return copy
 
 
 def _set(generator: PulseGenerator, *degrees: float) -> None:
@@ -202,8 +213,9 @@ def _capacity(bend: float) -> float:
     rates = {m: drives[m].full_load_rate for m in (Motor.SHOULDER, Motor.ELBOW)}
 
     def lifts(weight: float) -> bool:
+        gripping = _copies(_gripping(weight))
         for motor, rate in rates.items():
-            generator = _gripping(weight)
+            generator = gripping()
             if motor == Motor.SHOULDER:
                 _set(generator, 0, bend, -bend - 1, -bend, 0)
             else:
@@ -329,17 +341,18 @@ def _speeds() -> list[Row]:
         return generator
 
     # Gripping takes its time: it is done once, and every try begins with a copy of it.
-    eight, two = _gripping(8.0, PROMPT), _gripping(2.0, PROMPT)
+    two = _gripping(2.0, PROMPT)
     two.align()
     two.turn(Motor.HAND, 145, SLOW)
+    eight_ounces, two_ounces = _copies(_gripping(8.0, PROMPT)), _copies(two)
 
     def loaded(motor: Motor) -> PulseGenerator:
-        generator = deepcopy(eight)
+        generator = eight_ounces()
         _set(generator, *bent.get(motor, (0, 0, -1, -8, 0)))
         return generator
 
     def squeezing(_: Motor) -> PulseGenerator:
-        return deepcopy(two)
+        return two_ounces()
 
     model = _bare().arm.model
     base, _, elbow, wrist, _, hand = (drive.steps for drive in model.drives)

@@ -118,10 +118,16 @@ def grip_curves(settings: ArmSettings) -> tuple[Chart, Chart]:
 def phase_table() -> Table:
     """Figure 8: the patterns in the order in which they turn a motor, found by trying all."""
     patterns: dict[int, list[int]] = {}
+    arm = MiniMover(bench=Bench("empty"))
+    home = arm.state().angles
+    places = [
+        replace(home, base=home.base + start / arm.model.drives[Motor.BASE].steps)
+        for start in range(3)
+    ]
     for nibble in range(16):
         # Where a pattern holds the rotor shows in where it pulls it from several places; one
         # may be its dead point.
-        ends = [_pulled(start, nibble) % 8 for start in range(3)]
+        ends = [_pulled(arm, place, nibble) % 8 for place in places]
         held = [end for end in ends if ends.count(end) > 1]
         if held:
             patterns.setdefault(held[0], []).append(nibble)
@@ -134,13 +140,13 @@ def phase_table() -> Table:
     return Table(("half-step", "phi1", "phi2", "phi3", "phi4", "nibble"), tuple(rows))
 
 
-def _pulled(start: int, nibble: int) -> int:
+def _pulled(arm: MiniMover, place: JointAngles, nibble: int) -> int:
     """Where a pattern takes the base motor's rotor from a place to which it was turned by hand."""
-    arm = MiniMover(bench=Bench("empty"))
-    home = arm.state().angles
-    arm.move_joints(replace(home, base=home.base + start / arm.model.drives[Motor.BASE].steps))
+    arm.move_joints(place)
     arm.apply([0], [Motor.BASE], [nibble])
-    return arm.rotors[Motor.BASE]
+    pulled = arm.rotors[Motor.BASE]
+    arm.apply([0], [Motor.BASE], [0])
+    return pulled
 
 
 def table1_rows() -> Table:
