@@ -62,6 +62,8 @@ _PLAIN = (type(None), bool, int, float, str, bytes)
 _CONTAINERS = (list, deque, dict, set, bytearray)
 _COMPARED = frozenset({type(None), bool, int, float, str, bytes, bytearray})
 """Kinds of value of which two that are equal are written alike."""
+_SHARED = _COMPARED.difference((bytearray,)) | _VALUE_NAMES.keys() | _KINDS.keys()
+"""Kinds of what never changes: machines of one kind have the very same."""
 
 
 class SnapshotError(ValueError):
@@ -260,10 +262,14 @@ def _says_its_state(cls: type) -> bool:
 class _Writer:
     """Turns what is in the works into JSON values."""
 
-    def __init__(self, places: dict[int, str]) -> None:
+    def __init__(
+        self, places: dict[int, str], values: dict[int, tuple[Any, Any]] | None = None
+    ) -> None:
         self._places = places
+        self._values = {} if values is None else values
         self._numbers: dict[int, int] = {}
         self._kept: list[Any] = []
+        self._met = 0
 
     def content(self, was: Any, now: Any) -> Any:
         """What is to be said of a container that has a place; None if nothing."""
@@ -282,24 +288,28 @@ class _Writer:
 
     def _differing(self, was: Any, now: Any, write: Any) -> Any:
         """What is written of `now`; None if a machine just assembled has the same there."""
-        if type(was) is type(now) and type(now) in _COMPARED and was == now:
+        cls = type(now)
+        if was is now and cls in _SHARED:
             return None
-        scratch = _Writer(self._places)
-        written = write(scratch, now)
-        if scratch._numbers:
+        plain = cls in _COMPARED or (cls in _CONTAINERS and not now)
+        if plain and type(was) is cls and was == now:
+            return None
+        met = self._met
+        written = write(self, now)
+        if self._met != met:
             # Who has an identity is written always, for somebody else may refer to it.
-            return write(self, now)
-        return None if written == write(_Writer(self._places), was) else written
+            return written
+        return None if written == write(_Writer(self._places, self._values), was) else written
 
     def value(self, value: Any, depth: int = 0) -> Any:
         """A value inside of something else."""
         cls = type(value)
-        if value is None or cls in (bool, str):
+        if cls is float:
+            return value if math.isfinite(value) else ["float", repr(value)]
+        if value is None or cls is bool or cls is str:
             return value
         if cls is int and -_LARGEST_INTEGER < value < _LARGEST_INTEGER:
             return value
-        if cls is float:
-            return value if math.isfinite(value) else ["float", repr(value)]
         if cls is bytes:
             return ["bytes", base64.b64encode(value).decode("ascii")]
         if cls in _KINDS:
@@ -309,10 +319,10 @@ class _Writer:
         if cls is tuple:
             return ["tuple", *(self.value(item, depth + 1) for item in value)]
         if cls in _VALUE_NAMES:
-            parts = (self.value(getattr(value, name), depth + 1) for name in parts_of(cls))
-            return ["value", _VALUE_NAMES[cls], *parts]
+            return self._unchanging(value, depth)
         if id(value) in self._places:
             return ["at", self._places[id(value)]]
+        self._met += 1
         if id(value) in self._numbers:
             return ["same", self._numbers[id(value)]]
         self._numbers[id(value)] = len(self._numbers)
@@ -328,6 +338,19 @@ class _Writer:
         if cls in _CONTAINERS:
             return self._inside(value, depth)
         raise TypeError(f"a snapshot knows nothing of {cls.__module__}.{cls.__qualname__}")
+
+    def _unchanging(self, value: Any, depth: int) -> Any:
+        """A value that never changes; many stand at several places, and are written once."""
+        known = self._values.get(id(value))
+        if known is not None:
+            return known[1]
+        met = self._met
+        cls = type(value)
+        parts = (self.value(getattr(value, name), depth + 1) for name in parts_of(cls))
+        written = ["value", _VALUE_NAMES[cls], *parts]
+        if self._met == met:
+            self._values[id(value)] = value, written
+        return written
 
     def _inside(self, value: Any, depth: int = 0) -> list[Any]:
         """A container with its content."""
