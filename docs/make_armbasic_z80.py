@@ -14,6 +14,8 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
 from pathlib import Path
 
 from trs80arm.machine.cassette import SystemRecording, encode_system
@@ -43,6 +45,7 @@ class Assembly:
     """As the assembler writes it."""
 
 
+@cache
 def assemble(origin: int) -> Assembly:
     """Assemble the source for an address."""
     with tempfile.TemporaryDirectory() as folder:
@@ -87,14 +90,19 @@ def listing(kilobytes: int) -> Iterator[str]:
     done = assemble(ORIGINS[kilobytes])
     repeats = 0
     expanded: list[str] = []
-    for address, has_code, source in _lines(done):
+    lines = list(_lines(done))
+    begins = sorted({begin for begin, has_code, _ in lines if has_code})
+    ends = dict(pairwise((*begins, done.origin + len(done.image))))
+    for address, has_code, source in lines:
         if source.split()[:2] == ["NEXT", "M"]:
             repeats += 1
             if repeats % 6 == 1:
                 yield f"{'':17} {source}"
         elif repeats % 6 == 0:
             here = (
-                list(_rows(done, address, source)) if has_code else [f"{'':17} {source}".rstrip()]
+                list(_rows(done, address, ends[address], source))
+                if has_code
+                else [f"{'':17} {source}".rstrip()]
             )
             if source.startswith(" " * 16):
                 # The assembler lists what a macro stands for in front of the macro's own line.
@@ -112,12 +120,8 @@ def _lines(done: Assembly) -> Iterator[tuple[int, bool, str]]:
             yield int(match[1] or "0", 16), bool(match[2]), match[3].expandtabs(8)
 
 
-def _rows(done: Assembly, address: int, source: str) -> Iterator[str]:
-    """The listing of a line with code: more than one row if it is long."""
-    ends = min(
-        (begin for begin, has_code, _ in _lines(done) if has_code and begin > address),
-        default=done.origin + len(done.image),
-    )
+def _rows(done: Assembly, address: int, ends: int, source: str) -> Iterator[str]:
+    """The listing of a line with code, up to an address: more than one row if it is long."""
     for at in range(address, ends, _ROW):
         code = done.image[at - done.origin : min(at + _ROW, ends) - done.origin].hex(" ").upper()
         yield f"{at:04X} {code:12} {source if at == address else ''}".rstrip()

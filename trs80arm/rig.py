@@ -245,8 +245,9 @@ class Rig:
         Raises:
             ValueError: the TRS-80 has no such key.
         """
-        self._record("press", str(Key(key)))
-        self._keys.add(self.clock.now, Key(key), True)
+        key = Key(key)
+        self._record("press", str(key))
+        self._keys.add(self._works.clock.now, key, True)
 
     def release(self, key: Key | str) -> None:
         """Let a key go. A key that is not held is left alone.
@@ -254,8 +255,9 @@ class Rig:
         Raises:
             ValueError: the TRS-80 has no such key.
         """
-        self._record("release", str(Key(key)))
-        self._keys.add(self.clock.now, Key(key), False)
+        key = Key(key)
+        self._record("release", str(key))
+        self._keys.add(self._works.clock.now, key, False)
 
     def release_all(self) -> None:
         """Let every key go, also those that were still to be pressed."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum, IntEnum
+from functools import cache
 from typing import Any, NamedTuple, Protocol
 
 from trs80arm.machine.clock import Clock
@@ -37,6 +38,15 @@ class Jumper(Enum):
     """On the TRS-80's bus: the address selects the latch."""
     PARALLEL = "parallel"
     """On an 8-bit parallel port: the high nibble of the byte selects the latch."""
+
+
+@cache
+def _coils_of(coil_bits: tuple[int, int, int, int]) -> tuple[int, ...]:
+    """The coil pattern that each value of the low four data bits switches on."""
+    return tuple(
+        sum((data >> bit & 1) << 3 - coil for coil, bit in enumerate(coil_bits))
+        for data in range(16)
+    )
 
 
 @dataclass(frozen=True)
@@ -78,7 +88,7 @@ class CardSettings:
 
     def coils(self, data: int) -> int:
         """The coil pattern, phi1 as bit 3, that the low four data bits switch on."""
-        return sum((data >> bit & 1) << 3 - coil for coil, bit in enumerate(self.coil_bits))
+        return _coils_of(self.coil_bits)[data & 15]
 
     def data(self, coils: int) -> int:
         """The four data bits that switch on a coil pattern; the inverse of `coils`."""
@@ -210,7 +220,7 @@ class Card:
         """
         if not len(burst):
             return 0
-        if not any(observer.each_step for observer in self.observers):
+        if not self.observers or not any(observer.each_step for observer in self.observers):
             return self._send(burst, stop)
         rest = burst.columns()
         times, begin, total = rest.times, 0, len(burst)

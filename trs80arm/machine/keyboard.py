@@ -21,6 +21,8 @@ CONTROL_BLOCK = 0x4015
 _CONTROL_BLOCK = bytes((0x01, 0xE3, 0x03, 0x00, 0x00, 0x00, 0x4B, 0x49))
 """Keyboard: type 1, driver at 3E3H, then its name, "KI"."""
 
+_ROW_OF = {1 << row: row for row in range(8)}
+"""What selects a row and no other."""
 _SHIFT_ROW, _ = MATRIX[Key.SHIFT]
 _DOWN_ROW, _DOWN_BIT = MATRIX[Key.DOWN]
 
@@ -120,6 +122,8 @@ class Matrix:
             self._image = bytes(self._sense(1 << row) for row in range(SCANNED_ROWS))
 
     def _sense(self, select: int) -> int:
+        if not self.ghosting and select in _ROW_OF:
+            return self._rows[_ROW_OF[select]]
         columns = 0
         for row, bits in enumerate(self._rows):
             if select >> row & 1:
@@ -172,7 +176,10 @@ class KeyboardDriver:
         that one is part of the cost of whatever looks at the keyboard.
         """
         ram = self._ram
-        for row, now in enumerate(self._matrix.image):
+        image = self._matrix.image
+        if ram[WORK_AREA : WORK_AREA + SCANNED_ROWS] == image:
+            return 0
+        for row, now in enumerate(image):
             before = ram[WORK_AREA + row]
             ram[WORK_AREA + row] = now
             new = now & ~before

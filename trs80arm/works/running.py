@@ -55,18 +55,17 @@ class Running:
             raise ValueError("the clock does not go that far")
         works = self._works
         works.asked = max(works.asked, target)
-        all_stops = (self._observers.stops, self._observers.code_stops)
-        for stops in all_stops:
-            stops.heeded, stops.reached = True, False
+        clock, stops, code_stops = works.clock, self._observers.stops, self._observers.code_stops
+        stops.heeded = code_stops.heeded = True
+        stops.reached = code_stops.reached = False
         try:
-            while works.clock.now < target:
+            while clock.now < target:
                 self._turn(target, until_waiting=works.typist.looks_up)
-                if any(stops.reached for stops in all_stops):
-                    works.asked = works.clock.now
+                if stops.reached or code_stops.reached:
+                    works.asked = clock.now
                     return False
         finally:
-            for stops in all_stops:
-                stops.heeded = False
+            stops.heeded = code_stops.heeded = False
         return True
 
     def run_until(self, condition: Callable[[], bool], seconds: float) -> bool:
@@ -164,13 +163,13 @@ class Running:
         for time, key, down in works.typist.due(clock.now, waiting is not Waiting.NOTHING):
             keys.add(time, key, down, typed=True)
         keys.move()
-        limits = [target]
-        if keys.next_time is not None:
-            limits.append(keys.next_time)
-        look = works.typist.next_look
-        if look is not None and look > clock.now:
-            limits.append(look)
-        clock.limit = min(limits)
+        limit = target
+        key_time, look = keys.next_time, works.typist.next_look
+        if key_time is not None and key_time < limit:
+            limit = key_time
+        if look is not None and clock.now < look < limit:
+            limit = look
+        clock.limit = limit
         # A machine that waits already is not asked to stop at the wait that it is in.
         works.basic.advance(until_waiting=until_waiting and waiting is Waiting.NOTHING)
         self._arm_advances()
