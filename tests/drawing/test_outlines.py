@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import pytest
+
 from trs80arm.arm import benchfile
 from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.models.minimover5 import MINIMOVER5
@@ -40,6 +42,28 @@ def test_a_leaning_plank_is_seen_leaning_from_the_side() -> None:
     assert len(plank.corners) == 4
     (low_x, low_y), (high_x, high_y) = min(plank.corners), max(plank.corners)
     assert math.degrees(math.atan2(low_y - high_y, high_x - low_x)) > 15
+
+
+def test_what_leans_beside_the_arms_plane_is_seen_leaning_too() -> None:
+    readings = Readings(
+        things=(Thing(Kind.PART, "plank", replace(tilted(28), center=(8.0, 5.0, 2.0))),)
+    )
+    (plank,) = (shape for shape in side_scene(readings).shapes if isinstance(shape, Facet))
+    (inside,) = drawn(side_scene(Readings(things=(Thing(Kind.PART, "plank", tilted(28)),))))
+    assert plank == replace(inside, ink=Ink.FAINT, fill=":")
+
+
+def test_a_ramp_is_seen_sloping_from_the_side_and_a_pillar_round_from_above() -> None:
+    bench = benchfile.parse(
+        "[[obstacle]]\nname = 'ramp'\nat = [9, 0]\nsize = [4, 2, 0.4]\ntilt = 20\n"
+        "[[obstacle]]\nname = 'pillar'\nshape = 'cylinder'\nat = [8, 6]\ndiameter = 2\nheight = 3"
+    )
+    readings = Readings(things=tuple(things_of(bench)))
+    (ramp,) = (shape for shape in side_scene(readings).shapes if isinstance(shape, Facet))
+    (x, y), (far_x, far_y) = max(ramp.corners, key=lambda corner: corner[1]), max(ramp.corners)
+    assert math.degrees(math.atan2(y - far_y, far_x - x)) == pytest.approx(20)
+    (pillar,) = (shape for shape in top_scene(readings).shapes if isinstance(shape, Facet))
+    assert len(pillar.corners) == 24
 
 
 def test_a_turned_part_is_seen_turned_from_above() -> None:
@@ -97,6 +121,23 @@ def test_the_fingers_are_outside_of_what_they_hold() -> None:
     left, right = sorted((part.corner[0], part.opposite[0]))
     assert min(fingers) <= left + 1e-6
     assert max(fingers) >= right - 1e-6
+
+
+@pytest.mark.parametrize("opening", [0.3, 1.5, 2.0, 3.0])
+def test_a_finger_goes_through_nothing_that_reaches_up_to_the_palm(opening: float) -> None:
+    angles = JointAngles(0.0, 0.4, -1.35, -math.pi / 2, 0.0)
+    down = Posture(MINIMOVER5, angles, opening)
+    ahead = Posture(MINIMOVER5, replace(angles, pitch=0.0), opening)
+    for scene, which, level, middle in (
+        (side_scene(Readings(posture=down)), slice(2, None), 0, down.points.fingertip[0]),
+        (top_scene(Readings(posture=ahead)), slice(1, None, 2), 1, 0.0),
+    ):
+        strokes = [each for each in scene.shapes if isinstance(each, Stroke)]
+        fingers = [each for each in strokes if each.ink is Ink.HAND][which]
+        assert len(fingers) == 2
+        for finger in fingers:
+            assert abs(finger.end[level] - middle) == pytest.approx(opening / 2)
+            assert abs(finger.start[level] - middle) >= opening / 2 - 1e-9
 
 
 def test_the_outline_of_a_box_from_aside_has_six_corners() -> None:

@@ -158,6 +158,15 @@ def along(start: Point, angle: float, length: float) -> Point:
     return start[0] + length * cos(angle), start[1] + length * sin(angle)
 
 
+def root_from_middle(opening: float) -> float:
+    """How far from the middle of the hand a finger begins, inches.
+
+    A hand that is opened wider than the palm has fingers that stay parallel: seen leading inwards
+    they would go through what is between them.
+    """
+    return max(PALM_HALF_WIDTH, opening / 2)
+
+
 def skeleton(posture: Posture) -> tuple[Point, Point, Point, Point]:
     """Shoulder, elbow, wrist and fingertip in the arm's plane, inches."""
     points = posture.points

@@ -18,7 +18,6 @@ from trs80arm.drawing.scene import (
     FILL,
     FINGER_LENGTH,
     INK,
-    PALM_HALF_WIDTH,
     PLAINLY,
     QUARTER,
     Block,
@@ -35,6 +34,7 @@ from trs80arm.drawing.scene import (
     fill,
     half_along,
     middle,
+    root_from_middle,
     skeleton,
     solid,
     turned,
@@ -65,7 +65,7 @@ def side_scene(readings: Readings, extras: Extras = PLAINLY) -> Scene:
     shapes: list[Shape] = []
     if extras.envelope:
         shapes.append(Trace(side_envelope(posture.model), Ink.FAINT, "++"))
-    shapes += [Block(*_side_corners(thing, base), Ink.FAINT, ":") for thing in beside]
+    shapes += [_side_outline(thing, base, Ink.FAINT, ":") for thing in beside]
     shapes += _pedestal(base, fittings)
     shapes.append(Stroke((-99.0, 0.0), (99.0, 0.0), Ink.FURNITURE))
     shapes += [_side_block(thing, base) for thing in inside if not thing.held]
@@ -152,7 +152,7 @@ def _hand(wrist: Point, posture: Posture, dotted: bool) -> list[Shape]:
     length = posture.model.hand_length
     palm = along(wrist, pitch, length - FINGER_LENGTH)
     tip = along(wrist, pitch, length)
-    roots = [along(palm, left, side * PALM_HALF_WIDTH) for side in (-1, 1)]
+    roots = [along(palm, left, side * root_from_middle(posture.opening)) for side in (-1, 1)]
     ends = [along(tip, left, side * posture.opening / 2) for side in (-1, 1)]
     return [
         Stroke(wrist, palm, ink, dotted=dotted),
@@ -175,13 +175,18 @@ def _side_corners(thing: Thing, base: float) -> tuple[Point, Point]:
 
 
 def _side_block(thing: Thing, base: float) -> Shape:
-    """A thing as it is seen from the side: its outline, tilted as it is."""
-    if thing.kind is not Kind.PART:
-        x, y, _ = thing.box.axes[0]
-        heading = 0.0 if turned((x, y), base)[0] >= 0 else 2 * QUARTER
-        return Block(*_side_corners(thing, base), INK[thing.kind], fill(thing, heading))
+    """A thing as it is seen from the side, with the glyph of what it is or does."""
+    x, y, _ = thing.box.axes[0]
+    heading = 0.0 if turned((x, y), base)[0] >= 0 else 2 * QUARTER
+    return _side_outline(thing, base, INK[thing.kind], fill(thing, heading))
+
+
+def _side_outline(thing: Thing, base: float, ink: Ink, glyph: str) -> Shape:
+    """What a thing covers seen from the side, tilted as it is."""
+    if thing.kind is Kind.TURNTABLE:
+        return Block(*_side_corners(thing, base), ink, glyph)
     corners = [(turned(corner, base)[0], corner[2]) for corner in thing.corners]
-    return solid(corners, INK[thing.kind], FILL[thing.kind])
+    return solid(corners, ink, glyph)
 
 
 def _in_the_hand(thing: Thing, posture: Posture) -> Shape:

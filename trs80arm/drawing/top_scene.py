@@ -18,7 +18,6 @@ from trs80arm.drawing.scene import (
     FILL,
     FINGER_LENGTH,
     INK,
-    PALM_HALF_WIDTH,
     PLAINLY,
     QUARTER,
     Block,
@@ -35,6 +34,7 @@ from trs80arm.drawing.scene import (
     fill,
     half_along,
     middle,
+    root_from_middle,
     solid,
 )
 
@@ -101,12 +101,12 @@ def _top_corners(thing: Thing) -> tuple[Point, Point]:
 
 
 def _top_block(thing: Thing) -> list[Shape]:
-    """A thing from above: as an upright box, or, when large and turned, as its four edges."""
+    """A thing from above: its outline; furniture as a box, or, large and turned, as its edges."""
     ink, box = INK[thing.kind], thing.box
     if thing.kind is Kind.TURNTABLE:
         return _plate(box)
     (ux, uy, _), (vx, vy, _), _ = box.axes
-    if thing.kind is Kind.PART:
+    if thing.kind in (Kind.PART, Kind.OBSTACLE):
         return [solid([corner[:2] for corner in thing.corners], ink, FILL[thing.kind])]
     glyph = fill(thing, atan2(uy, ux))
     if abs(ux * uy) < TURNED or max(box.half[:2]) < 1:
@@ -155,7 +155,7 @@ def _top_arm(posture: Posture) -> list[Shape]:
     if hypot(tip[0] - wrist[0], tip[1] - wrist[1]) > length / 2:
         palm = _part_way(wrist, tip, 1 - FINGER_LENGTH / length)
         for side in (-1, 1):
-            root = _beside(palm, across, side * PALM_HALF_WIDTH)
+            root = _beside(palm, across, side * root_from_middle(posture.opening))
             shapes.append(Stroke(wrist, root, Ink.HAND))
             shapes.append(Stroke(root, _beside(tip, across, side * posture.opening / 2), Ink.HAND))
         return [*shapes, Joint(wrist, Ink.HAND)]
