@@ -8,7 +8,7 @@ import pytest
 
 from tests.slices import elsewhere
 from trs80arm import Rig
-from trs80arm.arm import ArmModel, Bench, Motor, Pose
+from trs80arm.arm import ArmModel, Bench, Motor, Pose, benchfile
 from trs80arm.arm.events import EventKind
 from trs80arm.arm.models import MINIMOVER5, TEACHMOVER
 
@@ -176,6 +176,71 @@ def test_a_part_too_heavy_for_the_grip_needs_more_than_there_is() -> None:
     assert used is not None
     assert used < 1
     assert rig.state.held == "load"
+
+
+TOWER = """
+[arm]
+at = [8, 0, 0.3]
+opening = 1.2
+[[part]]
+name = "pier"
+at = [8, 0]
+size = [0.8, 0.6, 0.8]
+weight = 2
+[[part]]
+name = "deck"
+at = [8, 0]
+bottom = 0.8
+size = [0.8, 0.4, 0.3]
+weight = 5
+[[part]]
+name = "top"
+at = [8, 0]
+bottom = 1.1
+size = [0.4, 0.4, 0.3]
+weight = 1
+"""
+BEAM = """
+[[part]]
+name = "beam"
+at = [8.6, 0]
+bottom = 1.4
+size = [1.6, 0.3, 0.2]
+weight = 3
+[[part]]
+name = "post"
+at = [9.3, 0]
+size = [0.2, 0.2, 1.4]
+weight = 3
+"""
+
+
+def told(bench: str, *lines: str) -> Rig:
+    """A machine at a bench when it has done some statements and all has come to rest."""
+    rig = Rig(bench=benchfile.parse(bench))
+    for line in lines:
+        typed(rig, line)
+    rig.run_for(0.5)
+    return rig
+
+
+@pytest.mark.parametrize(("squeeze", "holds"), [(1, False), (6, False), (20, True)])
+def test_all_that_rides_on_a_part_has_to_be_held(squeeze: int, holds: bool) -> None:
+    rig = told(TOWER, "@CLOSE 60", f"@STEP 60,0,0,0,0,0,-{squeeze}")
+    grip = rig.loads.grip
+    assert grip.weight == 8
+    assert grip.used is not None
+    assert (grip.used < 1) is holds
+    assert rig.state.held == ("pier" if holds else None)
+    typed(rig, "@STEP 200,0,-60,15")
+    rig.run_for(0.5)
+    assert (rig.arm.bench.parts["pier"].bottom > 0.3) is holds
+    assert rig.loads.grip.weight == 8
+
+
+def test_what_something_else_carries_too_does_not_ride_on_the_part() -> None:
+    # A beam from the tower to a post on the table.
+    assert told(TOWER + BEAM, "@CLOSE 60").loads.grip.weight == 2
 
 
 def test_an_empty_hand_needs_no_force() -> None:

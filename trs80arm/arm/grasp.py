@@ -42,7 +42,8 @@ class Sight(NamedTuple):
             it was, as what sleeps in the grip stays there.
         met: as `Grasp` remembers it.
         between: on what both fingers press.
-        holds: whether they carry that.
+        riders: what that has to carry.
+        holds: whether they carry all that.
         closely: whether the next tick has to be looked at closely.
         burdens: as in `Grasp`.
         pushed: as in `Grasp`.
@@ -54,6 +55,7 @@ class Sight(NamedTuple):
     grip: tuple[int, float] | None
     met: tuple[float, int] | None
     between: list[Name]
+    riders: list[Name]
     holds: bool
     closely: bool
     burdens: tuple[Burden, ...]
@@ -74,6 +76,7 @@ class Grasp:
         leaned_on: whether parts touch the arm.
         alone: whether nothing touches the arm but what hangs in the hand.
         between: names of the parts on which both fingers press.
+        riders: names of what stands on these, or hangs from them, and touches nothing else.
     """
 
     def __init__(self, bench: Bench, linkage: ArmLinkage, grip: Grip, telling: Telling) -> None:
@@ -84,6 +87,7 @@ class Grasp:
         self.leaned_on = False
         self.alone = True
         self.between: tuple[str, ...] = ()
+        self.riders: tuple[str, ...] = ()
         self._bench = bench
         self._linkage = linkage
         self._telling = telling
@@ -99,7 +103,7 @@ class Grasp:
     def clear(self) -> None:
         """Begin anew: what touches the arm is seen on the first tick, if anything strains it."""
         self.burdens, self.pushed = (), (0.0,) * 5
-        self.leaned_on, self.between = False, ()
+        self.leaned_on, self.between, self.riders = False, (), ()
         self.alone = not any(self._bench.scene.torques)
 
     def look(self, *, loaded: bool) -> None:
@@ -141,6 +145,7 @@ class Grasp:
             (grip.contact, grip.strain) if saw else None,
             self._met,
             moment.told(self.between),
+            moment.told(self.riders),
             grip.part is not None,
             self._closely,
             self.burdens,
@@ -158,6 +163,7 @@ class Grasp:
             if sight.closely:
                 self._bench.scene.look_closely()
             self.between = tuple(moment.named(sight.between))
+            self.riders = tuple(moment.named(sight.riders))
             self._have(self.between if sight.holds else ())
         self.burdens, self.pushed = sight.burdens, sight.pushed
         self.leaned_on, self.alone = sight.leaned_on, sight.alone
@@ -200,20 +206,23 @@ class Grasp:
     @property
     def picks_up(self) -> bool:
         """Whether the fingers press so much by now that they hold what they did not hold before."""
-        between = self.between
-        return self.grip.part is None and bool(between) and self._carries(between)
+        return self.grip.part is None and bool(self.between) and self._carried
 
-    def _carries(self, names: Sequence[str]) -> bool:
-        weight = sum(self._bench.parts[name].weight for name in names)
-        return self.grip.carries(self._roughness(names)) >= weight
+    @property
+    def _carried(self) -> bool:
+        """Whether the pads' friction carries what they press on, with all that it carries."""
+        weight, friction = self.hold
+        return self.grip.carries(friction) >= weight
 
     @property
     def hold(self) -> tuple[float, float]:
-        """Ounces of all on which both fingers press, and the coefficient of its friction."""
-        names = [name for name in self.between if name in self._bench.parts]
+        """Ounces of all that the pads have to carry, and the coefficient of its friction."""
+        parts = self._bench.parts
+        names = [name for name in self.between if name in parts]
         if not names:
             return 0.0, self._pad
-        return sum(self._bench.parts[name].weight for name in names), self._roughness(names)
+        weights = [parts[name].weight for name in (*names, *self.riders) if name in parts]
+        return math.fsum(weights), self._roughness(names)
 
     def weigh(self, *, loaded: bool) -> None:
         """See what hangs in the hand and touches nothing else, and what else presses on the arm.
@@ -222,10 +231,7 @@ class Grasp:
             loaded: whether anything rests in the hand.
         """
         scene, links, parts = self._bench.scene, self._linkage.names, self._bench.parts
-        leaning: dict[str, set[str]] = {}
-        for one, other in self._leaning():
-            leaning.setdefault(one, set()).add(other)
-            leaning.setdefault(other, set()).add(one)
+        leaning = self._neighbours()
         touched: set[str] = set().union(*[leaning[link] for link in links if link in leaning])
         self.leaned_on = any(name in parts for name in touched)
         loads = [load.name for load in scene.carried]
@@ -361,7 +367,26 @@ class Grasp:
         """What the fingers have in their grip, with all that is between them."""
         between = self._between()
         self.between = tuple(between)
-        self._have(between if between and self._carries(between) else [])
+        self.riders = tuple(self._riding(between)) if between else ()
+        self._have(between if between and self._carried else [])
+
+    def _riding(self, names: Sequence[str]) -> list[str]:
+        """What leans on some parts, or on what leans on these, and on nothing else."""
+        parts, leaning = self._bench.parts, self._neighbours()
+        seen, riders = set(names), []
+        for start in sorted(set().union(*[leaning.get(name, ()) for name in names])):
+            group, waiting = [], [start]
+            while waiting:
+                name = waiting.pop()
+                if name in seen:
+                    continue
+                group.append(name)
+                if name in parts:
+                    seen.add(name)
+                    waiting += sorted(leaning.get(name, ()))
+            if all(name in parts for name in group):
+                riders += group
+        return sorted(riders)
 
     def pick_up(self) -> None:
         """Have what the fingers press on, and rests, in their grip from now on."""
@@ -383,13 +408,17 @@ class Grasp:
         grip.part = between[0] if between else None
         grip.weight = sum(parts[name].weight for name in between)
 
-    def _leaning(self) -> set[tuple[str, str]]:
-        """What presses on what: as found on this tick, and as it was when it fell asleep."""
+    def _neighbours(self) -> dict[str, set[str]]:
+        """What presses on each: as found on this tick, and as it was when it fell asleep."""
+        found: dict[str, set[str]] = {}
         pairs = {c.key[:2] for c in self._bench.scene.contacts if c.pressure > 0}
         for name, part in self._bench.parts.items():
             if part.asleep:
                 pairs.update((other, name) for other in part.touching)
-        return pairs
+        for one, other in pairs:
+            found.setdefault(one, set()).add(other)
+            found.setdefault(other, set()).add(one)
+        return found
 
     def _roughness(self, names: Sequence[str]) -> float:
         """Coefficient between the pads and the smoothest of some parts."""

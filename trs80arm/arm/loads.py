@@ -85,7 +85,8 @@ class GripLoad:
 
     Attributes:
         force: of the grip, pounds.
-        weight: of all that both fingers press on, ounces; 0 where there is nothing.
+        weight: of all that both fingers press on, and of what rides on that, ounces; 0 where there
+            is nothing.
         friction: coefficient between the pads and the smoothest of it.
     """
 

@@ -412,7 +412,7 @@ class World:
 
     @property
     def hold(self) -> tuple[float, float]:
-        """Ounces of all on which both fingers press, and the coefficient of its friction."""
+        """Ounces of all that the pads have to carry, and the coefficient of its friction."""
         return self.grasp.hold
 
     # What lies ahead
