@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable
+from unittest.mock import patch
 
 import pytest
 from rich.style import Style
@@ -18,7 +19,7 @@ from textual.widgets import Static
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_colours, screen_text
-from trs80arm.ui.screens.dialog import Choose
+from trs80arm.ui.screens.dialog import Choose, Dialog
 from trs80arm.ui.screens.palette import PaletteScreen
 from trs80arm.ui.terminal.changes import CellsUpdate, Change
 from trs80arm.ui.terminal.layers import Layer
@@ -263,6 +264,60 @@ async def test_what_lies_behind_something_else_is_not_written_over_it() -> None:
             straight = {panel.id for panel in heap.query(Static) if heap.change(panel, cells)}
         assert straight == {"first", "sheet"}
         assert not heap.change(heap.query_one("#first"), cells)
+
+
+@piloted
+async def test_what_is_all_behind_something_else_is_not_asked_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    app: App[None] = App()
+    async with app.run_test(size=(40, 12)) as pilot:
+        heap = Heap()
+        await app.push_screen(heap)
+        heap.query_one("#second").styles.offset = (8, 8)
+        await pilot.pause()
+        asked: dict[str | None, Region] = {}
+        real = Widget.render_lines
+
+        def render_lines(widget: Widget, crop: Region) -> list[Strip]:
+            asked[widget.id] = crop
+            return real(widget, crop)
+
+        monkeypatch.setattr(Widget, "render_lines", render_lines)
+        heap._compositor.render_strips()
+        assert asked["sheet"] == Region(0, 0, 10, 3)
+        assert asked["second"] == Region(0, 1, 10, 2)
+        heap.query_one("#second").styles.offset = (8, 6)
+        await pilot.pause()
+        asked.clear()
+        heap._compositor.render_strips()
+        assert {"first", "sheet"} <= asked.keys()
+        assert "second" not in asked
+
+
+@pytest.mark.parametrize("key", ["f2", "f8", "f12"])
+@piloted
+async def test_a_dialog_is_drawn_when_it_is_laid_out_and_not_before(
+    sit_down: Opener, key: str
+) -> None:
+    async with sit_down(120, 40) as sitting:
+        await sitting.type_line("CLS")
+        laid_out: list[bool] = []
+        watch(sitting, lambda _: laid_out.append(not sitting.app.screen._layout_required))
+        layouts = 0
+        real = Screen._refresh_layout
+
+        def refresh_layout(screen: Screen[object], *arguments: object, **more: object) -> None:
+            nonlocal layouts
+            layouts += screen is sitting.app.screen
+            real(screen, *arguments, **more)  # type: ignore[arg-type]
+
+        with patch.object(Screen, "_refresh_layout", refresh_layout):
+            await sitting.press(key)
+            await sitting.settle()
+        assert isinstance(sitting.app.screen, Dialog)
+        assert 0 < len(laid_out) < layouts
+        assert all(laid_out)
 
 
 @piloted

@@ -102,6 +102,8 @@ class DeskScreen(Layer):
         self._groups = groups(rows)
         self._let_go = let_go
         self.panels = {row.id: row.make(id=row.id) for row in rows}
+        for panel in self.panels.values():
+            panel.add_class("placed")
         self._scopes = [panel for panel in self.panels.values() if isinstance(panel, ScopePanel)]
         [self.tube] = (panel for panel in self.panels.values() if isinstance(panel, Tube))
         self._arm_views = [panel for panel in self.panels.values() if isinstance(panel, ArmView)]
@@ -135,9 +137,7 @@ class DeskScreen(Layer):
         """All panels; where they stand is decided by `lay_out`."""
         yield self._too_small
         for row in self._rows:
-            panel = self.panels[row.id]
-            panel.add_class("placed")
-            yield panel
+            yield self.panels[row.id]
         yield self._guide
         yield self.status
         yield self._bar

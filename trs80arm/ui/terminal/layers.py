@@ -8,7 +8,7 @@ pinned by `tests/ui/test_layers.py` and `tests/ui/test_terminal_hooks.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager
 from itertools import takewhile
 from typing import Any
@@ -50,16 +50,28 @@ class FrugalCompositor(Compositor):
     def _get_renders(
         self, crop: Region | None = None
     ) -> Iterable[tuple[Region, Region, list[Strip]]]:
-        """Of each widget where it is, the part of it that is asked for, and the lines of that."""
-        if not self._changed:
-            yield from super()._get_renders(crop)
-            return
+        """Of each widget where it is, the part of it that is asked for, and the lines of that.
+
+        Lines that are all behind other widgets are not asked for: nothing of them is seen.
+        """
+        window = self.size.region
+        asked = self._changed or (crop or window,)
+        bare = [(1 << window.width) - 1] * window.height
         for widget, (region, clip) in self.visible_widgets.items():
-            seen = region.intersection(clip)
-            lines = [changed.line_span for changed in self._changed if changed.overlaps(seen)]
-            if lines:
-                top = max(seen.y, min(first for first, _ in lines))
-                bottom = min(seen.bottom, max(last for _, last in lines))
+            seen = region.intersection(clip).intersection(window)
+            lines = [part.line_span for part in asked if part.overlaps(seen)]
+            if not lines:
+                continue
+            top = max(seen.y, min(first for first, _ in lines))
+            bottom = min(seen.bottom, max(last for _, last in lines))
+            cells = ((1 << seen.width) - 1) << seen.x
+            while top < bottom and not bare[top] & cells:
+                top += 1
+            while top < bottom and not bare[bottom - 1] & cells:
+                bottom -= 1
+            if top < bottom:
+                for y in range(top, bottom):
+                    bare[y] &= ~cells
                 part = Region(seen.x, top, seen.width, bottom - top)
                 yield region, part, widget.render_lines(part.translate(-region.offset))
 
@@ -73,6 +85,8 @@ class Layer(Screen[Any]):
         self._changes: list[Change] | None = None
         self._places: dict[Widget, Offset | None] = {}
         self._laid_out: object = None
+        self._updating = False
+        self._to_be_drawn = False
 
     @contextmanager
     def frame(self) -> Iterator[None]:
@@ -114,7 +128,31 @@ class Layer(Screen[Any]):
             self._places[widget] = _unobstructed(widget, seen)
         return self._places[widget]
 
+    def _on_timer_update(self) -> None:
+        """Lay out what has to be, and then draw, once."""
+        self._updating, self._to_be_drawn = True, False
+        try:
+            super()._on_timer_update()
+        finally:
+            self._updating = False
+        if self._to_be_drawn:
+            self._draw()
+
     def _compositor_refresh(self) -> None:
+        """Have what is dirty drawn when all is laid out.
+
+        Textual draws whenever it lays something out, and what opens is laid out two or three times
+        before its parts know their sizes.
+        """
+        if self._updating:
+            self._to_be_drawn = True
+        elif self.app.screen is self and self._compositor._dirty_regions and not self.app.is_inline:
+            self._dirty_widgets.add(self)
+            self.check_idle()
+        else:
+            self._draw()
+
+    def _draw(self) -> None:
         """Draw what is dirty, or have the screen above draw it where it shows through."""
         stack = self.app.screen_stack
         above = stack[stack.index(self) + 1 :][:1] if self in stack else []
@@ -172,19 +210,25 @@ class SeenThrough(Layer):
         self._dimmed_styles.clear()
         super().notify_style_update()
 
+    def render_lines(self, crop: Region) -> list[Strip]:
+        """Lines of what is behind, dimmed by this screen's own ground."""
+        missing = set(crop.line_range) - self._dimmed.keys()
+        if missing:
+            self._dim_lines(missing)
+        return super().render_lines(crop)
+
     def render_line(self, y: int) -> Strip:
-        """A line of what is behind, dimmed by this screen's own ground."""
-        if y not in self._dimmed:
-            self._dim_missing_lines()
+        """One of them."""
         return self._dimmed.get(y) or Strip.blank(self.size.width, self.rich_style)
 
-    def _dim_missing_lines(self) -> None:
+    def _dim_lines(self, missing: Set[int]) -> None:
         stack = self.app.screen_stack
         below = stack[stack.index(self) - 1]._compositor if self in stack[1:] else None
         if below is None:
             return
-        missing = set(range(self.size.height)) - self._dimmed.keys()
-        for y, chops in enumerate(below._render_chops(below.size.region, missing.__contains__)):
+        top, bottom = min(missing), max(missing) + 1
+        crop = Region(0, top, below.size.width, bottom - top)
+        for y, chops in enumerate(below._render_chops(crop, missing.__contains__)):
             if y in missing:
                 strip = Strip.join(chops.values())
                 self._dimmed[y] = Strip(map(self._dim, strip), strip.cell_length)
