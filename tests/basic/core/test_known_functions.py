@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from unittest import mock
+
 import pytest
 
 from tests.basic.machine import Machine
+from trs80arm.basic.numbers import functions
 from trs80arm.basic.runtime import known
 
 CALLS = [
@@ -38,7 +41,51 @@ def test_an_error_is_none_the_cheaper_for_being_known(call: str) -> None:
 
 def test_only_the_last_few_thousand_are_remembered() -> None:
     machine = Machine()
-    machine.load(f"10 FOR I=1 TO {known.MOST + 10}:S=SIN(I):NEXT")
+    machine.load(f"10 FOR I=1 TO {known.MOST + 10}:S=SIN(I+(I/2=INT(I/2))/2):NEXT")
     machine.do("RUN", seconds=1000)
     sines = machine.basic.state.engine.environment["sin"]
-    assert sorted(sines) == [known.MOST + i for i in range(1, 11)]
+    last = range(known.MOST + 1, known.MOST + 11)
+    assert sorted(sines) == [i if i % 2 else i - 0.5 for i in last]
+
+
+IN_STEPS = [
+    "FOR I=-900 TO 900:GOSUB 90:NEXT",
+    "FOR I=0 TO 8 STEP .01:GOSUB 90:NEXT",
+    "FOR I=6000 TO -3000 STEP -7:GOSUB 90:NEXT",
+    "FOR I=16777000 TO 16777300:GOSUB 90:NEXT",
+    "FOR I=1 TO 3000:X=I:IF I/90=INT(I/90) THEN I=I+1:GOSUB 90:NEXT ELSE GOSUB 90:NEXT",
+]
+
+
+@pytest.mark.parametrize("loop", IN_STEPS)
+@pytest.mark.parametrize("call", ["SIN(I)", "COS(I)", "ATN(I)", "EXP(I/100)", "I[2", "I[3"])
+def test_arguments_in_steps_are_computed_ahead_and_nobody_can_tell(call: str, loop: str) -> None:
+    assert _sum(call, loop) == _sum(call, loop, ahead=False)
+
+
+@pytest.mark.parametrize("call", ["LOG(I)", "SQR(I)", "I[.5", "I[1.5"])
+@pytest.mark.parametrize("loop", IN_STEPS)
+def test_steps_may_come_to_an_error(call: str, loop: str) -> None:
+    assert _sum(call, loop) == _sum(call, loop, ahead=False)
+
+
+def _sum(call: str, loop: str, *, ahead: bool = True) -> tuple[bytes, int]:
+    machine = Machine()
+    machine.load(
+        "5 ON ERROR GOTO 95",
+        f"10 {loop}",
+        "20 PRINT S;E:END",
+        f"90 S=S/2+{call}:RETURN",
+        "95 E=E+I:RESUME NEXT",
+    )
+    with mock.patch.object(known, "_IN_STEPS", known._IN_STEPS if ahead else 10**9):
+        machine.do("RUN", seconds=10_000)
+    return bytes(machine.screen.printed), machine.clock.now
+
+
+def test_a_loop_in_steps_asks_for_few_arguments_itself() -> None:
+    machine = Machine()
+    machine.load("10 FOR I=1 TO 3000:S=S+I[2:NEXT")
+    with mock.patch.object(functions, "power", wraps=functions.power) as asked:
+        machine.do("RUN", seconds=10_000)
+    assert asked.call_count < 100

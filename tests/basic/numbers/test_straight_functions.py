@@ -6,10 +6,11 @@ import math
 import random
 from collections.abc import Callable
 
+import numpy as np
 import pytest
 
 from trs80arm.basic.errors import BasicError
-from trs80arm.basic.numbers import functions, step_by_step
+from trs80arm.basic.numbers import functions, step_by_step, together
 from trs80arm.basic.numbers.single import mul, round_away
 
 NAMES = ("sin", "cos", "tan", "atn", "log", "exp")
@@ -79,3 +80,27 @@ def test_nearly_all_usual_arguments_take_the_straight_lines(
         functions.exp(round_away(chance.uniform(-20.0, 20.0)))
         functions.log(round_away(chance.uniform(0.01, 100.0)))
     assert len(fallen) < 120
+
+
+@pytest.mark.parametrize("name", ["sin", "cos", "atn", "log", "exp", "sqr"])
+def test_a_function_of_an_array_has_the_bits_of_one_argument_after_the_other(name: str) -> None:
+    straight = getattr(functions, name)
+    given = arguments(4, 1500)
+    _compared(together.FUNCTIONS[name], straight, given)
+
+
+@pytest.mark.parametrize("exponent", [2.0, 3.0, 0.5, -1.5, 1.7])
+def test_a_power_of_an_array_has_the_bits_of_one_base_after_the_other(exponent: float) -> None:
+    given = [x for x in arguments(5, 1500) if 2.0**-20 < abs(x) < 2.0**20]
+    _compared(together.power(exponent), lambda base: functions.power(base, exponent), given)
+
+
+def _compared(
+    function: together.Function, straight: Callable[[float], float], given: list[float]
+) -> None:
+    with np.errstate(all="ignore"):
+        results, certain = function(np.array(given))
+    for x, result, sure in zip(given, results.tolist(), certain.tolist(), strict=True):
+        if sure:
+            assert result == answer(straight, x), x
+    assert certain.mean() > 0.2

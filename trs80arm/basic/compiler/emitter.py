@@ -16,6 +16,7 @@ from typing import Any, Final, NamedTuple
 
 from trs80arm.basic.control import ForFrame, Frame
 from trs80arm.basic.errors import Code
+from trs80arm.basic.numbers.functions import OF_ONE_EXPONENT
 from trs80arm.basic.variables import Key
 
 MARGIN: Final = 200_000
@@ -46,6 +47,7 @@ QUIET: Final = frozenset(
         *("integer_add", "integer_sub", "integer_mul", "integer_step"),
         *("add", "sub", "mul", "div", "double_compare", "double_negate", "rnd"),
         *("sin", "cos", "tan", "atn", "log", "exp", "sqr", "power"),
+        *OF_ONE_EXPONENT.values(),
         *("room", "open_subroutine", "close_subroutine"),
         *("frames", "open_loop", "drop_loop", "step_loop", "other_step"),
         *("goes_on", "space", "view", "characters_of", "characters"),

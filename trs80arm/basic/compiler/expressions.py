@@ -16,7 +16,7 @@ from trs80arm.basic.compiler.draft import Draft, Mistake
 from trs80arm.basic.compiler.values import Conversions, Expression, constant, settled, wider
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, SIZES, STRING
-from trs80arm.basic.numbers import literal
+from trs80arm.basic.numbers import functions, literal
 from trs80arm.basic.numbers.double import Double
 from trs80arm.basic.precedence import BINARY, NOT, RELATION, UNARY_MINUS
 from trs80arm.basic.variables import Array, Key
@@ -197,6 +197,9 @@ class ExpressionCompiler:
         if operator == tokens.POWER:
             self._out.cost += costs.POWER
             base, exponent = self.convert.to_single(left), self.convert.to_single(right)
+            if exponent.constant in functions.OF_ONE_EXPONENT:
+                name = functions.OF_ONE_EXPONENT[exponent.constant]
+                return Expression(f"{name}[{base.text}]", SINGLE)
             return Expression(f"power[{base.text}, {exponent.text}]", SINGLE)
         return self._arithmetic(left, _ARITHMETIC[operator], right)
 

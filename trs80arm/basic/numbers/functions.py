@@ -32,6 +32,10 @@ _POWERS: Final = tuple(math.ldexp(1.0, power) for power in range(-100, 101))
 """2^-100 to 2^100, by the power plus 100."""
 
 
+OF_ONE_EXPONENT: Final = {2.0: "squares", 3.0: "cubes", 0.5: "roots"}
+"""What generated text calls the power with a usual exponent."""
+
+
 def sin(x: float) -> float:
     """The sine of `x` radians.
 
@@ -148,13 +152,18 @@ def log(x: float) -> float:
     c = (s := s * t * 1.0000000000000002) * 536870913.0
     s = c - (c - s)
     if 0.0 < s < 2.0**-8:
-        return step_by_step.log(x)
-    c = (s := (s - 0.5) * 1.0000000000000002) * 536870913.0
+        c = (s := s - (0.5 + 2.0**-32 - 2.0**-49)) * 536870913.0
+    else:
+        c = (s := (s - 0.5) * 1.0000000000000002) * 536870913.0
     s = c - (c - s)
     if exponent:
-        if exponent > s * -256.0:
+        if exponent > s * -65536.0:
             return step_by_step.log(x)
-        c = (s := (s + exponent) * 1.0000000000000002) * 536870913.0
+        if exponent > s * -256.0:
+            place = 1 << exponent.bit_length() - 1
+            c = (s := exponent + place * (2.0**-31 - 2.0**-48) + s) * 536870913.0
+        else:
+            c = (s := (s + exponent) * 1.0000000000000002) * 536870913.0
         s = c - (c - s)
     c = (s := s * 0.6931471824645996 * 1.0000000000000002) * 536870913.0
     return c - (c - s)

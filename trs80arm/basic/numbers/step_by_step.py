@@ -22,14 +22,14 @@ LOG2_E = round_away(1.0 / math.log(2.0))
 ROOT_2 = round_away(math.sqrt(2.0))
 ROOT_HALF = round_away(math.sqrt(0.5))
 
-_SIN = (
+SIN = (
     39.710670471191406,
     -76.57498168945312,
     81.60223388671875,
     -41.3416748046875,
     6.283185005187988,
 )
-_ATN = (
+ATN = (
     0.0028662257827818394,
     -0.016165737062692642,
     0.042909614741802216,
@@ -40,7 +40,7 @@ _ATN = (
     -0.33333146572113037,
     1.0,
 )
-_EXP = (
+EXP = (
     -0.00014131607895251364,
     0.0013298820704221725,
     -0.00830136053264141,
@@ -50,7 +50,7 @@ _EXP = (
     -1.0,
     1.0,
 )
-_LOG = (0.5989786386489868, 0.9614706635475159, 2.885392427444458)
+LOG = (0.5989786386489868, 0.9614706635475159, 2.885392427444458)
 
 
 def _polynomial(x: float, coefficients: tuple[float, ...]) -> float:
@@ -93,9 +93,9 @@ def sin(x: float) -> float:
     turn = sub(turn, float(math.floor(turn)))
     t = sub(0.25, turn)
     if t >= 0.0:
-        return _odd(sub(0.25, t), _SIN)
+        return _odd(sub(0.25, t), SIN)
     t = add(t, 0.5)
-    return _odd(negate(sub(0.25, t) if t >= 0.0 else add(0.25, t)), _SIN)
+    return _odd(negate(sub(0.25, t) if t >= 0.0 else add(0.25, t)), SIN)
 
 
 def cos(x: float) -> float:
@@ -112,9 +112,9 @@ def atn(x: float) -> float:
     """The arc tangent of `x` in radians, between -pi/2 and pi/2."""
     magnitude = abs(x)
     if magnitude >= 1.0:
-        result = sub(HALF_PI, _odd(div(1.0, magnitude), _ATN))
+        result = sub(HALF_PI, _odd(div(1.0, magnitude), ATN))
     else:
-        result = _odd(magnitude, _ATN)
+        result = _odd(magnitude, ATN)
     return negate(result) if x < 0.0 else result
 
 
@@ -124,7 +124,7 @@ def log(x: float) -> float:
         raise BasicError(Code.FC)
     mantissa, exponent = math.frexp(x)
     y = sub(1.0, div(ROOT_2, add(mantissa, ROOT_HALF)))
-    return mul(add(add(_odd(y, _LOG), -0.5), float(exponent)), LN_2)
+    return mul(add(add(_odd(y, LOG), -0.5), float(exponent)), LN_2)
 
 
 def exp(x: float) -> float:
@@ -138,4 +138,4 @@ def exp(x: float) -> float:
     if whole > 125:
         raise BasicError(Code.OV)
     t = sub(mul(float(whole + 1), LN_2), x)
-    return mul(_polynomial(t, _EXP), math.ldexp(1.0, whole + 1))
+    return mul(_polynomial(t, EXP), math.ldexp(1.0, whole + 1))

@@ -10,7 +10,7 @@ at once, some of it is given back here, each time: such arguments are not rememb
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Final
 
 from trs80arm.basic import costs
@@ -20,19 +20,95 @@ from trs80arm.basic.numbers import decimal, functions
 
 MOST: Final = 4096
 """Arguments that a function remembers; then it begins anew."""
+_TOGETHER: Final = {"sin", "cos", "atn", "log", "exp", "sqr", *functions.OF_ONE_EXPONENT.values()}
+"""Functions that `numbers.together` has."""
+_IN_STEPS: Final = 64
+"""Arguments one equal step behind the other after which more are computed ahead."""
+_OTHERS_AHEAD: Final = 32
+"""How many are computed one by one among them, where arrays are not certain."""
+_FIRST_AHEAD, _MOST_AHEAD = 256, 2048
+"""How many: they take as long as these first ones took, or less; then up to so many."""
+
+
+class _Ahead:
+    """Sees arguments that come in equal steps, and computes the next ones all at once.
+
+    What stands in a table, a sum or a plot is a function of 1, 2, 3 or of 0, .1, .2. Arrays of
+    numbers (`numbers.together`) take a tenth of the time of one number after the other. How many
+    are computed ahead grows with how many were asked for, so what is computed in vain is never much
+    more than what was not.
+
+    Args:
+        name: what generated text calls the function.
+        function: computes it for one argument.
+    """
+
+    def __init__(self, name: str, function: Callable[[float], float]) -> None:
+        self._name = name
+        self._function = function
+        self._last = self._step = 0.0
+        self._run = 0
+        self._many = _FIRST_AHEAD
+
+    def seen(self, argument: float) -> bool:
+        """An argument that is not known; whether it is time to look ahead."""
+        step = argument - self._last
+        self._last = argument
+        if step != self._step:
+            self._step = step
+            self._run = 0
+            self._many = _FIRST_AHEAD
+            return False
+        self._run += 1
+        return self._run >= _IN_STEPS and bool(step)
+
+    def results(self) -> Iterable[tuple[float, float]]:
+        """The arguments behind the last one, and what the function gives for them."""
+        import numpy as np  # It takes long to load, and few programs come here.
+
+        from trs80arm.basic.numbers import together
+
+        arguments = self._last + self._step * np.arange(1.0, self._many + 1.0)
+        inexact = together.nearest(arguments) != arguments
+        if inexact.any():
+            # From here on steps are rounded, and become other steps.
+            arguments = arguments[: inexact.argmax()]
+        with np.errstate(all="ignore"):
+            values, certain = together.FUNCTIONS[self._name](arguments)
+        given, results = arguments.tolist(), values.tolist()
+        for count, place in enumerate((~certain).nonzero()[0].tolist()):
+            try:
+                results[place] = self._function(given[place])
+            except BasicError:
+                # The program finds out when it comes there, if it does.
+                count = _OTHERS_AHEAD
+            if count >= _OTHERS_AHEAD:
+                del given[place:], results[place:]
+                break
+        if given:
+            self._last = given[-1]
+            self._run = _IN_STEPS
+            self._many = min(2 * self._many, _MOST_AHEAD)
+        return zip(given, results, strict=True)
 
 
 def _known(
-    clock: Clock, usual: int, function: Callable[[float], float], easy: dict[float, int]
+    clock: Clock,
+    usual: int,
+    name: str,
+    function: Callable[[float], float],
+    easy: dict[float, int],
 ) -> dict[float, float]:
     """A function's results by its arguments.
 
     Args:
         clock: where time is given back.
         usual: T-states that were charged.
+        name: what generated text calls it.
         function: what computes a result; `BasicError` where there is none.
         easy: T-states for the arguments that take another time.
     """
+    ahead = _Ahead(name, function) if name in _TOGETHER else None
 
     class Known(dict[float, float]):
         def __missing__(self, argument: float) -> float:
@@ -48,6 +124,12 @@ def _known(
             if len(self) >= MOST:
                 self.clear()
             self[argument] = result
+            if ahead is not None and ahead.seen(argument):
+                if len(self) > MOST - _MOST_AHEAD:
+                    self.clear()
+                self.update(ahead.results())
+                for each in easy:
+                    self.pop(each, None)
             return result
 
     return Known()
@@ -77,6 +159,20 @@ def _known_powers(clock: Clock) -> dict[tuple[float, float], float]:
     return Known()
 
 
+def _powers_of_one_exponent(clock: Clock) -> dict[str, dict[float, float]]:
+    """The power with each of the usual exponents, by the base."""
+    usual = costs.POWER
+    easy = {0.0: usual - costs.POWER_OF_ZERO, 1.0: usual - costs.POWER_OF_ONE}
+
+    def power(exponent: float) -> Callable[[float], float]:
+        return lambda base: functions.power(base, exponent)
+
+    return {
+        name: _known(clock, usual, name, power(exponent), easy)
+        for exponent, name in functions.OF_ONE_EXPONENT.items()
+    }
+
+
 def _known_texts() -> dict[Any, tuple[bytes, int]]:
     """What STR$ gives, and T-states beside those of moving its bytes."""
 
@@ -95,14 +191,15 @@ def _known_texts() -> dict[Any, tuple[bytes, int]]:
 def known_functions(clock: Clock) -> dict[str, dict[Any, Any]]:
     """The functions of one machine by their names."""
     return {
-        "sin": _known(clock, costs.SIN, functions.sin, costs.EASY_SIN),
-        "cos": _known(clock, costs.COS, functions.cos, costs.EASY_COS),
-        "tan": _known(clock, costs.TAN, functions.tan, costs.EASY_TAN),
-        "atn": _known(clock, costs.ATN, functions.atn, costs.EASY_ATN),
-        "log": _known(clock, costs.LOG, functions.log, costs.EASY_LOG),
-        "exp": _known(clock, costs.EXP, functions.exp, costs.EASY_EXP),
-        "sqr": _known(clock, costs.SQR, functions.sqr, costs.EASY_SQR),
+        "sin": _known(clock, costs.SIN, "sin", functions.sin, costs.EASY_SIN),
+        "cos": _known(clock, costs.COS, "cos", functions.cos, costs.EASY_COS),
+        "tan": _known(clock, costs.TAN, "tan", functions.tan, costs.EASY_TAN),
+        "atn": _known(clock, costs.ATN, "atn", functions.atn, costs.EASY_ATN),
+        "log": _known(clock, costs.LOG, "log", functions.log, costs.EASY_LOG),
+        "exp": _known(clock, costs.EXP, "exp", functions.exp, costs.EASY_EXP),
+        "sqr": _known(clock, costs.SQR, "sqr", functions.sqr, costs.EASY_SQR),
         "power": _known_powers(clock),
+        **_powers_of_one_exponent(clock),
         # 7 and 7.0 are the same key, but not the same time.
         "shown_integers": _known_texts(),
         "shown_singles": _known_texts(),
