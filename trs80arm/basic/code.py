@@ -17,8 +17,9 @@ from functools import partial
 from types import CellType, FrameType, FunctionType
 from typing import Any, Final, NamedTuple
 
-from trs80arm.basic import addresses, characters, costs
-from trs80arm.basic.compiler.emitter import MARGIN, Emitter, Mark, TooDeep
+from trs80arm.basic import addresses, characters, costs, words
+from trs80arm.basic.compiler.draft import Mistake
+from trs80arm.basic.compiler.emitter import MARGIN, Emitter, Mark, Next, TooDeep
 from trs80arm.basic.compiler.reader import Reader
 from trs80arm.basic.compiler.scope import Assumptions, Scope
 from trs80arm.basic.compiler.statements import StatementCompiler
@@ -38,6 +39,7 @@ _MOST: Final = 2_000_000
 _STRETCH: Final = 2**29
 """T-states after which blocks are begun anew: what they count with stays a small number."""
 _LOWEST = 0x4000
+_NEXT: Final = bytes((words.TOKENS["NEXT"],))
 _LINE_HEAD = 5
 """A line's final zero, link and number; where these do not fit there is no statement."""
 _DEEPEST = 200_000
@@ -380,6 +382,7 @@ class CompiledCode:
         out = Emitter()
         out.lead(address, self._state.control.frames[-1])
         scope = self._scope(types)
+        out.next_at = partial(self._next_at, scope)
         loops = self._loops()
         here: int | None = address
         seen: set[int] = set()
@@ -487,6 +490,28 @@ class CompiledCode:
         compiler = StatementCompiler(reader, out, scope, program, line, loops, state.armbasic)
         goes_on = reader.address if compiler.compile() else None
         return Written(goes_on, compiler.plain, compiler.paced, compiler.observes)
+
+    def _next_at(self, scope: Scope, address: int, loops: list[Key]) -> Next | None:
+        """The NEXT, of one loop, that a line begins with; the line's address less one is given."""
+        program = self._state.program
+        text = program.text_from(address + _LINE_HEAD)
+        if text[:1] != _NEXT or self._state.memory.ram[address]:
+            return None
+        out = Emitter()
+        reader = Reader(text, address + _LINE_HEAD, out)
+        reader.advance()
+        key = None
+        compiler = StatementCompiler(reader, out, scope, program, DIRECT, [], self._state.armbasic)
+        if not reader.at_end:
+            try:
+                key = compiler.expressions.name()
+            except Mistake:
+                return None
+            if not reader.at_end or not scope.exists(key):
+                return None
+        out = Emitter()
+        self._write(address, out, scope, loops.copy())
+        return Next(key, out.cost, out.reach)
 
     def find_target(self, address: int) -> tuple[Any, int]:
         """The variable whose name stands at an address (INPUT's list), and what stands behind it.

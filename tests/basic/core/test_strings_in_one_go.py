@@ -63,7 +63,7 @@ def test_put_together_or_step_by_step_is_the_same(
     room: int, targets: list[str], texts: list[str], compared: str
 ) -> None:
     at_once = _after(room, targets, texts, compared)
-    with mock.patch.object(pieces, "_room", return_value="False"):
+    with mock.patch.object(pieces, "_room", return_value="(size := 0)"):
         assert _after(room, targets, texts, compared) == at_once
     with mock.patch.object(pieces, "with_piece", lambda value, *_: value):
         assert _after(room, targets, texts, compared) == at_once

@@ -10,6 +10,7 @@ that a statement that fails is charged for what it has done.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import lru_cache
 from types import CellType, CodeType, FunctionType
 from typing import Any, Final, NamedTuple
@@ -118,6 +119,20 @@ class Loop(NamedTuple):
     calls: int
 
 
+class Next(NamedTuple):
+    """A NEXT that a jump goes to.
+
+    Attributes:
+        key: the variable, None where none is named.
+        cost: T-states from the beginning of its line.
+        reach: the highest address of its text.
+    """
+
+    key: Key | None
+    cost: int
+    reach: int
+
+
 class UnlistedName(Exception):  # noqa: N818 - never raised unless the compiler is wrong
     """Generated text uses a name that is in no list."""
 
@@ -146,6 +161,7 @@ class Emitter:
         reach: the highest address of the program's text that the function was made from.
         around: the open loop whose body begins where the block does, if there is one.
         strings: text of the characters of string variables that a block knows, by their names.
+        next_at: tells of a block's jumps whether they go to a NEXT, while certain loops are open.
     """
 
     def __init__(self, *, flat: bool = False) -> None:
@@ -173,6 +189,7 @@ class Emitter:
         self.followed: int | None = None
         self.calls_code = False
         self.strings: dict[str, str] = {}
+        self.next_at: Callable[[int, list[Key]], Next | None] | None = None
         self._charged = 0
 
     def lead(self, address: int, frame: Frame) -> None:

@@ -29,6 +29,7 @@ class FlowCompiler:
         expressions: who reads conditions and limits.
         statement: compiles the statement behind a THEN or an ELSE; whether control goes on
             behind it.
+        step: writes the step of a loop for a jump to its NEXT.
         program: to find lines.
         line: the number of the line that is compiled, 65535 for a direct one.
     """
@@ -38,6 +39,7 @@ class FlowCompiler:
         draft: Draft,
         expressions: ExpressionCompiler,
         statement: Callable[[], bool],
+        step: Callable[[int], None],
         program: Program,
         line: int,
     ) -> None:
@@ -47,6 +49,7 @@ class FlowCompiler:
         self._scope = draft.scope
         self._expressions = expressions
         self._statement = statement
+        self._step = step
         self._program = program
         self._line = line
 
@@ -87,7 +90,9 @@ class FlowCompiler:
         self._out.cost += _GOTO.work
         number = self._line_number()
         self._pass_rest()
-        self._out.go(self._jump_address(number))
+        address = self._jump_address(number)
+        self._step(address)
+        self._out.go(address)
 
     def goto_statement(self, _word: Word) -> bool:
         """GOTO n."""

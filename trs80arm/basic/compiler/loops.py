@@ -247,6 +247,40 @@ class LoopCompiler:
             out.indent -= 1
         out.end_loop()
 
+    def step_at(self, address: int) -> None:
+        """A jump goes to an address: where the NEXT of the loop at work stands there, its step.
+
+        If the loop does not go on, or needs a closer look, the jump goes to the NEXT itself.
+        """
+        out, loops = self._out, self._loops
+        found = out.next_at(address, loops) if loops and out.next_at else None
+        if found is None or found.key not in (None, loops[-1]):
+            return
+        key, charged = loops[-1], out.cost
+        loop, around = out.loops[-1] if out.loops else None, out.around
+        frame, limit, step = KNOWN_LOOP, KNOWN_LIMIT, 0.0
+        if loop is not None:
+            if loop.key != key:
+                return
+            frame, limit, step = loop.frame, loop.limit, loop.step
+        elif around and around.scalar is self._scope.object(key) and _usual(around.step):
+            step = around.step
+            out.know_loop_around(self._scalar(key), step, f"{frame}.limit", _beyond(step), False)
+        else:
+            return
+        name = out.cell(self._scope.cell_name(key), self._scope.scalar(key).cell, stored=True)
+        out.depends_on(found.reach)
+        out.cost += found.cost
+        out.emit(f"if {frame} is frames[-1] and {_short_step(name, key, step, limit)}:")
+        out.indent += 1
+        out.emit(f"{name} = s")
+        if loop is not None:
+            out.go_round()
+        else:
+            out.go_to_start()
+        out.indent -= 1
+        out.cost = charged
+
     def _go_round_or_on(self, name: str, loop: Loop, whole: str) -> None:
         """The step, and the body again if the loop goes on."""
         out = self._out

@@ -216,10 +216,14 @@ def _number(out: Emitter, text: str, *, simple: bool) -> tuple[str, tuple[tuple[
     return name, ((name, text),)
 
 
-def _room(size: str, length: str | None) -> str:
-    """Text that is true where a string can be stored without more ado (`StringSpace`)."""
+def _room(joined: str | None) -> str:
+    """Text that is true where a string can be stored without more ado (`StringSpace`).
+
+    Args:
+        joined: characters that may be too many; how many is kept as `size`.
+    """
     room = f"{addresses.PROGRAM} <= space.bottom <= low"
-    short = f" and {length} <= {LONGEST_STRING}" if length else ""
+    short = f" and (size := len({joined})) <= {LONGEST_STRING}" if joined else ""
     return f"{room} and high < ram_end and not space.temporaries{short}"
 
 
@@ -242,20 +246,23 @@ def store(out: Emitter, target: str, piece: Piece) -> None:
     written = _written(piece.stored)
     if not written.isidentifier():
         written = out.keep(written)
-    size = f"len({written})"
-    length = f"len({piece.text})"
     out.emit("high = space.next")
-    out.emit(f"low = high - {size}")
-    room = _room(size, length if piece.joined else None)
+    out.emit(f"low = high - len({written})")
+    room = _room(piece.text if piece.joined else None)
+    length = f"len({piece.text})"
+    if piece.joined:
+        length = "size"
+    elif written == piece.text:
+        length = "high - low"
     out.emit(f"if {' and '.join((*piece.present, room))}:")
     out.indent += 1
     if kept:
         out.emit(f"{kept} = True")
     out.emit(f"view[low + 1 : high + 1] = {written}")
     out.emit("space.next = low")
-    out.emit(f"{target}[0] = {size if written == piece.text else length}")
+    out.emit(f"{target}[0] = {length}")
     out.emit(f"{target}[1] = low + 1")
-    out.charge_found(" + ".join((f"{size} * {costs.STRING_BYTE}", *piece.extra)))
+    out.charge_found(" + ".join((f"(high - low) * {costs.STRING_BYTE}", *piece.extra)))
     out.indent -= 1
     if kept:
         out.indent -= 1

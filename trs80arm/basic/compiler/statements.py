@@ -86,7 +86,12 @@ class StatementCompiler:
     def flow(self) -> FlowCompiler:
         """GOTO, IF and so on."""
         return FlowCompiler(
-            self._draft, self.expressions, self._statement, self._program, self._line
+            self._draft,
+            self.expressions,
+            self._statement,
+            self._step,
+            self._program,
+            self._line,
         )
 
     @cached_property
@@ -120,6 +125,11 @@ class StatementCompiler:
     def commands(self) -> CommandCompiler:
         """END, LIST and so on, and what is passed."""
         return CommandCompiler(self._draft)
+
+    def _step(self, address: int) -> None:
+        """On one of several ways through a block it goes to an address: perhaps a loop's NEXT."""
+        if self._out.in_block and not self._out.straight:
+            self.loops.step_at(address)
 
     # -- the statement ------------------------------------------------------------------------
 

@@ -289,8 +289,7 @@ gets BREAK.
                 lesson.put(place, position)
                 self.show()
 
-        hand = self._means.look().model.hand
-        self.open(EditPoint(lesson.positions[place], hand.pound_steps), edited)
+        self.open(EditPoint(lesson.positions[place]), edited)
 
     # -- what moves -------------------------------------------------------------------------------
 
