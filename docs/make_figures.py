@@ -21,7 +21,8 @@ HEAD = """# The article's figures
 The figures of John W. Hill's *Introducing Mini Mover 5* (Robotics Age, 1980), drawn from the model
 that runs: lengths, ranges, ratios, signs, addresses and keys are those of arm, card and keyboard,
 so another setting is another figure. `trs80arm figure 3` prints one as text, `-o FILE.svg` draws it
-(`.png` and `.pdf`, and the charts, need the extra `plot`); `--arm teachmover` is of the later arm.
+(`.png` and `.pdf`, and the charts, need the extra `plot`); `--arm teachmover` is of the later arm,
+but for Figure 12 and Table 1, which are the article's arm's own.
 The printed ones are lost; what they showed is known from their captions and from the text.
 """
 

@@ -51,7 +51,7 @@ from trs80arm.works.key_events import KeyEvents
 from trs80arm.works.named_variables import NamedVariables
 from trs80arm.works.observers import Observers, attach
 from trs80arm.works.running import Running
-from trs80arm.works.trial import try_out
+from trs80arm.works.trial import try_out, use_up
 
 __all__ = [
     "TURNED_BY_HAND",
@@ -809,8 +809,14 @@ class Rig:
             SnapshotError: the bytes are no snapshot of this version, or of a machine that no
                 program could have brought about; the rig stays as it is.
         """
-        try_out(snapshots.decode(snapshot, self.settings.rom))
-        self.go_back(snapshot)
+        works = snapshots.decode(snapshot, self.settings.rom)
+        if works.settings.rom is None:
+            try_out(works)
+        else:
+            # Its processor is a chip with a state of its own, which no copy has.
+            use_up(snapshots.decode(snapshot, self.settings.rom))
+        works.use_places(self.settings)
+        self._use(works)
 
     def go_back(self, snapshot: bytes) -> None:
         """Go back to a state that this rig's own `snapshot` gave: `restore` without the trial."""

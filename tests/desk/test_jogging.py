@@ -11,7 +11,6 @@ from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.models import MODELS
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.desk.jogging import (
-    CLOSING,
     LONGEST_PIECE,
     STEP_SIZES,
     Coordinates,
@@ -140,13 +139,23 @@ def test_a_joint_goes_as_far_as_it_can() -> None:
     assert plan.problem == "beyond the stop: base +-90"
 
 
-def test_the_hand_closes_in_looks_at_its_switch_and_no_farther_than_it_can() -> None:
-    start = standing(pose=Pose(8.0, 0.0, 3.0, -90.0, 0.0, 0.2))
+@pytest.mark.parametrize(("model", "half_pound"), [("minimover5", 26), ("teachmover", 16)])
+def test_the_hand_closes_in_looks_at_its_switch_and_no_farther_than_it_can(
+    model: str, half_pound: int
+) -> None:
+    start = standing(model, Pose(8.0, 0.0, 3.0, -90.0, 0.0, 0.2))
     closing = (0, 0, 0, 0, 0, -1)
     plan = Jogger().plan(start, Coordinates.WORLD, closing, INCH)
     assert plan.closes
-    assert all(-CLOSING <= piece[5] < 0 for piece in plan.pieces)
-    assert sum(piece[5] for piece in plan.pieces) == -(124 + 7)
+    assert {-piece[5] for piece in plan.pieces[:-1]} == {half_pound}
+    assert 0 < -plan.pieces[-1][5] <= half_pound
+    hand = start.model.hand
+    assert sum(piece[5] for piece in plan.pieces) == pytest.approx(
+        -(0.2 * start.model.hand_steps + hand.switch_steps), abs=0.5
+    )
+
+
+def test_the_hand_opens_as_far_as_it_goes() -> None:
     wide = standing(pose=Pose(8.0, 0.0, 3.0, -90.0, 0.0, 2.9))
     opened = jogged(wide, Coordinates.WORLD, (0, 0, 0, 0, 0, 1), size=StepSize(9, 0.5, 5))[-1]
     assert 2.9 < opened.pose.opening <= 3.0

@@ -106,3 +106,26 @@ def test_the_palette_names_what_the_rows_want() -> None:
     assert {"View: arm", "View: keyboard", "View: weather"} < set(titles)
     assert {"View: registers large", "View: weather large"} < set(titles)
     assert not {"View: tube", "View: keyboard large"} & set(titles)
+
+
+@piloted
+async def test_a_panel_is_mounted_when_it_is_first_shown_and_in_its_place(
+    sit_down: Opener,
+) -> None:
+    async with sit_down(80, 24) as sitting:
+        desk = sitting.app.desk
+        rows = [row.id for row in PANELS]
+
+        def mounted() -> list[str | None]:
+            return [child.id for child in desk.children if child.id in rows]
+
+        first = mounted()
+        assert first == [row for row in rows if desk.panels[row].display]
+        assert len(first) < len(rows) / 2
+        desk.zoom("paper")
+        await sitting.settle()
+        assert mounted() == [row for row in rows if row in {*first, "paper"}]
+        assert desk.panels["paper"].outer_size == (80, 22)
+        desk.zoom("paper")
+        await sitting.settle()
+        assert "paper" in mounted()

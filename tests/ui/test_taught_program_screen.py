@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from textual.widgets import Input
+from textual.widgets import Input, Static
 
 from tests.desk.test_teach import pick_and_place
 from tests.goldens import check_golden
@@ -131,7 +131,7 @@ class Editing(Themed[None]):
         def edited(position: object) -> None:
             self.edited = position
 
-        self.push_screen(EditPoint(self.lesson.positions[0]), edited)
+        self.push_screen(EditPoint(self.lesson.positions[0], 32), edited)
 
 
 @piloted
@@ -139,6 +139,7 @@ async def test_a_point_is_edited_and_nonsense_is_refused() -> None:
     desk = Editing()
     async with desk.run_test(size=(80, 24)) as pilot:
         await pilot.pause()
+        assert any("(32 a pound)" in str(hint.content) for hint in desk.screen.query(Static))
         for line, value in (
             ("name", "up there"),
             ("comment", "wait here"),

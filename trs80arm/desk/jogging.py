@@ -25,8 +25,8 @@ LONGEST_PIECE = 0.25
 hundredth of an inch."""
 LARGEST_TURN = 10.0
 """Degrees of pitch or roll that one `@STEP` turns the hand about the fingertip."""
-CLOSING = 26
-"""Half-steps of the hand between two looks at the grip switch: half a pound."""
+CLOSING = 0.5
+"""Pounds by which the hand closes between two looks at the grip switch."""
 BELOW_TABLE = 0.02
 """Inches by which the fingertip may be below the table before that is said to be out of reach."""
 HALVINGS = 4
@@ -223,20 +223,21 @@ class Jogger:
     def _hand(self, stance: Stance, way: int, coordinates: Coordinates, size: StepSize) -> Plan:
         hand = stance.model.hand
         joint = coordinates is Coordinates.JOINT
+        piece = round(CLOSING * hand.pound_steps)
         steps = size.half_steps if joint else round(size.inches * stance.model.hand_steps)
         if way > 0:
             return _within_reach(stance, (0, 0, 0, 0, 0, steps))
         if stance.switch_closed:
             room = int((hand.full_grip - stance.force) * hand.pound_steps)
-            steps = min(steps, CLOSING, room)
+            steps = min(steps, piece, room)
             if steps <= 0:
                 return Plan(problem=f"the hand holds with all it has, {hand.full_grip:g} lb")
             return Plan(((0, 0, 0, 0, 0, -steps),))
         # As far as the switch closes on nothing at all.
         cable = round(stance.opening * stance.model.hand_steps) + hand.switch_steps
         steps = min(steps, cable)
-        whole, rest = divmod(max(steps, 0), CLOSING)
-        parts = [CLOSING] * whole + [rest] * (rest > 0)
+        whole, rest = divmod(max(steps, 0), piece)
+        parts = [piece] * whole + [rest] * (rest > 0)
         return Plan(
             tuple((0, 0, 0, 0, 0, -part) for part in parts),
             "" if parts else "the hand is closed",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from dataclasses import astuple
 
 from trs80arm.machine.clock import T_STATES_PER_SECOND
@@ -20,7 +21,23 @@ _BREAK = 1 / 10
 
 
 def try_out(works: Works) -> None:
-    """Let works run for a moment, with nobody looking on.
+    """Let a copy of works run for a moment, with nobody looking on.
+
+    Args:
+        works: they have no ROM of their own.
+
+    Raises:
+        SnapshotError: they cannot.
+    """
+    try:
+        copy: Works = pickle.loads(pickle.dumps(works, pickle.HIGHEST_PROTOCOL))
+    except Exception:
+        raise SnapshotError("no snapshot: a machine in a state that cannot be") from None
+    use_up(copy)
+
+
+def use_up(works: Works) -> None:
+    """Let works run for a moment that are not wanted afterwards.
 
     Raises:
         SnapshotError: they cannot.

@@ -7,6 +7,7 @@ need not be listed here again.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any, Final
 
 from trs80arm.basic import words
@@ -116,7 +117,7 @@ def environment(state: State) -> dict[str, Any]:
     """All names for the compiled statements of one machine.
 
     Raises:
-        NamesError: a name that stands for nothing or for two things, or a routine without a name.
+        NamesError: as `_routines`.
     """
     names: dict[str, Any] = {
         "__builtins__": {},
@@ -133,16 +134,34 @@ def environment(state: State) -> dict[str, Any]:
         **FUNCTIONS,
         **known_functions(state.clock),
     }
-    called = set(words.CALLS)
-    for kind, listed in ROUTINES.items():
+    for kind, routines in _routines(frozenset(names), words.CALLS):
         part = kind(state)
+        names.update((name, getattr(part, name)) for name in routines)
+    return names
+
+
+@cache
+def _routines(others: frozenset[str], called: frozenset[str]) -> list[tuple[type[Part], list[str]]]:
+    """The parts of the runtime with the names of all their routines: the same for every machine.
+
+    Args:
+        others: the names that stand for something else.
+        called: what rows of `words` call.
+
+    Raises:
+        NamesError: a name that stands for nothing or for two things, or a routine without a name.
+    """
+    found = []
+    names = set(others)
+    for kind, listed in ROUTINES.items():
         routines = {name for name in dir(kind) if not name.startswith("_")}
         missing = set(listed) - routines
         unlisted = routines - set(listed) - called
-        twice = routines & names.keys()
+        twice = routines & names
         if missing or unlisted or twice:
             raise NamesError(f"{kind.__name__}: {sorted(missing | unlisted | twice)}")
-        names.update((name, getattr(part, name)) for name in routines)
-    if called - names.keys():
-        raise NamesError(f"words: {sorted(called - names.keys())}")
-    return names
+        names |= routines
+        found.append((kind, sorted(routines)))
+    if called - names:
+        raise NamesError(f"words: {sorted(called - names)}")
+    return found

@@ -92,13 +92,7 @@ class _Ahead:
         return zip(given, results, strict=True)
 
 
-def _known(
-    clock: Clock,
-    usual: int,
-    name: str,
-    function: Callable[[float], float],
-    easy: dict[float, int],
-) -> dict[float, float]:
+class _Known(dict[float, float]):
     """A function's results by its arguments.
 
     Args:
@@ -108,55 +102,69 @@ def _known(
         function: what computes a result; `BasicError` where there is none.
         easy: T-states for the arguments that take another time.
     """
-    ahead = _Ahead(name, function) if name in _TOGETHER else None
 
-    class Known(dict[float, float]):
-        def __missing__(self, argument: float) -> float:
-            # Names of the function around it are found faster than attributes.
-            try:
-                result = function(argument)
-            except BasicError:
-                clock.now -= usual
-                raise
-            if argument in easy:
-                clock.now += easy[argument] - usual
-                return result
-            if len(self) >= MOST:
-                self.clear()
-            self[argument] = result
-            if ahead is not None and ahead.seen(argument):
-                if len(self) > MOST - _MOST_AHEAD:
-                    self.clear()
-                self.update(ahead.results())
-                for each in easy:
-                    self.pop(each, None)
+    __slots__ = ("_ahead", "_clock", "_easy", "_function", "_usual")
+
+    def __init__(
+        self,
+        clock: Clock,
+        usual: int,
+        name: str,
+        function: Callable[[float], float],
+        easy: dict[float, int],
+    ) -> None:
+        self._clock = clock
+        self._usual = usual
+        self._function = function
+        self._easy = easy
+        self._ahead = _Ahead(name, function) if name in _TOGETHER else None
+
+    def __missing__(self, argument: float) -> float:
+        try:
+            result = self._function(argument)
+        except BasicError:
+            self._clock.now -= self._usual
+            raise
+        if argument in self._easy:
+            self._clock.now += self._easy[argument] - self._usual
             return result
+        if len(self) >= MOST:
+            self.clear()
+        self[argument] = result
+        ahead = self._ahead
+        if ahead is not None and ahead.seen(argument):
+            if len(self) > MOST - _MOST_AHEAD:
+                self.clear()
+            self.update(ahead.results())
+            for each in self._easy:
+                self.pop(each, None)
+        return result
 
-    return Known()
 
-
-def _known_powers(clock: Clock) -> dict[tuple[float, float], float]:
+class _KnownPowers(dict[tuple[float, float], float]):
     """The same of the power, by base and exponent."""
 
-    class Known(dict[tuple[float, float], float]):
-        def __missing__(self, pair: tuple[float, float]) -> float:
-            base, exponent = pair
-            try:
-                result = functions.power(base, exponent)
-            except BasicError:
-                clock.now -= costs.POWER
-                raise
-            if not exponent:
-                clock.now -= costs.POWER_BY_ZERO
-            elif base in (0.0, 1.0):
-                clock.now -= costs.POWER_OF_ONE if base else costs.POWER_OF_ZERO
-            else:
-                if len(self) >= MOST:
-                    self.clear()
-                self[pair] = result
-            return result
+    __slots__ = ("_clock",)
 
-    return Known()
+    def __init__(self, clock: Clock) -> None:
+        self._clock = clock
+
+    def __missing__(self, pair: tuple[float, float]) -> float:
+        base, exponent = pair
+        try:
+            result = functions.power(base, exponent)
+        except BasicError:
+            self._clock.now -= costs.POWER
+            raise
+        if not exponent:
+            self._clock.now -= costs.POWER_BY_ZERO
+        elif base in (0.0, 1.0):
+            self._clock.now -= costs.POWER_OF_ONE if base else costs.POWER_OF_ZERO
+        else:
+            if len(self) >= MOST:
+                self.clear()
+            self[pair] = result
+        return result
 
 
 def _powers_of_one_exponent(clock: Clock) -> dict[str, dict[float, float]]:
@@ -168,39 +176,38 @@ def _powers_of_one_exponent(clock: Clock) -> dict[str, dict[float, float]]:
         return lambda base: functions.power(base, exponent)
 
     return {
-        name: _known(clock, usual, name, power(exponent), easy)
+        name: _Known(clock, usual, name, power(exponent), easy)
         for exponent, name in functions.OF_ONE_EXPONENT.items()
     }
 
 
-def _known_texts() -> dict[Any, tuple[bytes, int]]:
+class _KnownTexts(dict[Any, tuple[bytes, int]]):
     """What STR$ gives, and T-states beside those of moving its bytes."""
 
-    class Known(dict[Any, tuple[bytes, int]]):
-        def __missing__(self, value: int | float) -> tuple[bytes, int]:
-            text = decimal.number_text(value)
-            time = costs.number_text(value, text) - costs.STRING_BYTE * len(text)
-            if len(self) >= MOST:
-                self.clear()
-            result = self[value] = text.encode("ascii"), time
-            return result
+    __slots__ = ()
 
-    return Known()
+    def __missing__(self, value: int | float) -> tuple[bytes, int]:
+        text = decimal.number_text(value)
+        time = costs.number_text(value, text) - costs.STRING_BYTE * len(text)
+        if len(self) >= MOST:
+            self.clear()
+        result = self[value] = text.encode("ascii"), time
+        return result
 
 
 def known_functions(clock: Clock) -> dict[str, dict[Any, Any]]:
     """The functions of one machine by their names."""
     return {
-        "sin": _known(clock, costs.SIN, "sin", functions.sin, costs.EASY_SIN),
-        "cos": _known(clock, costs.COS, "cos", functions.cos, costs.EASY_COS),
-        "tan": _known(clock, costs.TAN, "tan", functions.tan, costs.EASY_TAN),
-        "atn": _known(clock, costs.ATN, "atn", functions.atn, costs.EASY_ATN),
-        "log": _known(clock, costs.LOG, "log", functions.log, costs.EASY_LOG),
-        "exp": _known(clock, costs.EXP, "exp", functions.exp, costs.EASY_EXP),
-        "sqr": _known(clock, costs.SQR, "sqr", functions.sqr, costs.EASY_SQR),
-        "power": _known_powers(clock),
+        "sin": _Known(clock, costs.SIN, "sin", functions.sin, costs.EASY_SIN),
+        "cos": _Known(clock, costs.COS, "cos", functions.cos, costs.EASY_COS),
+        "tan": _Known(clock, costs.TAN, "tan", functions.tan, costs.EASY_TAN),
+        "atn": _Known(clock, costs.ATN, "atn", functions.atn, costs.EASY_ATN),
+        "log": _Known(clock, costs.LOG, "log", functions.log, costs.EASY_LOG),
+        "exp": _Known(clock, costs.EXP, "exp", functions.exp, costs.EASY_EXP),
+        "sqr": _Known(clock, costs.SQR, "sqr", functions.sqr, costs.EASY_SQR),
+        "power": _KnownPowers(clock),
         **_powers_of_one_exponent(clock),
         # 7 and 7.0 are the same key, but not the same time.
-        "shown_integers": _known_texts(),
-        "shown_singles": _known_texts(),
+        "shown_integers": _KnownTexts(),
+        "shown_singles": _KnownTexts(),
     }

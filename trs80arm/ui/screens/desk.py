@@ -104,6 +104,7 @@ class DeskScreen(Layer):
         self.panels = {row.id: row.make(id=row.id) for row in rows}
         for panel in self.panels.values():
             panel.add_class("placed")
+            panel.display = False
         self._scopes = [panel for panel in self.panels.values() if isinstance(panel, ScopePanel)]
         [self.tube] = (panel for panel in self.panels.values() if isinstance(panel, Tube))
         self._arm_views = [panel for panel in self.panels.values() if isinstance(panel, ArmView)]
@@ -134,13 +135,23 @@ class DeskScreen(Layer):
         self._stood: tuple[object, ...] = ()
 
     def compose(self) -> ComposeResult:
-        """All panels; where they stand is decided by `lay_out`."""
+        """What is shown at first, as `lay_out` has decided; a panel is mounted when it is shown."""
         yield self._too_small
-        for row in self._rows:
-            yield self.panels[row.id]
+        yield from (panel for panel in self.panels.values() if panel.display)
         yield self._guide
         yield self.status
         yield self._bar
+
+    def _mount_shown(self) -> None:
+        """Mount panels that are shown for the first time, each in its row's place."""
+        before: Widget = self._guide
+        if not before.is_attached:
+            return
+        for panel in reversed(self.panels.values()):
+            if panel.display and not panel.is_attached:
+                self.mount(panel, before=before)
+            if panel.is_attached:
+                before = panel
 
     def on_screen_suspend(self) -> None:
         """A dialog opened."""
@@ -186,6 +197,7 @@ class DeskScreen(Layer):
                     panel.set_class(frames is kind and with_rule, kind.value)
                 panel.set_class(panel is leading, "leading")
         self._shown = [(row.cadence, self.panels[row.id]) for row in self._rows if row.id in places]
+        self._mount_shown()
         self._too_small.display = not places
         self._too_small.update(TOO_SMALL.format(*layout.SMALLEST, width, height))
         self.numbers_due = 0.0

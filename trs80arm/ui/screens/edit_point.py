@@ -40,9 +40,16 @@ class EditPoint(Dialog[Position]):
         Binding("up", "app.focus_previous", show=False),
     ]
 
-    def __init__(self, position: Position) -> None:
+    def __init__(self, position: Position, pound_steps: float) -> None:
+        """Ask.
+
+        Args:
+            position: as it is.
+            pound_steps: half-steps by which the arm's hand closes for a pound.
+        """
         super().__init__()
         self._position = position
+        self._pound_steps = pound_steps
 
     def compose(self) -> ComposeResult:
         """Five lines."""
@@ -57,7 +64,8 @@ class EditPoint(Dialog[Position]):
             yield Static("Registers J1 to J6, in half-steps", classes="hint", markup=False)
             yield Input(" ".join(map(str, position.registers)), id="registers")
             yield Static(
-                "Hand: open, or how many half-steps it closes beyond the grip switch (52 a pound)",
+                "Hand: open, or how many half-steps it closes beyond the grip switch "
+                f"({self._pound_steps:g} a pound)",
                 classes="hint",
                 markup=False,
             )

@@ -289,7 +289,8 @@ gets BREAK.
                 lesson.put(place, position)
                 self.show()
 
-        self.open(EditPoint(lesson.positions[place]), edited)
+        hand = self._means.look().model.hand
+        self.open(EditPoint(lesson.positions[place], hand.pound_steps), edited)
 
     # -- what moves -------------------------------------------------------------------------------
 
