@@ -8,10 +8,10 @@ import os
 import pty
 import re
 import select
-import subprocess
 import sys
 import termios
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,6 +22,7 @@ from textual.strip import Strip
 from textual.widgets._toast import Toast
 from textual_image.renderable import SixelImage, TGPImage
 
+from tests import warm_start
 from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
@@ -226,10 +227,7 @@ except NoPixelsError as error:
 def test_the_terminal_is_asked_and_not_waited_for(answers: dict[bytes, bytes], found: str) -> None:
     master, slave = pty.openpty()
     termios.tcsetwinsize(slave, (0, 0) if found == "NONE" else (24, 80))
-    process = subprocess.Popen(
-        [sys.executable, "-c", ASKED], stdin=slave, stdout=slave, stderr=slave
-    )
-    os.close(slave)
+    process = warm_start.start(ASKED, [], slave, Path.cwd(), dict(os.environ))
     left, output, until = dict(answers), b"", time.monotonic() + 40
     while b"PIXELS" not in output and b"NONE" not in output:
         assert time.monotonic() < until, output
@@ -238,6 +236,7 @@ def test_the_terminal_is_asked_and_not_waited_for(answers: dict[bytes, bytes], f
         for question in [question for question in left if question in output]:
             os.write(master, left.pop(question))
     assert process.wait(20) == 0
+    os.close(slave)
     os.close(master)
     assert found.encode() in output
     assert b"Traceback" not in output

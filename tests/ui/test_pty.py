@@ -15,9 +15,11 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TypeAlias
 
 import pytest
 
+from tests import warm_start
 from trs80arm.desk import recording
 from trs80arm.files import load_program
 
@@ -49,6 +51,25 @@ CODES = re.compile(
 )
 
 
+Process: TypeAlias = "warm_start.Started | subprocess.Popen[bytes]"
+Start: TypeAlias = Callable[[str, list[str], int, Path, dict[str, str]], Process]
+
+
+def start_afresh(
+    script: str, arguments: list[str], slave: int, folder: Path, environment: dict[str, str]
+) -> subprocess.Popen[bytes]:
+    """Start Python as a shell does, with all that it has to import."""
+    return subprocess.Popen(
+        [sys.executable, "-c", script, *arguments],
+        stdin=slave,
+        stdout=slave,
+        stderr=slave,
+        env=environment,
+        cwd=folder,
+        start_new_session=True,
+    )
+
+
 class Terminal:
     """A terminal with a program in it.
 
@@ -57,10 +78,17 @@ class Terminal:
         arguments: of the program.
         script: what Python runs.
         folder: for the program's files.
+        start: starts it.
     """
 
     def __init__(
-        self, folder: Path, arguments: list[str], *, reports: bool, script: str = PROGRAM
+        self,
+        folder: Path,
+        arguments: list[str],
+        *,
+        reports: bool,
+        script: str = PROGRAM,
+        start: Start = warm_start.start,
     ) -> None:
         self.reports = reports
         self.output = b""
@@ -75,15 +103,7 @@ class Terminal:
             "TRS80ARM_CONFIG": str(folder / "settings.toml"),
         }
         self.slave = slave
-        self.process = subprocess.Popen(
-            [sys.executable, "-c", script, *arguments],
-            stdin=slave,
-            stdout=slave,
-            stderr=slave,
-            env=environment,
-            cwd=folder,
-            start_new_session=True,
-        )
+        self.process = start(script, arguments, slave, folder, environment)
 
     def read(self, seconds: float) -> None:
         """Take what the program writes, and answer what a terminal answers."""
@@ -204,10 +224,14 @@ class Terminal:
 
 @contextmanager
 def terminal(
-    folder: Path, *arguments: str, reports: bool = False, script: str = PROGRAM
+    folder: Path,
+    *arguments: str,
+    reports: bool = False,
+    script: str = PROGRAM,
+    start: Start = warm_start.start,
 ) -> Iterator[Terminal]:
     """A terminal that is cleared away at the end."""
-    one = Terminal(folder, list(arguments), reports=reports, script=script)
+    one = Terminal(folder, list(arguments), reports=reports, script=script, start=start)
     try:
         one.wait_for("READY")
         yield one
@@ -288,7 +312,7 @@ def test_a_terminal_without_releases_jogs_by_taps(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("reports", [True, False])
 def test_ctrl_c_twice_leaves_the_terminal_as_it_was(tmp_path: Path, reports: bool) -> None:
-    with terminal(tmp_path, reports=reports) as one:
+    with terminal(tmp_path, reports=reports, start=start_afresh) as one:
         one.read(0.3)
         one.send("\x1b[99;5u\x1b[99;5:3u" if reports else "\x03")
         one.wait_for("Leave trs80arm?")
