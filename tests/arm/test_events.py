@@ -129,6 +129,33 @@ def test_taken_and_let_fall_is_told_in_two_lines() -> None:
     assert fell == f"block fell {height:.2f} in"
 
 
+RIDER = """
+[[part]]
+name = "rider"
+at = [8.1, 0]
+bottom = 0.5
+size = [0.5, 0.4, 0.3]
+weight = 0.5
+"""
+
+
+@pytest.mark.parametrize("pause", [[], ["FOR I=1 TO 300:NEXT"]], ids=["at once", "after a pause"])
+def test_what_rides_on_what_is_let_fall_falls_as_far(pause: list[str]) -> None:
+    carry = "@STEP 150,200", *pause, "@STEP 60,0,0,0,0,0,100"
+    told = story(BLOCK + RIDER, *TAKE, *pause, *carry)
+    assert [" ".join(line.split()[:2]) for line in told] == ["block in", "block fell", "rider fell"]
+    fallen, ridden = (float(line.split()[2]) for line in told[1:])
+    assert fallen > 0.7
+    assert ridden == pytest.approx(fallen, abs=0.15)
+
+
+def test_what_rides_on_what_is_set_down_is_not_told_of() -> None:
+    told = story(
+        BLOCK + RIDER, *TAKE, "@STEP 150,200", "@STEP 150,0,100,-27", "@STEP 60,0,0,0,0,0,100"
+    )
+    assert told == ["block in the hand", "block set down"]
+
+
 def test_what_the_closed_hand_loses_has_slipped_out_and_was_not_set_down() -> None:
     corner = BLOCK.replace("0, 0.3]", "0, 0.495]").replace("at = [8, 0]\n", "at = [8.795, 0]\n")
     taken, lost = story(corner, *TAKE)

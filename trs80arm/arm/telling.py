@@ -6,6 +6,7 @@ One piece of news for one happening: it is told when a part has come to rest.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.events import EventKind
@@ -28,12 +29,14 @@ class Telling:
         self._moved: dict[str, Vector] = {}
         self._let_go: set[str] = set()
         self._lost: set[str] = set()
+        self._riding: tuple[str, ...] = ()
 
     def clear(self) -> None:
         """Begin anew."""
         self._moved.clear()
         self._let_go.clear()
         self._lost.clear()
+        self._riding = ()
 
     def taken(self, name: str) -> None:
         """A part is in the hand: where it was moved from does not matter any more.
@@ -58,12 +61,14 @@ class Telling:
         (self._let_go if opened else self._lost).add(name)
         part.began = (part.place, part.upwards)
 
-    def look(self, asleep: set[str]) -> None:
+    def look(self, asleep: set[str], riders: Sequence[str]) -> None:
         """News of what has come to rest.
 
         Args:
             asleep: names of what slept before.
+            riders: names of what rides on what is in the hand.
         """
+        self._ride(riders)
         for name, part in self._bench.parts.items():
             if not part.asleep:
                 if name in asleep:
@@ -76,6 +81,18 @@ class Telling:
             elif name not in asleep or name in self._let_go | self._lost:
                 self._settled(name, part)
         self._bench.deliver()
+
+    def _ride(self, riders: Sequence[str]) -> None:
+        """What rides begins where it is when it rides no more, wherever it was taken up."""
+        parts = self._bench.parts
+        for name in dict.fromkeys((*self._riding, *riders)):
+            if (part := parts.get(name)) is None:
+                continue
+            part.began = (part.place, part.upwards)
+            self._moved.pop(name, None)
+            if name not in riders:
+                self._moved[name] = part.place
+        self._riding = tuple(riders)
 
     def _settled(self, name: str, part: Part) -> None:
         """News of one part that has come to rest."""

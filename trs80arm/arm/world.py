@@ -243,7 +243,7 @@ class World:
         self._outlook.forget()
         if not scene.went_on:
             self.grasp.look(loaded=self._loaded)
-        self._telling.look(asleep)
+        self._telling.look(asleep, self.grasp.riders if self.grip.part is not None else ())
         self._changed()
         self._feed()
         resting = scene.quiet and self.bench.cell.stands
