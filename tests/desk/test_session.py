@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from trs80arm.arm.events import EventKind
 from trs80arm.basic.activity import Waiting
 from trs80arm.desk.session import Session
 from trs80arm.rig import RigSettings
@@ -149,8 +150,9 @@ def test_an_arm_that_lost_nothing_has_nothing_to_tell() -> None:
 def test_going_home_puts_arm_parts_and_registers_back_and_keeps_the_program() -> None:
     session = Session()
     before = session.rig.pose
-    typed(session, "10 @STEP 50,0,0,-3000", "20 GOTO 10", "RUN")
-    session.rig.run_for(20)
+    typed(session, "10 @STEP 50,0,0,-3000", "20 GOTO 10")
+    session.rig.type("RUN\r")
+    session.rig.run_for(10)
     assert session.new_slip() is not None
     session.go_home()
     assert session.rig.waiting is Waiting.COMMAND
@@ -184,8 +186,9 @@ def test_a_second_slip_is_told_after_the_first_was_made_good() -> None:
 def test_of_slips_that_follow_each_other_the_first_is_told() -> None:
     session = slipped(Session())
     first = session.slip
-    typed(session, "@STEP 50,0,3000")
+    typed(session, "@STEP 50,0,1000")
     session.rig.run_for(20)
+    assert sum(event.kind is EventKind.SLIP for event in session.rig.events) > 1
     assert first is not None
     assert session.slip is not None
     assert session.slip.number == first.number
