@@ -337,8 +337,19 @@ async def test_only_panels_and_lines_that_changed_are_asked_for(
         desk.tube.refresh(Region(0, 0, 64, 1))
         desk.status.refresh()
         await sitting.pilot.pause()
-        panels = {widget: lines for widget, lines in asked.items() if widget is not desk}
-        assert panels == {desk.tube: 1, desk.status: 1}
+        assert asked == {desk.tube: 1, desk.status: 1}
+
+
+@piloted
+async def test_laid_out_as_it_was_nothing_is_drawn(sit_down: Opener) -> None:
+    async with sit_down(120, 40) as sitting:
+        await sitting.type_line("CLS")
+        await sitting.settle()
+        await sitting.pilot.pause()
+        written = watch_lines(sitting)
+        sitting.app.desk.lay_out()
+        await sitting.pilot.pause()
+        assert written == []
 
 
 @piloted

@@ -187,7 +187,9 @@ class DeskScreen(Layer):
         blank = " " if frames is layout.Frames.TITLED else ""
         for row in self._rows:
             panel, region = self.panels[row.id], places.get(row.id)
-            panel.border_title = f"{blank}{row.title}{blank}" if row.title else ""
+            title = f"{blank}{row.title}{blank}" if row.title else ""
+            if panel.border_title != title:
+                panel.border_title = title
             panel.display = region is not None
             if region is not None:
                 panel.styles.offset = (region.x, region.y)
@@ -199,7 +201,8 @@ class DeskScreen(Layer):
         self._shown = [(row.cadence, self.panels[row.id]) for row in self._rows if row.id in places]
         self._mount_shown()
         self._too_small.display = not places
-        self._too_small.update(TOO_SMALL.format(*layout.SMALLEST, width, height))
+        if not places:
+            self._too_small.update(TOO_SMALL.format(*layout.SMALLEST, width, height))
         self.numbers_due = 0.0
 
     @property

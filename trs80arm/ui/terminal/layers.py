@@ -55,8 +55,11 @@ class FrugalCompositor(Compositor):
         Lines that are all behind other widgets are not asked for: nothing of them is seen.
         """
         window = self.size.region
-        asked = self._changed or (crop or window,)
-        bare = [(1 << window.width) - 1] * window.height
+        asked = [part.intersection(window) for part in self._changed or (crop or window,)]
+        bare = [0] * window.height
+        for part in asked:
+            for y in part.line_range:
+                bare[y] |= _cells(part)
         for widget, (region, clip) in self.visible_widgets.items():
             seen = region.intersection(clip).intersection(window)
             lines = [part.line_span for part in asked if part.overlaps(seen)]
@@ -64,7 +67,7 @@ class FrugalCompositor(Compositor):
                 continue
             top = max(seen.y, min(first for first, _ in lines))
             bottom = min(seen.bottom, max(last for _, last in lines))
-            cells = ((1 << seen.width) - 1) << seen.x
+            cells = _cells(seen)
             while top < bottom and not bare[top] & cells:
                 top += 1
             while top < bottom and not bare[bottom - 1] & cells:
@@ -74,6 +77,11 @@ class FrugalCompositor(Compositor):
                     bare[y] &= ~cells
                 part = Region(seen.x, top, seen.width, bottom - top)
                 yield region, part, widget.render_lines(part.translate(-region.offset))
+
+
+def _cells(region: Region) -> int:
+    """The columns of a region, a bit each."""
+    return ((1 << region.width) - 1) << region.x
 
 
 class Layer(Screen[Any]):
