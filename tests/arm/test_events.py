@@ -149,6 +149,13 @@ def test_what_rides_on_what_is_let_fall_falls_as_far(pause: list[str]) -> None:
     assert ridden == pytest.approx(fallen, abs=0.15)
 
 
+@pytest.mark.parametrize("aside", [0.05, -0.05, 0.0])
+def test_what_one_finger_touches_alone_is_not_in_the_hand(aside: float) -> None:
+    # Its side is flush with that of the block on which it stands.
+    flush = RIDER.replace("at = [8.1, 0]", f"at = [8.1, {aside}]")
+    assert story(BLOCK + flush, *TAKE) == ["block in the hand"]
+
+
 def test_what_rides_on_what_is_set_down_is_not_told_of() -> None:
     told = story(
         BLOCK + RIDER, *TAKE, "@STEP 150,200", "@STEP 150,0,100,-27", "@STEP 60,0,0,0,0,0,100"

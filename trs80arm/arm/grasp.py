@@ -24,6 +24,8 @@ from trs80arm.arm.telling import Telling
 
 FACING = 0.7
 """Cosine to the way in which the hand closes from which what presses on a finger is closed on."""
+SLANT = 0.2
+"""The same from which what the hand closes on passes on what presses on it."""
 HAIR, BREATH = 0.75, 2.5
 """Half-steps of cable by which a part, or what gives a little, may measure otherwise."""
 YIELDING = 0.1
@@ -361,7 +363,11 @@ class Grasp:
             return []
         onward = {pair for contact in pressing if (pair := _onward(contact, across))}
         inside = _beyond(left, onward) & _beyond(right, {(b, a) for a, b in onward})
-        return sorted({*pressed, *gripped, *(inside & parts.keys())})
+        found = sorted({*pressed, *gripped, *(inside & parts.keys())})
+        # What lies against one finger alone, and on what both hold, passes nothing on.
+        passing = [pair for contact in pressing if (pair := _onward(contact, across, SLANT))]
+        ahead, behind = {one for one, _ in passing}, {other for _, other in passing}
+        return [name for name in found if name in ahead and name in behind] or found
 
     def _hold(self) -> None:
         """What the fingers have in their grip, with all that is between them."""
@@ -449,10 +455,10 @@ def _beyond(start: str, pairs: set[tuple[str, str]]) -> set[str]:
     return found
 
 
-def _onward(contact: Contact, across: Vector) -> tuple[str, str] | None:
+def _onward(contact: Contact, across: Vector, facing: float = FACING) -> tuple[str, str] | None:
     """Two things that the closing hand presses on each other, as from the left finger on."""
     along = dot(contact.normal, across)
-    if abs(along) < FACING:
+    if abs(along) < facing:
         return None
     one, other, _ = contact.key
     return (one, other) if along < 0 else (other, one)
