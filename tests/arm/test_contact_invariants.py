@@ -5,14 +5,17 @@ from __future__ import annotations
 import math
 import random
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.slices import elsewhere
 from trs80arm import Rig
-from trs80arm.arm import BenchError, benchfile
+from trs80arm.arm import ArmSettings, BenchError, benchfile
 from trs80arm.arm.bench import Bench, deep
 from trs80arm.arm.fixtures import Part
+from trs80arm.arm.models import MODELS
+from trs80arm.works.devices import RigSettings
 
 FRAME = 1 / 60
 DEPTH = 0.03
@@ -69,9 +72,9 @@ def random_program(chance: random.Random) -> str:
     return "\n".join(f"{10 * k} {move}" for k, move in enumerate(moves, 1)) + "\n"
 
 
-def machine(seed: int) -> Rig:
+def machine(seed: int, model: str) -> Rig:
     chance = random.Random(seed)
-    rig = Rig(bench=random_bench(chance))
+    rig = Rig(RigSettings(arm=ArmSettings(model=model)), random_bench(chance))
     rig.load_text(random_program(chance))
     rig.type("RUN\r")
     return rig
@@ -100,10 +103,11 @@ def energy(part: Part) -> float:
     return part.weight * (part.place[2] + sum(v * v for v in part.velocity) / (2 * 386.09))
 
 
-@settings(max_examples=4, deadline=None, derandomize=True)
+@pytest.mark.parametrize("model", sorted(MODELS))
+@settings(max_examples=12, deadline=None, derandomize=True)
 @given(st.integers(0, 10**9))
-def test_whatever_a_program_does_parts_are_where_parts_can_be(seed: int) -> None:
-    rig = machine(seed)
+def test_whatever_a_program_does_parts_are_where_parts_can_be(model: str, seed: int) -> None:
+    rig = machine(seed, model)
     for _ in range(40):
         rig.run_for(15 * FRAME)
         assert_possible(rig)
@@ -121,10 +125,13 @@ def test_whatever_a_program_does_parts_are_where_parts_can_be(seed: int) -> None
             assert not asleep or part.place == place
 
 
-@settings(max_examples=2, deadline=None, derandomize=True)
+@pytest.mark.parametrize("model", sorted(MODELS))
+@settings(max_examples=6, deadline=None, derandomize=True)
 @given(st.integers(0, 10**9), st.lists(st.integers(1, 40), min_size=3, max_size=5))
-def test_runs_in_pieces_and_from_snapshots_are_the_same(seed: int, pieces: list[int]) -> None:
-    whole, sliced = machine(seed), machine(seed)
+def test_runs_in_pieces_and_from_snapshots_are_the_same(
+    model: str, seed: int, pieces: list[int]
+) -> None:
+    whole, sliced = machine(seed, model), machine(seed, model)
     for piece in pieces:
         whole.run_for(5 * piece * FRAME)
         for _ in range(5):
