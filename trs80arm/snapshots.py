@@ -34,7 +34,7 @@ from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, ClassVar
 
 from trs80arm.machine.clock import END_OF_TIME
@@ -52,6 +52,8 @@ _DEEPEST = 60
 _LARGEST_INTEGER = 1 << 64
 _LATEST = END_OF_TIME // 2
 """The last T-state that a machine may stand at, so that it can go on for as long again."""
+_KEPT = 4
+"""Kinds of machine of which one that was just assembled is kept, for others to be compared with."""
 _MISSING = object()
 
 _KINDS = {cls: name for name, (cls, _) in NAMED.items()}
@@ -78,8 +80,7 @@ def encode(works: Works) -> bytes:
             of the program and not of its user.
     """
     settings = replace(works.settings, tape_folder=None, printer_file=None)
-    fresh = assembled(settings)
-    places = _Places(fresh, works)
+    places = _Places(_as_assembled(settings), works)
     writer = _Writer(places.names)
     entries: list[list[Any]] = []
     for name, was, now in places.pairs:
@@ -94,6 +95,12 @@ def encode(works: Works) -> bytes:
     ).encode("ascii")
     head = f"{FORMAT} {len(text)} {hashlib.sha256(text).hexdigest()}\n"
     return head.encode("ascii") + text
+
+
+@lru_cache(_KEPT)
+def _as_assembled(settings: RigSettings) -> Works:
+    """Works that were just assembled, for looking at."""
+    return assembled(settings)
 
 
 def decode(data: bytes, rom: Rom | None = None) -> Works:
@@ -205,7 +212,8 @@ class _Places:
                 if _in_both(was.get(key), other) and type(key) in (int, str):
                     yield f"{place}[{key}]", was[key], other
         elif not isinstance(now, _CONTAINERS):
-            before, state = _state(was), _state(now)
+            state = _state(now)
+            before = state if was is now else _state(was)
             self.fresh[place], self.states[place] = before, state
             if isinstance(state, dict):
                 prefix = "" if place == "works" else f"{place}."
@@ -317,7 +325,11 @@ class _Writer:
         if depth > _DEEPEST:
             raise TypeError("values nested too deeply for a snapshot")
         if cls is tuple:
-            return ["tuple", *(self.value(item, depth + 1) for item in value)]
+            # Most are numbers: places and directions.
+            return ["tuple"] + [
+                item if type(item) is float and math.isfinite(item) else self.value(item, depth + 1)
+                for item in value
+            ]
         if cls in _VALUE_NAMES:
             return self._unchanging(value, depth)
         if id(value) in self._places:
@@ -431,7 +443,12 @@ class _Reader:
             case "bytes", [str(text)]:
                 return _bytes(text)
             case "tuple", _:
-                return tuple(self.value(item, depth=depth + 1) for item in rest)
+                return tuple(
+                    [
+                        item if type(item) is float else self.value(item, depth=depth + 1)
+                        for item in rest
+                    ]
+                )
             case "named", [kind, name]:
                 return NAMED[kind][1][name]
             case "value", [name, *parts]:
