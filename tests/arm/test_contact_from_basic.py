@@ -9,15 +9,18 @@ import pytest
 from tests import statements
 from tests.slices import elsewhere
 from trs80arm import Rig
-from trs80arm.arm import EventKind, benchfile
+from trs80arm.arm import ArmSettings, EventKind, Pose, Reason, benchfile
 from trs80arm.arm.bench import deep
 from trs80arm.arm.contact.rotations import matrix
 from trs80arm.arm.fixtures import Part
+from trs80arm.arm.models import MODELS
+from trs80arm.works.devices import RigSettings
 
 
-def done(bench: str, *lines: str, after: float = 1.5) -> Rig:
+def done(bench: str, *lines: str, after: float = 1.5, model: str = "minimover5") -> Rig:
     """A machine at a bench, when it has done some statements and all has come to rest."""
-    rig = statements.done(Rig(bench=benchfile.parse(bench)), *lines)
+    settings = RigSettings(arm=ArmSettings(model=model))
+    rig = statements.done(Rig(settings, benchfile.parse(bench)), *lines)
     rig.run_for(after)
     return rig
 
@@ -280,6 +283,85 @@ def test_a_sweep_into_a_stack_leaves_a_heap_and_a_handful_of_events() -> None:
     for k, block in enumerate(blocks):
         for other in blocks[:k]:
             assert not deep(block.placed[0], other.placed[0], 0.03)
+
+
+EITHER = pytest.mark.parametrize("model", sorted(MODELS))
+
+
+@EITHER
+@pytest.mark.parametrize(
+    ("weight", "delay", "pushed"),
+    [(48, 150, True), (48, 50, False), (8, 60, True), (127, 60, False), (127, 300, False)],
+)
+def test_pushing_costs_torque(model: str, weight: float, delay: int, pushed: bool) -> None:
+    rig = done(
+        arm_at(8.5, -1.3, 0.4, 0.0)
+        + f"[[part]]\nname = 'lead'\nat = [8.5, 0]\nsize = [1.2, 1.2, 1.5]\nweight = {weight}",
+        f"@STEP {delay},200",
+        model=model,
+    )
+    assert (part(rig, "lead").place[1] > 0.8) is pushed
+    assert (rig.state.slipped[0] == 0) is pushed
+    losses = {event.reason for event in rig.arm.events if event.kind is EventKind.SLIP}
+    assert losses == (set() if pushed else {Reason.CONTACT})
+
+
+@EITHER
+@pytest.mark.parametrize(("low", "slips"), [(0.1, False), (0.2, False), (0.8, True)])
+def test_pressing_on_the_table_strains_the_cables_before_it_costs_steps(
+    model: str, low: float, slips: bool
+) -> None:
+    arm = MODELS[model]
+    steps = round((0.5 + low) / arm.link * arm.drives[1].steps)
+    rig = done(arm_at(10, 0, 0.5, 0.0), f"@STEP 100,0,{steps}", model=model)
+    assert abs(rig.pose.z) < 0.02
+    assert (rig.state.slipped[1] != 0) is slips
+    pressing = [event.text for event in rig.arm.events]
+    assert len(pressing) == (2 if slips else 0)
+    rig = statements.done(rig, f"@STEP 100,0,-{steps}")
+    assert (rig.pose.z == pytest.approx(0.5, abs=1e-3)) is not slips
+
+
+@EITHER
+@pytest.mark.parametrize(
+    ("degrees", "aside", "answers"), [(45, 0.89, False), (45, 0.3, True), (30, 0.5, False)]
+)
+def test_a_tactile_pad_beside_a_slanting_bar(
+    model: str, degrees: float, aside: float, answers: bool
+) -> None:
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    rig = done(
+        f"[[part]]\nname = 'bar'\nat = [8, 2]\nsize = [4, 0.5, 0.5]\nturn = {degrees}\n"
+        + f"[[tactile]]\nbit = 2\nat = [{8 + c - aside * s}, {2 + s + aside * c}]\n"
+        + "size = [0.2, 0.2]\nheight = 0",
+        "LPRINT INP(152) AND 4",
+        model=model,
+    )
+    assert int(rig.printer.text) == (0 if answers else 4)
+
+
+@EITHER
+@pytest.mark.parametrize("aside", [0.0, 0.11, 0.23, 0.31])
+def test_switched_on_after_it_was_moved_by_hand_the_arm_is_off_by_five_at_most(
+    model: str, aside: float
+) -> None:
+    rig = done("", "@STEP 100,8,-8,8,8,8,8", "@RESET", model=model)
+    rig.move_to(Pose(6 + aside, aside, 1 + aside, -85, 3, 1 + aside))
+    before = rig.arm.rotors
+    statements.done(rig, "@STEP 100,1,1,1,1,1", "@STEP 100,1,1,1,1,1")
+    moved = [now - then for now, then in zip(rig.arm.rotors, before, strict=True)]
+    assert rig.registers[:5] == (2,) * 5
+    assert max(abs(count - 2) for count in moved[:5]) <= 5
+    assert len(set(moved)) > 1, "the registers know nothing of that"
+
+
+@EITHER
+def test_a_forearm_at_its_stop_is_one_event(model: str) -> None:
+    way = MODELS[model].drives[2].sign
+    rig = done("", f"@STEP 100,0,0,{-900 * way}", model=model)
+    (event,) = [event for event in rig.arm.events if event.motor == 2]
+    assert (event.kind, event.reason) == (EventKind.SLIP, Reason.STOP)
+    assert event.count > 30
 
 
 def test_a_fall_takes_its_time_on_the_clock() -> None:
