@@ -59,6 +59,9 @@ class Room:
         plenty: whether `FEW` loops and subroutines are sure to fit.
     """
 
+    # Also in machines that are made as copies attributes are then found at once.
+    __slots__ = ("_control", "_strings", "_variables", "plenty", "tight")
+
     def __init__(self, strings: StringSpace, variables: Variables, control: Control) -> None:
         self._strings = strings
         self._variables = variables

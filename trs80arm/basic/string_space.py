@@ -32,6 +32,12 @@ class StringSpace:
         temporaries: descriptors of the strings that are under way in an expression.
     """
 
+    # Also in machines that are made as copies attributes are then found at once.
+    __slots__ = (
+        *("_memory", "_ram", "_end", "_clock", "_variables"),
+        *("top", "bottom", "next", "temporaries"),
+    )
+
     def __init__(self, memory: Memory, clock: Clock, variables: Variables) -> None:
         self._memory = memory
         self._ram = memory.ram

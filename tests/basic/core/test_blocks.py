@@ -121,6 +121,22 @@ PROGRAMS = {
         "40 NEXT:NEXT:PRINT S;T;U;E:END",
         "50 E=E+ERR+ERL:RESUME NEXT",
     ],
+    "rounds passed over": [
+        "10 FOR I=1 TO 40:IF I/3=INT(I/3) THEN 40 ELSE IF I=20 THEN I=I+.5:GOTO 40",
+        "20 S=S+I:FOR J%=1 TO 5:IF J%=I-3 THEN 30",
+        "25 T=T+J%:IF T/2=INT(T/2) THEN 30 ELSE U=U+1",
+        "30 NEXT J%:IF S>300 THEN 40",
+        "35 FOR K=3 TO 1 STEP -1:ON K GOTO 38,38:V=V+K",
+        "38 NEXT:W=W+1",
+        "40 NEXT:PRINT S;T;U;V;W;I",
+    ],
+    "strings known and poked": [
+        "5 CLEAR 300",
+        '10 A$="AB"+"CD":FOR I=1 TO 9:B$=A$+STR$(I):P=PEEK(VARPTR(B$)+1)+256*PEEK(VARPTR(B$)+2)',
+        "20 C$=LEFT$(B$,3):POKE P+65536*(P>32767),64+I:D$=LEFT$(B$,3)+C$:A$=RIGHT$(D$,4)",
+        '30 E$="LITERAL":E$=E$+D$:F$=E$:IF F$=E$ THEN T=T+ASC(F$)+LEN(D$)',
+        "40 NEXT:PRINT A$;B$;C$;D$;E$;F$;T",
+    ],
     "doubles": ["10 A#=1:FOR I=1 TO 20:A#=A#*1.5#-I/3:NEXT:PRINT A#"],
 }
 
