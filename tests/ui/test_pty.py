@@ -106,16 +106,21 @@ class Terminal:
         self.process = start(script, arguments, slave, folder, environment)
 
     def read(self, seconds: float) -> None:
-        """Take what the program writes, and answer what a terminal answers."""
+        """Take what the program writes for so long, and answer what a terminal answers."""
         end = time.monotonic() + seconds
-        while (left := end - time.monotonic()) > 0:
-            ready, _, _ = select.select([self.master], [], [], min(left, 0.05))
-            if ready:
-                try:
-                    self.output += os.read(self.master, 65536)
-                except OSError:
-                    return
-                self._answer()
+        while (left := end - time.monotonic()) > 0 and self._read_more(left):
+            pass
+
+    def _read_more(self, seconds: float = 0.05) -> bool:
+        """Take what it writes next, if that comes so soon; False when the terminal is gone."""
+        ready, _, _ = select.select([self.master], [], [], seconds)
+        if ready:
+            try:
+                self.output += os.read(self.master, 65536)
+            except OSError:
+                return False
+            self._answer()
+        return True
 
     def _answer(self) -> None:
         asked = self.output.count(b"\x1b[?u")
@@ -131,7 +136,7 @@ class Terminal:
         while text.encode() not in self.output[start:]:
             assert time.monotonic() < end, (text, self.output[-2000:])
             assert self.process.poll() is None, self.output[-3000:]
-            self.read(0.05)
+            self._read_more()
 
     @property
     def screen(self) -> str:
@@ -193,14 +198,14 @@ class Terminal:
         end = time.monotonic() + PATIENCE
         while not so():
             assert time.monotonic() < end, self.output[-2000:]
-            self.read(0.05)
+            self._read_more()
 
     def leave(self) -> int:
         """Wait until the program has ended; its exit code."""
         end = time.monotonic() + PATIENCE
         while self.process.poll() is None:
             assert time.monotonic() < end, self.output[-2000:]
-            self.read(0.05)
+            self._read_more()
         # What it wrote before it ended is there by now.
         while select.select([self.master], [], [], 0)[0]:
             self.read(0.01)
@@ -267,7 +272,6 @@ def test_two_joints_are_jogged_at_once_and_the_terminal_is_left_alone(
     record = tmp_path / "session.jsonl"
     arguments = ("--record", str(record), "--keys", keys)
     with terminal(tmp_path, *arguments, reports=reports) as one:
-        one.read(0.5)
         one.type("@SET\r", shown=IN_MANUAL_MODE)
         one.hold("1w", 0.7)
         one.read(0.1)
@@ -297,7 +301,6 @@ def test_two_joints_are_jogged_at_once_and_the_terminal_is_left_alone(
 def test_a_terminal_without_releases_jogs_by_taps(tmp_path: Path) -> None:
     record = tmp_path / "session.jsonl"
     with terminal(tmp_path, "--record", str(record)) as one:
-        one.read(0.5)
         one.type("@SET\r", shown=IN_MANUAL_MODE)
         one.type("1")
         # Nobody tells that the key was let go: the program does it by itself.
@@ -313,7 +316,6 @@ def test_a_terminal_without_releases_jogs_by_taps(tmp_path: Path) -> None:
 @pytest.mark.parametrize("reports", [True, False])
 def test_ctrl_c_twice_leaves_the_terminal_as_it_was(tmp_path: Path, reports: bool) -> None:
     with terminal(tmp_path, reports=reports, start=start_afresh) as one:
-        one.read(0.3)
         one.send("\x1b[99;5u\x1b[99;5:3u" if reports else "\x03")
         one.wait_for("Leave trs80arm?")
         one.send("\x1b[99;5u\x1b[99;5:3u" if reports else "\x03")
@@ -324,7 +326,6 @@ def test_ctrl_c_twice_leaves_the_terminal_as_it_was(tmp_path: Path, reports: boo
 @pytest.mark.parametrize("reports", [True, False])
 def test_buttons_of_a_dialog_are_clicked_with_the_mouse(tmp_path: Path, reports: bool) -> None:
     with terminal(tmp_path, reports=reports) as one:
-        one.read(0.3)
         for button in (" Back ", " Leave "):
             since = len(one.output)
             one.send("\x1b[99;5u\x1b[99;5:3u" if reports else "\x03")
@@ -384,13 +385,14 @@ def test_when_the_terminal_is_closed_it_keeps_the_program_and_ends(tmp_path: Pat
 
 def test_suspended_and_back_the_terminal_is_the_shells_in_between(tmp_path: Path) -> None:
     with terminal(tmp_path, reports=True) as one:
-        one.read(0.5)
-        one.send("\x1b[122;5u\x1b[122;5:3u", 1.5)
+        one.send("\x1b[122;5u\x1b[122;5:3u")
+        one.until(lambda: termios.tcgetattr(one.slave) == one.before)
+        # What is written to a terminal that is given back already.
+        one.read(0.4)
         assert one.is_as_it_was()
         os.kill(one.process.pid, signal.SIGCONT)
         # All of the tube, not only what has changed since.
         one.wait_for("MEMORY SIZE?")
-        one.read(0.5)
         one.send("\x1b[21~")
         assert one.leave() == 0
         assert one.is_as_it_was()
