@@ -8,7 +8,7 @@ the motors.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from trs80arm.arm.bench import Bench
@@ -192,10 +192,11 @@ class Grasp:
         if sleeping:
             for contact in contacts:
                 sleeping.difference_update(contact.key[:2])
+        leaning = self._neighbours()
         if not sleeping:
             self._measure()
-            self._hold()
-        self.weigh(loaded=loaded)
+            self._hold(leaning)
+        self._weigh(leaning, loaded=loaded)
         presser = self._presser()
         self.met = None if presser is None else said(presser)
         return presser, not sleeping
@@ -232,8 +233,11 @@ class Grasp:
         Args:
             loaded: whether anything rests in the hand.
         """
+        self._weigh(self._neighbours(), loaded=loaded)
+
+    def _weigh(self, leaning: Mapping[str, set[str]], *, loaded: bool) -> None:
+        """`weigh`, by what presses on each."""
         scene, links, parts = self._bench.scene, self._linkage.names, self._bench.parts
-        leaning = self._neighbours()
         touched: set[str] = set().union(*[leaning[link] for link in links if link in leaning])
         self.leaned_on = any(name in parts for name in touched)
         loads = [load.name for load in scene.carried]
@@ -369,16 +373,20 @@ class Grasp:
         ahead, behind = {one for one, _ in passing}, {other for _, other in passing}
         return [name for name in found if name in ahead and name in behind] or found
 
-    def _hold(self) -> None:
-        """What the fingers have in their grip, with all that is between them."""
+    def _hold(self, leaning: Mapping[str, set[str]]) -> None:
+        """What the fingers have in their grip, with all that is between them.
+
+        Args:
+            leaning: what presses on each.
+        """
         between = self._between()
         self.between = tuple(between)
-        self.riders = tuple(self._riding(between)) if between else ()
+        self.riders = tuple(self._riding(between, leaning)) if between else ()
         self._have(between if between and self._carried else [])
 
-    def _riding(self, names: Sequence[str]) -> list[str]:
+    def _riding(self, names: Sequence[str], leaning: Mapping[str, set[str]]) -> list[str]:
         """What leans on some parts, or on what leans on these, and on nothing else."""
-        parts, leaning = self._bench.parts, self._neighbours()
+        parts = self._bench.parts
         seen, riders = set(names), []
         for start in sorted(set().union(*[leaning.get(name, ()) for name in names])):
             group, waiting = [], [start]
