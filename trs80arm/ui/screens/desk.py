@@ -194,10 +194,12 @@ class DeskScreen(Layer):
             if region is not None:
                 panel.styles.offset = (region.x, region.y)
                 panel.styles.width, panel.styles.height = region.width, region.height
+                # What is yet to be mounted gets its styles then.
+                styled = panel.is_attached
                 for kind in layout.Frames:
                     with_rule = kind is not layout.Frames.RULED or region.x > 0
-                    panel.set_class(frames is kind and with_rule, kind.value)
-                panel.set_class(panel is leading, "leading")
+                    panel.set_class(frames is kind and with_rule, kind.value, update=styled)
+                panel.set_class(panel is leading, "leading", update=styled)
         self._shown = [(row.cadence, self.panels[row.id]) for row in self._rows if row.id in places]
         self._mount_shown()
         self._too_small.display = not places
