@@ -22,8 +22,8 @@ from trs80arm.arm.model import Motor, Pose
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.stepping import PulseGenerator
 
-SLOW = T_STATES_PER_SECOND // 100
-"""T-states per step at a hundred steps a second, at which every motor keeps up."""
+SLOW = T_STATES_PER_SECOND // 120
+"""T-states per step at 120 steps a second, at which every motor keeps up."""
 _NEAR = 0.02
 """How far from what the article lists a figure is looked for first, as a fraction of it."""
 PICK_UP = Pose(8.0, 0.0, 0.5, -90.0, 0.0, 1.0)
