@@ -64,9 +64,10 @@ async def all_done(min_sleep: float = 0.0, max_sleep: float = 1.0) -> None:
     while True:
         await _all_handled(end)
         with suppress(ScreenStackError):
-            screen: Screen[Any] = active_app.get().screen
-            if _has_to_draw(screen):
-                screen._on_timer_update()
+            # What is behind a dialog comes first, for it is seen through the dialog.
+            waiting = [screen for screen in active_app.get().screen_stack if _has_to_draw(screen)]
+            if waiting:
+                waiting[0]._on_timer_update()
                 continue
         if not pending:
             return
