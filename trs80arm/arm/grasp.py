@@ -8,7 +8,7 @@ the motors.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from trs80arm.arm.bench import Bench
@@ -16,6 +16,7 @@ from trs80arm.arm.contact.contacts import Contact
 from trs80arm.arm.contact.moment import Moment, Name
 from trs80arm.arm.contact.recurrence import Recurrence, question
 from trs80arm.arm.contact.rotations import apply_back
+from trs80arm.arm.fixtures import Part
 from trs80arm.arm.forces import Burden
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.linkage import ArmLinkage, said
@@ -34,6 +35,8 @@ KNOWN = 512
 """Looks of which it is known what was seen."""
 
 Five = tuple[float, float, float, float, float]
+Leaning = Callable[[str], set[str]]
+"""Names of what presses on a thing, and of what that presses on."""
 
 
 class Sight(NamedTuple):
@@ -93,6 +96,7 @@ class Grasp:
         self._bench = bench
         self._linkage = linkage
         self._telling = telling
+        self._held: tuple[str, ...] = ()
         self._met: tuple[float, int] | None = None
         self._tightest = 0
         self._closely = False
@@ -131,13 +135,11 @@ class Grasp:
 
     def _all_in(self, moment: Moment) -> bool:
         """Whether all that matters to the hand is among what was concerned in a tick."""
-        parts, names, links = self._bench.parts, moment.names, self._linkage.names
-        if len(parts) == len(names):
+        names, links, leaning = moment.names, self._linkage.names, self._bench.scene.leaning_on
+        if len(self._bench.parts) == len(names):
             return True
-        return all(
-            name in names
-            or not (part.held or (part.touching and not {*names, *links}.isdisjoint(part.touching)))
-            for name, part in parts.items()
+        return all(part.name in names for part in self._in_hand) and all(
+            leaning(name) <= set(names) for name in (*names, *links)
         )
 
     def _sight(self, moment: Moment, presser: str | None, *, saw: bool) -> Sight:
@@ -181,16 +183,12 @@ class Grasp:
         Returns:
             What presses most on the arm, and whether it was looked at what is between the fingers.
         """
-        parts, contacts = self._bench.parts, self._bench.scene.contacts
-        left, right = self._linkage.fingers
+        scene, (left, right) = self._bench.scene, self._linkage.fingers
         # What sleeps in the grip stays there.
-        sleeping = {
-            name
-            for name, part in parts.items()
-            if part.asleep and (part.held or (left in part.touching and right in part.touching))
-        }
+        sleeping = {part.name for part in self._in_hand if part.asleep}
+        sleeping |= scene.leaning_on(left) & scene.leaning_on(right)
         if sleeping:
-            for contact in contacts:
+            for contact in scene.contacts:
                 sleeping.difference_update(contact.key[:2])
         leaning = self._neighbours()
         if not sleeping:
@@ -235,13 +233,13 @@ class Grasp:
         """
         self._weigh(self._neighbours(), loaded=loaded)
 
-    def _weigh(self, leaning: Mapping[str, set[str]], *, loaded: bool) -> None:
+    def _weigh(self, leaning: Leaning, *, loaded: bool) -> None:
         """`weigh`, by what presses on each."""
         scene, links, parts = self._bench.scene, self._linkage.names, self._bench.parts
-        touched: set[str] = set().union(*[leaning[link] for link in links if link in leaning])
+        touched: set[str] = set().union(*[leaning(link) for link in links])
         self.leaned_on = any(name in parts for name in touched)
         loads = [load.name for load in scene.carried]
-        waiting = [] if loads else [name for name, part in parts.items() if part.held]
+        waiting = [] if loads else [part.name for part in self._in_hand]
         while waiting:
             name = waiting.pop()
             if name in loads or name in links:
@@ -250,7 +248,7 @@ class Grasp:
                 loads = []
                 break
             loads.append(name)
-            waiting += sorted(leaning.get(name, ()))
+            waiting += sorted(leaning(name))
         self.alone = touched <= set(loads)
         hand = scene.links[self._linkage.hand]
         found = []
@@ -373,7 +371,7 @@ class Grasp:
         ahead, behind = {one for one, _ in passing}, {other for _, other in passing}
         return [name for name in found if name in ahead and name in behind] or found
 
-    def _hold(self, leaning: Mapping[str, set[str]]) -> None:
+    def _hold(self, leaning: Leaning) -> None:
         """What the fingers have in their grip, with all that is between them.
 
         Args:
@@ -384,11 +382,11 @@ class Grasp:
         self.riders = tuple(self._riding(between, leaning)) if between else ()
         self._have(between if between and self._carried else [])
 
-    def _riding(self, names: Sequence[str], leaning: Mapping[str, set[str]]) -> list[str]:
+    def _riding(self, names: Sequence[str], leaning: Leaning) -> list[str]:
         """What leans on some parts, or on what leans on these, and on nothing else."""
         parts = self._bench.parts
         seen, riders = set(names), []
-        for start in sorted(set().union(*[leaning.get(name, ()) for name in names])):
+        for start in sorted(set().union(*[leaning(name) for name in names])):
             group, waiting = [], [start]
             while waiting:
                 name = waiting.pop()
@@ -397,7 +395,7 @@ class Grasp:
                 group.append(name)
                 if name in parts:
                     seen.add(name)
-                    waiting += sorted(leaning.get(name, ()))
+                    waiting += sorted(leaning(name))
             if all(name in parts for name in group):
                 riders += group
         return sorted(riders)
@@ -408,8 +406,10 @@ class Grasp:
 
     def _have(self, between: Sequence[str]) -> None:
         """Have some parts in the hand and no others."""
-        grip, parts = self.grip, self._bench.parts
-        for name, part in parts.items():
+        grip, parts, before = self.grip, self._bench.parts, self._in_hand
+        self._held = tuple(between)
+        for body in self._bench.scene.ordered({*between, *[part.name for part in before]}):
+            name, part = body.name, parts[body.name]
             if part.held == (name in between):
                 continue
             part.held = not part.held
@@ -422,17 +422,29 @@ class Grasp:
         grip.part = between[0] if between else None
         grip.weight = sum(parts[name].weight for name in between)
 
-    def _neighbours(self) -> dict[str, set[str]]:
-        """What presses on each: as found on this tick, and as it was when it fell asleep."""
-        found: dict[str, set[str]] = {}
-        pairs = {c.key[:2] for c in self._bench.scene.contacts if c.pressure > 0}
-        for name, part in self._bench.parts.items():
-            if part.asleep:
-                pairs.update((other, name) for other in part.touching)
-        for one, other in pairs:
-            found.setdefault(one, set()).add(other)
-            found.setdefault(other, set()).add(one)
-        return found
+    def _neighbours(self) -> Leaning:
+        """What presses on a thing: as found on this tick, and as it was when it fell asleep."""
+        parts, leaning = self._bench.parts, self._bench.scene.leaning_on
+        pressing: dict[str, set[str]] = {}
+        for contact in self._bench.scene.contacts:
+            if contact.pressure > 0:
+                one, other, _ = contact.key
+                pressing.setdefault(one, set()).add(other)
+                pressing.setdefault(other, set()).add(one)
+
+        def leaning_on(name: str) -> set[str]:
+            part = parts.get(name)
+            touched = () if part is None else part.touching
+            return {*pressing.get(name, ()), *leaning(name), *touched}
+
+        return leaning_on
+
+    @property
+    def _in_hand(self) -> list[Part]:
+        """The parts that the hand has in its grip."""
+        parts = self._bench.parts
+        there = [parts[body.name] for body in self._bench.scene.ordered(self._held)]
+        return [part for part in there if part.held]
 
     def _roughness(self, names: Sequence[str]) -> float:
         """Coefficient between the pads and the smoothest of some parts."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.events import EventKind
@@ -61,24 +62,26 @@ class Telling:
         (self._let_go if opened else self._lost).add(name)
         part.began = (part.place, part.upwards)
 
-    def look(self, asleep: set[str], riders: Sequence[str]) -> None:
+    def look(self, awake: AbstractSet[str], riders: Sequence[str]) -> None:
         """News of what has come to rest.
 
         Args:
-            asleep: names of what slept before.
+            awake: names of what did not sleep before.
             riders: names of what rides on what is in the hand.
         """
         self._ride(riders)
-        for name, part in self._bench.parts.items():
+        parts, scene = self._bench.parts, self._bench.scene
+        for body in scene.ordered({*awake, *scene.awake, *self._let_go, *self._lost}):
+            name, part = body.name, parts[body.name]
             if not part.asleep:
-                if name in asleep:
+                if name not in awake:
                     self._moved.setdefault(name, part.place)
                     if part.began is None:
                         part.began = (part.place, part.upwards)
             elif part.held or part.carried is not None:
                 self._let_go.discard(name)
                 self._lost.discard(name)
-            elif name not in asleep or name in self._let_go | self._lost:
+            else:
                 self._settled(name, part)
         self._bench.deliver()
 

@@ -234,7 +234,7 @@ class World:
     def _contact(self) -> None:
         """One tick in which contact is looked at."""
         scene = self.bench.scene
-        asleep = {name for name, part in self.bench.parts.items() if part.asleep}
+        awake = set(scene.awake)
         self.bench.cell.drive(scene)
         scene.command(self.wanted)
         scene.tick()
@@ -243,7 +243,7 @@ class World:
         self._outlook.forget()
         if not scene.went_on:
             self.grasp.look(loaded=self._loaded)
-        self._telling.look(asleep, self.grasp.riders if self.grip.part is not None else ())
+        self._telling.look(awake, self.grasp.riders if self.grip.part is not None else ())
         self._changed()
         self._feed()
         resting = scene.quiet and self.bench.cell.stands

@@ -95,6 +95,9 @@ class Watcher(Protocol):
     def file(self, body: Body) -> None:
         """A body has woken, fallen asleep, been taken up, let go, or put elsewhere in its sleep."""
 
+    def lean(self, body: Body, before: Sequence[str]) -> None:
+        """A body touches other things in its sleep than before, which are named."""
+
 
 @dataclass(slots=True)
 class Body:
@@ -109,7 +112,6 @@ class Body:
         velocity: of the centre of mass, inches a second.
         spin: radians a second about the world's axes.
         still: ticks for which it has hardly moved.
-        touching: names of the bodies that it touched when it fell asleep.
     """
 
     name: str
@@ -120,7 +122,7 @@ class Body:
     velocity: Vector = NOWHERE
     spin: Vector = NOWHERE
     still: int = 0
-    touching: tuple[str, ...] = ()
+    _touching: tuple[str, ...] = ()
     _asleep: bool = False
     _carried: tuple[Vector, Matrix] | None = None
     _solids: list[Placed] | None = field(default=None, repr=False, compare=False)
@@ -155,6 +157,17 @@ class Body:
     def carried(self, carried: tuple[Vector, Matrix] | None) -> None:
         self._carried = carried
         self._tell()
+
+    @property
+    def touching(self) -> tuple[str, ...]:
+        """Names of the things that it touched when it fell asleep."""
+        return self._touching
+
+    @touching.setter
+    def touching(self, touching: tuple[str, ...]) -> None:
+        before, self._touching = self._touching, touching
+        if self._watcher is not None and touching != before:
+            self._watcher.lean(self, before)
 
     @property
     def form(self) -> bytes:

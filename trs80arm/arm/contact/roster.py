@@ -7,7 +7,7 @@ near costs as much as there are squares and sleepers near, however many there ar
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from trs80arm.arm.contact.bodies import Body
 from trs80arm.arm.shapes import Vector
@@ -24,11 +24,13 @@ class Roster:
     Attributes:
         awake: those that are not asleep.
         carried: those that rest in the hand.
+        leaning: names of those that touched a thing when they fell asleep, by its name.
     """
 
     def __init__(self) -> None:
         self.awake: dict[str, Body] = {}
         self.carried: dict[str, Body] = {}
+        self.leaning: dict[str, set[str]] = {}
         self._numbers: dict[str, int] = {}
         self._next = 0
         self._squares: dict[Square, dict[str, Body]] = {}
@@ -39,10 +41,12 @@ class Roster:
         self._numbers[body.name] = self._next
         self._next += 1
         body.watch(self)
+        self.lean(body, ())
 
     def strike(self, body: Body) -> None:
         """Forget a body."""
         body.watch(None)
+        self._lean_no_more(body.name, body.touching)
         self._take(body.name)
         self.awake.pop(body.name, None)
         self.carried.pop(body.name, None)
@@ -63,6 +67,19 @@ class Roster:
             self._filed[name] = squares = _squares(x - r, y - r, x + r, y + r)
             for square in squares:
                 self._squares.setdefault(square, {})[name] = body
+
+    def lean(self, body: Body, before: Sequence[str]) -> None:
+        """Take note of what a body touches in its sleep, and what it touched before."""
+        self._lean_no_more(body.name, before)
+        for thing in body.touching:
+            self.leaning.setdefault(thing, set()).add(body.name)
+
+    def _lean_no_more(self, name: str, things: Sequence[str]) -> None:
+        for thing in things:
+            here = self.leaning[thing]
+            here.discard(name)
+            if not here:
+                del self.leaning[thing]
 
     def _take(self, name: str) -> None:
         for square in self._filed.pop(name, ()):

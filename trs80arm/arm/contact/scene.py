@@ -9,7 +9,8 @@ with the hand. Nothing here knows what a stack or a plank is.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed, Link, Linkage
@@ -300,6 +301,20 @@ class Scene:
             return []
         return self._roster.ordered(self._roster.carried.values())
 
+    @property
+    def awake(self) -> Collection[str]:
+        """Names of what is not asleep."""
+        return self._roster.awake.keys()
+
+    def leaning_on(self, name: str) -> AbstractSet[str]:
+        """Names of what touched a thing when it fell asleep, and sleeps still."""
+        return self._roster.leaning.get(name, frozenset())
+
+    def ordered(self, names: Iterable[str]) -> list[Body]:
+        """The bodies among some names, as they came to the scene."""
+        found = [self.bodies[name] for name in names if name in self.bodies]
+        return self._roster.ordered(found)
+
     def sleepers(self, low: Vector, high: Vector) -> list[Body]:
         """What sleeps, and does not rest in the hand, in or about an upright box."""
         return self._roster.near(low, high)
@@ -578,9 +593,9 @@ class Scene:
     def _leaned_on(self) -> bool:
         """Whether something that sleeps leans on the arm and on other things too."""
         return any(
-            body.asleep and body.carried is None and name in body.touching
-            for body in self.bodies.values()
-            for name in self.driven.names
+            name not in self._roster.carried
+            for link in self.driven.names
+            for name in self.leaning_on(link)
         )
 
     def _carry(self) -> None:
