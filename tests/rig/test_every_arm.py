@@ -46,7 +46,7 @@ TOY = replace(
     ),
     elbow_pays_out=0,
     compensated=False,
-    hand=Hand(range=2.0, pound_steps=40, full_grip=2.0, switch_force=0.125),
+    hand=Hand(range=2.0, pound_steps=40, full_grip=2.0, switch_force=0.125, finger_length=1.2),
     solids=tuple(
         replace(solid, center=(solid.center[0] * 0.7, *solid.center[1:]))
         for solid in MINIMOVER5.solids

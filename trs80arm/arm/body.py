@@ -23,10 +23,8 @@ class Body:
 
     __slots__ = ("opening", "points", "segments")
 
-    def __init__(
-        self, model: ArmModel, angles: JointAngles, opening: float, finger_length: float
-    ) -> None:
-        points = forward(model, angles)
+    def __init__(self, model: ArmModel, angles: JointAngles, opening: float) -> None:
+        points, finger_length = forward(model, angles), model.hand.finger_length
         self.points = points
         self.opening = opening
         tip, u, e = points.fingertip, points.pointing, points.across

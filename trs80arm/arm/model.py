@@ -116,12 +116,14 @@ class Hand:
         pound_steps: half-steps of cable per pound of gripping force.
         full_grip: pounds at which its motor gives up.
         switch_force: pounds at which the tension switch closes.
+        finger_length: fingertip to finger root along the hand, inches.
     """
 
     range: float
     pound_steps: float
     full_grip: float
     switch_force: float
+    finger_length: float
 
     @property
     def most_squeeze(self) -> int:

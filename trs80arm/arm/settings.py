@@ -24,7 +24,6 @@ _RANGES: dict[str, tuple[float, float]] = {
     "base_height": (0, 4),
     "body_radius": (0, 3),
     "body_top": (0, 7),
-    "finger_length": (0.1, 3.5),
     "events_kept": (1, 1_000_000),
 }
 """From where to where each setting is that of an arm of this sort."""
@@ -53,7 +52,6 @@ class ArmSettings:
             lets the hand pass above 1.25 in.
         body_radius: half width of the body that carries the motors.
         body_top: height of the body; the shoulder axis lies above it.
-        finger_length: fingertip to finger root along the hand (facts 7: a 1.700 in link).
         events_kept: number of events that the arm remembers.
 
     Raises:
@@ -71,7 +69,6 @@ class ArmSettings:
     base_height: float = 1.25
     body_radius: float = 1.5
     body_top: float = 6.5
-    finger_length: float = 1.7
     events_kept: int = 2000
 
     def __post_init__(self) -> None:

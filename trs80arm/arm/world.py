@@ -359,7 +359,7 @@ class World:
     @property
     def body(self) -> Body:
         """Links and fingers as they stand."""
-        return Body(self.model, self.angles, self.grip.opening, self.settings.finger_length)
+        return Body(self.model, self.angles, self.grip.opening)
 
     @property
     def torques(self) -> Six:

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from math import cos, dist, radians, sin
 from typing import TypeAlias
 
-from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box
 from trs80arm.drawing.canvas_ascii import Point
 from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
@@ -20,8 +19,6 @@ from trs80arm.drawing.rows import Ink
 
 PALM_HALF_WIDTH = 0.76
 """Half the distance of the fingers' roots, inches: they are parallel at 1.52 (arm facts, 7)."""
-FINGER_LENGTH = ArmSettings().finger_length
-"""Fingertip to finger root along the hand, inches."""
 QUARTER = radians(90)
 SQUARE = 0.03
 """Inches by which the corners of a thing may be off those of an upright box drawn for it."""

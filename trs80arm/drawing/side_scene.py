@@ -16,7 +16,6 @@ from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
 from trs80arm.drawing.rows import Ink
 from trs80arm.drawing.scene import (
     FILL,
-    FINGER_LENGTH,
     INK,
     PLAINLY,
     QUARTER,
@@ -150,7 +149,7 @@ def _hand(wrist: Point, posture: Posture, dotted: bool) -> list[Shape]:
     pitch = posture.angles.pitch
     left = pitch + QUARTER
     length = posture.model.hand_length
-    palm = along(wrist, pitch, length - FINGER_LENGTH)
+    palm = along(wrist, pitch, length - posture.model.hand.finger_length)
     tip = along(wrist, pitch, length)
     roots = [along(palm, left, side * root_from_middle(posture.opening)) for side in (-1, 1)]
     ends = [along(tip, left, side * posture.opening / 2) for side in (-1, 1)]

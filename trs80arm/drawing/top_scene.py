@@ -16,7 +16,6 @@ from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
 from trs80arm.drawing.rows import Ink
 from trs80arm.drawing.scene import (
     FILL,
-    FINGER_LENGTH,
     INK,
     PLAINLY,
     QUARTER,
@@ -153,7 +152,7 @@ def _top_arm(posture: Posture) -> list[Shape]:
     ]
     length = posture.model.hand_length
     if hypot(tip[0] - wrist[0], tip[1] - wrist[1]) > length / 2:
-        palm = _part_way(wrist, tip, 1 - FINGER_LENGTH / length)
+        palm = _part_way(wrist, tip, 1 - posture.model.hand.finger_length / length)
         for side in (-1, 1):
             root = _beside(palm, across, side * root_from_middle(posture.opening))
             shapes.append(Stroke(wrist, root, Ink.HAND))

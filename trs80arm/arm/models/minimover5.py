@@ -47,7 +47,7 @@ MINIMOVER5 = ArmModel(
         pitch=radians(90),
         gear=radians(270),
     ),
-    hand=Hand(range=3.0, pound_steps=_POUND, full_grip=3.0, switch_force=2 / 16),
+    hand=Hand(range=3.0, pound_steps=_POUND, full_grip=3.0, switch_force=2 / 16, finger_length=1.7),
     full_load=8.0,
     static_force=64.0,
     weights=Weights(12.0, 3.5, 11.0, 3.5, 11.0, 1.75),
@@ -80,6 +80,7 @@ MINIMOVER5 = ArmModel(
         ("elbow_pays_out, compensated", "article, on joint 6 and on @STEP"),
         ("limits", "Table 1; gears and pitch from the article on joints 4 and 5"),
         ("hand", "article, on joint 6; range and greatest force from Table 1"),
+        ("hand: finger_length", "facts 7: a 1.700 in link, in the later manual"),
         ("full_load, static_force", "Table 1"),
         (
             "weights",

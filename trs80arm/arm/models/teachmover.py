@@ -39,7 +39,7 @@ TEACHMOVER = replace(
     ),
     elbow_pays_out=-1,
     compensated=False,
-    hand=Hand(range=3.0, pound_steps=_POUND, full_grip=3.0, switch_force=2 / 16),
+    hand=Hand(range=3.0, pound_steps=_POUND, full_grip=3.0, switch_force=2 / 16, finger_length=1.7),
     sources=(
         ("shoulder_height, hand_length", "7.625 and 3.8 in: TeachVal III, Brock University"),
         ("drives: steps", "7072, 4158, 1536 per turn, 370.8 per inch: TeachMover II programs"),
