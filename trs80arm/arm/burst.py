@@ -248,6 +248,6 @@ class _Stretch:
             motor.row = int(self.rows[last])
             motor.coils = int(self.nibbles[last])
         time = int(self.times[count - 1])
-        before = int(np.searchsorted(self.times[:count], arm.world.last_tick(time)))
+        before = int(np.searchsorted(self.times[:count], arm.bench.scene.last_tick(time)))
         ticked = self.rotors[before - 1].tolist() if before else list(arm.rotors)
         arm.arrive(self.rotors[count - 1].tolist(), ticked, time)

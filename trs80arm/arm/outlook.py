@@ -192,7 +192,7 @@ class Outlook:
             turned = ahead.turned_before(tick)
             for turning, by in zip(ahead.turnings, turned, strict=True):
                 rotors[turning.latch] += by
-            commands = self._wanted_at(rotors)
+            commands = self.wanted_at(rotors)
             now = driven.eased(now, before, commands, loaded=here.loaded)
             self._easing.append(now)
             wanted.append(commands)
@@ -234,7 +234,7 @@ class Outlook:
         (turning, *others), model = ahead.turnings, self._model
         if others or turning.latch != model.latch(HAND) or not turning.way or here.loaded:
             return 0
-        room = self._around.measured(self._wanted_at(here.rotors), near)
+        room = self._around.measured(self.wanted_at(here.rotors), near)
         spare = min(room.beside, room.low) - SPARE
         if spare <= 0.0:
             return 0
@@ -315,24 +315,32 @@ class Outlook:
         opening = np.minimum(np.maximum(opening, self._shut), model.hand.range)
         return np.array((*drive.driven(rotors), opening))
 
-    def _wanted_at(self, rotors: Sequence[int]) -> list[float]:
-        """The same for one place."""
+    def wanted_at(self, rotors: Sequence[int]) -> list[float]:
+        """Where motors want the arm's six coordinates, for positions of the rotors."""
         drive, model = self._drive, self._model
         opening = min(max(drive.cable(rotors) / model.hand_steps, self._shut), model.hand.range)
         return [*drive.driven(rotors), opening]
 
     @property
+    def taut(self) -> bool:
+        """Whether its cable goes on past nothing: only against what is between the fingers."""
+        return self._grip.contact > 0 and self._bench.scene.torques[5] > 0
+
+    @property
     def _shut(self) -> float:
-        """Inches of opening at which the hand is wanted at least, as `World.commands` has it."""
-        taut = self._grip.contact > 0 and self._bench.scene.torques[5] > 0
-        return -math.inf if taut else 0.0
+        """Inches of opening at which the hand is wanted at least."""
+        return -math.inf if self.taut else 0.0
 
     def _unstrained(self, here: Standing, rotors: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
-        """The same with nothing in the arm's way but what rests in its hand."""
+        """`_wanted` with nothing in the arm's way but what rests in its hand."""
         joints = self._wanted(rotors)
         if here.loaded:
-            joints[5] = self._bench.scene.joints[5]
+            self._hold_open(joints)
         return joints
+
+    def _hold_open(self, joints: npt.NDArray[np.float64]) -> None:
+        """Have the hand be as wide open as what rests in it keeps it."""
+        joints[5] = self._bench.scene.joints[5]
 
     def _ranges(self, here: Standing, ahead: Ahead, since: int, until: int) -> Ranges:
         """Between what the joints are from one T-state to another, nothing in their way."""
@@ -394,17 +402,17 @@ class Outlook:
         """
         if here.gripped:
             return self._ticks_gripping(self._wanted(rotors).T.tolist())
+        joints = self._wanted(rotors)
+        ranges, count = Ranges.of(joints), len(rotors[0])
         # Feeders ask where the arm is wanted, whatever its cables give.
-        count = len(rotors[0])
-        wanted = self._wanted(rotors)
-        if not self._feeding.surely_unfed(Ranges.of(wanted)):
-            count = self._feeding.places_unfed(wanted)
+        if not self._feeding.surely_unfed(ranges):
+            count = self._feeding.places_unfed(joints)
         if here.strained:
-            joints = wanted
             self._ease(joints, loaded=here.loaded)
-        else:
-            joints = self._unstrained(here, rotors)
-        ranges = Ranges.of(joints)
+            ranges = Ranges.of(joints)
+        elif here.loaded:
+            self._hold_open(joints)
+            ranges = Ranges.of(joints)
         near = self._near(ranges) if count else []
         return self._around.places_clear(joints[:, :count], near) if near else count
 
@@ -419,7 +427,7 @@ class Outlook:
         for by in ahead.together(self._model.pays_out):
             rotors = list(here.rotors)
             rotors[hand] += by
-            ends.append(self._wanted_at(rotors))
+            ends.append(self.wanted_at(rotors))
         return self._ticks_gripping(ends) == len(ends)
 
     def _ticks_gripping(self, commands: Sequence[list[float]]) -> int:

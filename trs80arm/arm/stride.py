@@ -115,7 +115,7 @@ def _arrive(
         motor.coils = turning.nibble
     # And where they all stood on the last tick.
     ticked = list(here)
-    tick = arm.world.last_tick(ahead.ends)
+    tick = arm.bench.scene.last_tick(ahead.ends)
     for turning, turned in zip(turnings, ahead.turned_before(tick), strict=True):
         ticked[turning.latch] += turned
     arm.arrive(there, ticked, ahead.ends)

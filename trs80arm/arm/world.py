@@ -144,14 +144,9 @@ class World:
         if self._rests is not None and time - self._rests >= PAUSE:
             self.bench.scene.time = self._rests = time
 
-    def last_tick(self, time: int) -> int:
-        """T-state of the last tick up to a T-state, if they come one by one."""
-        last = self.bench.scene.time
-        return last + (time - last) // TICK_STATES * TICK_STATES
-
     def skip(self, time: int) -> None:
         """Let ticks pass, up to a T-state, that would change nothing."""
-        self.bench.scene.time = self.last_tick(time)
+        self.bench.scene.time = self.bench.scene.last_tick(time)
 
     def tick(self) -> None:
         """Let a tick pass; contact is looked at if there can be any."""
@@ -334,18 +329,12 @@ class World:
 
     def commands(self, rotors: Sequence[int]) -> list[float]:
         """Where they would want them with the rotors there; not to be changed."""
-        # Its cable goes on past nothing only against what is between the fingers.
-        taut = self.grip.contact > 0 and self.bench.scene.torques[5] > 0
+        taut = self._outlook.taut
         if self._commanded is not None:
             there, so, commands = self._commanded
             if so == taut and there == rotors:
                 return commands
-        base, shoulder, elbow, left, right = self.drive.driven(rotors)
-        cable = self.drive.cable(rotors)
-        if cable < 0 and not taut:
-            cable = 0
-        opening = min(self.model.hand.range, cable / self.model.hand_steps)
-        commands = [base, shoulder, elbow, left, right, opening]
+        commands = self._outlook.wanted_at(rotors)
         self._commanded = list(rotors), taut, commands
         return commands
 

@@ -324,11 +324,15 @@ class Scene:
         """T-state of the next tick."""
         return self.time + self._stride * TICK_STATES
 
+    def last_tick(self, time: int) -> int:
+        """T-state of the last tick up to a T-state, if they come one by one."""
+        return self.time + (time - self.time) // TICK_STATES * TICK_STATES
+
     def advance(self, time: int) -> None:
         """Do all ticks up to a T-state."""
         while self.due <= time:
             if not self.driven.moved and self.quiet:
-                self.time += (time - self.time) // TICK_STATES * TICK_STATES
+                self.time = self.last_tick(time)
                 return
             self.tick()
 

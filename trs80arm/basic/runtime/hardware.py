@@ -53,12 +53,7 @@ class Hardware(Part):
 
     def rnd(self, number: int) -> float:
         """RND."""
-        state = self._state
-        if not number:
-            # The usual case of `rnd.rnd`.
-            state.seed = seed = (state.seed * rnd.MULTIPLIER + rnd.INCREMENT) & 0xFFFFFF
-            return seed / 16777216.0
-        state.seed, value = rnd.rnd(state.seed, number)
+        self._state.seed, value = rnd.rnd(self._state.seed, number)
         return value
 
     def randomize(self) -> None:
