@@ -1,7 +1,7 @@
 """What was found for the very same before: an arm that repeats a motion repeats its contacts.
 
-Rotors are whole numbers, ticks are on a grid, and parts are given where the last ones were. So a
-program that goes round asks the same questions over and over, the same to the last bit. What
+Rotors are whole numbers, ticks begin with a motion, and parts are given where the last ones were.
+So a program that goes round asks the same questions over and over, the same to the last bit. What
 answers a question by computing alone, from numbers that are all said in it, is asked once; the
 answer is the one that computing it again would have, so it does not matter what is still known and
 what is not any more.

@@ -1,7 +1,7 @@
 """The one mechanism by which parts move: pushed, carried, tipped, stacked, dropped.
 
 A scene holds loose bodies, things that stand fast, the table at height 0, and at most one arm. Time
-goes in ticks on a grid of the clock; in each, everything that is awake moves as contact with
+goes in ticks (`clock`); in each, everything that is awake moves as contact with
 Coulomb friction and gravity has it (`solver`). What comes to rest falls asleep, with all that
 it leans on, and costs nothing until something touches it. What rests in the hand alone goes
 with the hand. Nothing here knows what a stack or a plank is.
