@@ -261,6 +261,31 @@ def test_who_comes_and_goes_between_two_looks_leaves_nothing_behind() -> None:
     port.close()
 
 
+@posix
+def test_who_comes_while_it_is_looked_for_them_loses_nothing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    port, rig = PseudoTerminal(), Rig(SETTINGS)
+    attendant = Attendant(port, rig)
+    look = endpoints._shut
+    clients: list[int] = []
+
+    def come(descriptor: int) -> bool:
+        nobody = look(descriptor)
+        if not clients:
+            clients.append(os.open(port.name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK))
+            os.write(clients[0], b"@READ\r")
+        return nobody
+
+    monkeypatch.setattr(endpoints, "_shut", come)
+    for _ in range(3):
+        attendant.attend()
+        rig.run_for(1)
+    assert os.read(clients[0], 100).startswith(b"1\r0,0,0,0,0,0")
+    os.close(clients[0])
+    port.close()
+
+
 class Deaf:
     """A port whose client sends without end and reads nothing."""
 

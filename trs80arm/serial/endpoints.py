@@ -21,7 +21,7 @@ LOOPBACK = "127.0.0.1"
 NOBODY = 0.1
 """Seconds between two looks whether somebody has opened a pseudo-terminal."""
 MOST_UNREAD = 65536
-"""Bytes that are thrown away at once."""
+"""Bytes that are taken at most of what nobody has received; a device holds fewer."""
 NO_PTY = "this system has no pseudo-terminals; --tcp PORT has the line on a port"
 
 
@@ -86,6 +86,8 @@ class PseudoTerminal:
             raise EndpointError(f"no pseudo-terminal can be had: {reason(error)}") from None
         self.name = os.ttyname(other)
         self.connected = False
+        self._early = b""
+        """What was sent while it was looked whether anybody is there."""
         # No echo, and every byte as it is, for programs that do not ask for that themselves.
         tty.setraw(other)
         os.set_blocking(self._own, False)
@@ -96,20 +98,29 @@ class PseudoTerminal:
         """As in `Port`."""
         before = self.connected
         self.connected = not _shut(self._own)
+        if self.connected:
+            return False
+        self._early = b""
         # Somebody may have come and gone since, and have left something.
-        if self.connected or not (self._take_unread() or before):
+        unread = self._take_unread()
+        if not (unread or before):
+            return False
+        if not before and not _shut(self._own):
+            # Or has come in this very moment, and it is for them that it is to be answered.
+            self.connected = True
+            self._early = unread
             return False
         self._clean()
         return True
 
-    def _take_unread(self) -> bool:
-        """Throw away what nobody is there any more to be answered for; whether there was any."""
-        found = False
+    def _take_unread(self) -> bytes:
+        """What was sent and nobody has received."""
+        unread = bytearray()
         # When it is all taken it is an error that nobody is there.
         with contextlib.suppress(OSError):
-            while os.read(self._own, MOST_UNREAD):
-                found = True
-        return found
+            while len(unread) < MOST_UNREAD and (some := os.read(self._own, MOST_UNREAD)):
+                unread += some
+        return bytes(unread)
 
     def _clean(self) -> None:
         """What was sent and not read is not for who comes next, nor are modes that were set."""
@@ -125,6 +136,9 @@ class PseudoTerminal:
 
     def receive(self, most: int) -> bytes:
         """As in `Port`."""
+        if self._early:
+            early, self._early = self._early[:most], self._early[most:]
+            return early
         # That nobody is there is an error, which `left` tells.
         with contextlib.suppress(OSError):
             return os.read(self._own, most)
@@ -146,6 +160,8 @@ class PseudoTerminal:
         # A device that nobody has open is always ready, to say that.
         own = [self._own] if self.connected else []
         longest = seconds if self.connected else min(seconds, NOBODY)
+        if self._early:
+            longest = 0.0
         _wait([*own, *others], own if sending else [], longest)
 
     def close(self) -> None:
