@@ -1,8 +1,8 @@
 """The plugin in a stranger's repository: a wheel in a fresh venv, one program, one bench, tests.
 
-Kept quick, and no registry is asked: pip builds the wheel with the setuptools that is there and
-puts it into a venv that has no pip of its own; what trs80arm stands on is taken from this run's
-environment by a `.pth` file.
+Kept quick, and no registry is asked: the setuptools that is there builds the wheel, as pip would
+have it do, and pip puts it into a venv that has no pip of its own; what trs80arm stands on is taken
+from this run's environment by a `.pth` file.
 """
 
 from __future__ import annotations
@@ -23,6 +23,8 @@ from tests.testing.stranger import files, hurry, settle, steps
 pytest_plugins = ["pytester"]
 TREE = Path(__file__).parents[2]
 OFFLINE = ("--no-deps", "--no-index")
+BUILD = "import sys; from setuptools.build_meta import build_wheel; build_wheel(sys.argv[1])"
+"""What pip has a backend do, in the folder of the source."""
 EXE = ".exe" if os.name == "nt" else ""
 
 
@@ -34,14 +36,6 @@ def apart(lines: list[str]) -> None:
     assert "-   J2 shoulder             -80       -80         0" in text
 
 
-def pip(*arguments: str | Path) -> None:
-    """Have the pip of this run do something, without a registry."""
-    quiet = ("--disable-pip-version-check", "--quiet")
-    subprocess.run(
-        [sys.executable, "-m", "pip", *quiet, *arguments], check=True, capture_output=True
-    )
-
-
 def wheel(folder: Path) -> Path:
     """A wheel of the tree."""
     source = folder / "source"
@@ -50,7 +44,10 @@ def wheel(folder: Path) -> Path:
         shutil.copytree(TREE / name, source / name, ignore=unwanted)
     for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(TREE / name, source / name)
-    pip("wheel", *OFFLINE, "--no-build-isolation", "--wheel-dir", folder, source)
+    # pip itself would take longer to find out what to do than the backend does for it.
+    subprocess.run(
+        [sys.executable, "-c", BUILD, folder], cwd=source, check=True, capture_output=True
+    )
     (made,) = folder.glob("*.whl")
     return made
 
@@ -60,7 +57,13 @@ def fresh_environment(folder: Path, made: Path) -> Path:
     venv.create(folder, with_pip=False, symlinks=os.name != "nt")
     places = {"base": str(folder), "platbase": str(folder)}
     commands = Path(sysconfig.get_path("scripts", "venv", places))
-    pip("--python", commands / f"python{EXE}", "install", *OFFLINE, "--no-compile", made)
+    quiet = ("--disable-pip-version-check", "--quiet")
+    there = ("--python", commands / f"python{EXE}")
+    subprocess.run(
+        [sys.executable, "-m", "pip", *quiet, *there, "install", *OFFLINE, "--no-compile", made],
+        check=True,
+        capture_output=True,
+    )
     behind = [place for place in sys.path if place.endswith("-packages")]
     site = Path(sysconfig.get_path("purelib", "venv", places))
     (site / "behind.pth").write_text("\n".join(behind))
