@@ -11,7 +11,7 @@ text stays the same, and used again as long as what they assumed about the varia
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from types import CellType, FrameType, FunctionType
@@ -21,6 +21,7 @@ from trs80arm.basic import addresses, characters, costs, words
 from trs80arm.basic.compiler.draft import Mistake
 from trs80arm.basic.compiler.emitter import MARGIN, Emitter, Mark, Next, TooDeep
 from trs80arm.basic.compiler.reader import Reader
+from trs80arm.basic.compiler.relocation import Location, Relocatable
 from trs80arm.basic.compiler.scope import Assumptions, Scope
 from trs80arm.basic.compiler.statements import StatementCompiler
 from trs80arm.basic.control import DIRECT, ForFrame
@@ -28,6 +29,7 @@ from trs80arm.basic.engine import Place
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.execution import CodeCall, Leave
 from trs80arm.basic.native.hot import Hot
+from trs80arm.basic.program import Change, Program
 from trs80arm.basic.runtime.again import recorded
 from trs80arm.basic.runtime.environment import environment
 from trs80arm.basic.state import State
@@ -50,19 +52,52 @@ _VARIANTS = 4
 Function = Callable[[], int]
 
 
-class Compiled(NamedTuple):
-    """One function, and what it takes for granted.
+class Compiled:
+    """One function, where it stands, and what it takes for granted.
 
-    Attributes:
-        reach: the text must stay the same up to this address.
+    Args:
+        relocatable: the function.
+        location: where it stands.
+        assumptions: what it takes for granted about variables.
+        marks: what is known of each line of its text.
+        calls_code: whether it may call machine code.
     """
 
-    function: FunctionType
-    assumptions: Assumptions
-    marks: list[Mark]
-    first_line: int
-    calls_code: bool
-    reach: int
+    __slots__ = ("_function", "assumptions", "calls_code", "location", "marks", "relocatable")
+
+    def __init__(
+        self,
+        relocatable: Relocatable,
+        location: Location,
+        assumptions: Assumptions,
+        marks: list[Mark],
+        calls_code: bool,
+    ) -> None:
+        self.relocatable = relocatable
+        self.location = location
+        self.assumptions = assumptions
+        self.marks = marks
+        self.calls_code = calls_code
+        self._function: FunctionType | None = None
+
+    @property
+    def start(self) -> int:
+        """The address of the separator in front of it."""
+        return self.location.addresses[0]
+
+    @property
+    def function(self) -> FunctionType:
+        """The function itself, made when it is asked for first."""
+        if self._function is None:
+            self._function = self.relocatable.at(self.location.addresses)
+        return self._function
+
+    def after(self, changes: Sequence[Change], program: Program) -> Compiled | None:
+        """The function when the program was changed, None if it is another one."""
+        location = self.location.after(changes, program)
+        if location is None or location is self.location:
+            return location and self
+        return Compiled(self.relocatable, location, self.assumptions, self.marks, self.calls_code)
 
 
 class Written(NamedTuple):
@@ -134,12 +169,18 @@ class Table(dict[int, Function]):
         del variants[:-_VARIANTS]
         return compiled
 
-    def forget_from(self, address: int) -> None:
-        """From an address on the text is another one."""
+    def follow(self, changes: Sequence[Change], program: Program) -> None:
+        """The program was changed: keep what holds, where it stands now."""
         self.cleared()
-        for kept in self._kept.values():
+        self.current.clear()
+        for types, kept in self._kept.items():
+            moved: dict[int, list[Compiled]] = {}
             for variants in kept.values():
-                variants[:] = [compiled for compiled in variants if compiled.reach < address]
+                for compiled in variants:
+                    found = compiled.after(changes, program)
+                    if found is not None:
+                        moved.setdefault(found.start, []).append(found)
+            self._kept[types] = moved
 
     def cleared(self) -> None:
         """The variables are gone."""
@@ -160,7 +201,7 @@ class Table(dict[int, Function]):
         for address in [a for a in self if start <= a < stop]:
             del self[address]
 
-    def failed(self, address: int, error: BaseException) -> Mark:
+    def failed(self, address: int, error: BaseException) -> tuple[int, int]:
         """The statement in which an error was raised, and what it had cost by then."""
         compiled = self.current.get(address)
         traceback = error.__traceback__
@@ -168,13 +209,14 @@ class Table(dict[int, Function]):
             code = compiled.function.__code__
             while traceback is not None:
                 if traceback.tb_frame.f_code is code:
-                    index = traceback.tb_lineno - compiled.first_line - 1
+                    index = traceback.tb_lineno - compiled.relocatable.first_line - 1
                     if 0 <= index < len(compiled.marks):
                         statement, cost = compiled.marks[index]
-                        return Mark(statement, cost + _counted(traceback.tb_frame))
+                        place = compiled.location.addresses[statement]
+                        return place, cost + _counted(traceback.tb_frame)
                     break
                 traceback = traceback.tb_next
-        return Mark(address, 0)
+        return address, 0
 
 
 def _counted(frame: FrameType) -> int:
@@ -264,7 +306,7 @@ class CompiledCode:
         try:
             return table[address]()
         except (BasicError, Leave) as error:
-            cost = table.failed(address, error).cost
+            _, cost = table.failed(address, error)
             self._state.clock.now += cost
             self._note(error, address, cost)
             raise
@@ -318,12 +360,12 @@ class CompiledCode:
         """Forget what was compiled from another text."""
         program = self._state.program
         if self._version != program.version:
-            first = program.same_below(self._version)
+            changes = program.changes_since(self._version)
             self._version = program.version
-            self.statements.forget_from(first)
-            self.blocks.forget_from(first)
+            self.statements.follow(changes, program)
+            self.blocks.follow(changes, program)
             if self.hot is not None:
-                self.hot.forget_from(first)
+                self.hot.forget_from(min(change.first for change in changes))
 
     def types(self) -> bytes:
         """The table of DEFINT and so on, by which compiled statements are kept.
@@ -391,13 +433,16 @@ class CompiledCode:
             before = out.state(), scope.state(), list(loops)
             if paced:
                 out.look_at_clock(here)
+            if seen:
+                # No line has come between.
+                out.depends_on(here, here + 1)
             try:
                 found = self._write(here, out, scope, loops)
                 if found.observes and seen:
                     # The clock must be right before it looks.
                     self._take_back(out, scope, loops, before)
                     out.charge()
-                    out.emit(f"now_at({here})")
+                    out.emit(f"now_at({out.address(here)})")
                     found = self._write(here, out, scope, loops)
             except TooDeep:
                 if not seen:
@@ -444,10 +489,8 @@ class CompiledCode:
         names = self.environment
         if out.calls_code:
             names = self._recorded = self._recorded or recorded(names, self._state)
-        function, first_line = out.build(names)
-        return Compiled(
-            function, scope.assumptions(), out.marks, first_line, out.calls_code, out.reach
-        )
+        relocatable = out.build(names)
+        return Compiled(relocatable, out.location(), scope.assumptions(), out.marks, out.calls_code)
 
     def _loops(self) -> list[Key]:
         """The variables of the loops that are open now."""
@@ -462,17 +505,20 @@ class CompiledCode:
         state = self._state
         ram = state.memory.ram
         program = state.program
-        out.statement = address
+        out.begin(address)
         direct = address < program.start - 1
         start = address + 1
-        out.depends_on(start + 1)
         line = DIRECT
         if not _LOWEST <= address < state.memory.top - _LINE_HEAD:
+            out.depends_on(address, start)
             out.fail(Code.SN)
             return Written(None, False, False, False)
+        # The separator in front of a line belongs to the line before it.
+        text = address if ram[address] else start
+        out.depends_on(text, start + 1)
         if ram[address] == 0:
             if direct or not (ram[start] or ram[start + 1]):
-                out.emit(f"end_of_text({address})")
+                out.emit(f"end_of_text({out.address(address)})")
                 return Written(None, False, False, False)
             start += 4
             line = ram[address + 3] | ram[address + 4] << 8
@@ -485,7 +531,7 @@ class CompiledCode:
             link = program.line_at(address)
             line = 0 if link is None else program.number_at(link)
         reader = Reader(program.text_from(start), start, out)
-        out.depends_on(start + len(reader.text))
+        out.depends_on(text, start + len(reader.text))
         reader.skip()
         compiler = StatementCompiler(reader, out, scope, program, line, loops, state.armbasic)
         goes_on = reader.address if compiler.compile() else None
@@ -531,5 +577,5 @@ class CompiledCode:
             reader, out, self._scope(self.types()), state.program, DIRECT, [], state.armbasic
         )
         compiler.compile_target()
-        function, _ = out.build(self.environment)
+        function = out.build(self.environment).at(out.location().addresses)
         return function(), reader.address

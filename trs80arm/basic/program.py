@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import bisect
 from collections.abc import Iterable, Iterator
+from typing import NamedTuple
 
 from trs80arm.basic import addresses
 from trs80arm.basic.addresses import set_word, word
@@ -20,9 +21,28 @@ LAST_ADDRESS = 0xFFFF
 _LAST = 0xFFF0
 """No program reaches so far up; the search through a broken one stops here."""
 _REMEMBERED = 100
-"""Changes whose places are known; whoever knows an older text knows none of it any more."""
+"""Changes that are known; whoever knows an older text knows none of it any more."""
 LINE_HEAD = 4
 """A line's link and number."""
+
+
+class Change(NamedTuple):
+    """A change of the text.
+
+    Attributes:
+        first: below this address it is what it was.
+        behind: from this address on it is that too, but for the links.
+        by: so many bytes further up; where it is 0 no line has come, gone or moved, unless all
+            from `first` on is another text.
+    """
+
+    first: int
+    behind: int = LAST_ADDRESS + 1
+    by: int = 0
+
+
+EVERYTHING = Change(0)
+"""Another text."""
 
 
 class Program:
@@ -35,8 +55,8 @@ class Program:
     def __init__(self, memory: Memory) -> None:
         self._memory = memory
         self.version = 0
-        self._changes: list[int] = []
-        """Where each change began, the last one last."""
+        self._changes: list[Change] = []
+        """The last one last."""
         self._index: tuple[list[int], list[int]] | None = None
 
     def __getstate__(self) -> dict[str, object]:
@@ -65,21 +85,29 @@ class Program:
     def end(self, address: int) -> None:
         set_word(self._memory.ram, addresses.PROGRAM_END, address)
 
-    def changed(self, first: int = 0) -> None:
-        """The text was changed, by POKE or by a tape, or in here.
-
-        Args:
-            first: the first address where it may be another one.
-        """
+    def changed(self, change: Change = EVERYTHING) -> None:
+        """The text was changed, by POKE or by a tape, or in here."""
         self.version += 1
-        self._changes.append(first)
+        self._changes.append(change)
         del self._changes[:-_REMEMBERED]
         self._index = None
 
-    def same_below(self, version: int) -> int:
-        """Up to which address the text is what it was in an earlier version."""
+    def poked(self, address: int, before: int) -> None:
+        """A byte of the text was POKEd, which was another one before."""
+        index = self._walk()
+        line = self.line_at(address)
+        zero = not (before and self._memory.ram[address])
+        if line is None or address < line + LINE_HEAD or zero:
+            self.changed()
+            return
+        self.changed(Change(address, address + 1))
+        # The lines are where they were.
+        self._index = index
+
+    def changes_since(self, version: int) -> list[Change]:
+        """What has become of the text of an earlier version, change by change."""
         count = self.version - version
-        return min(self._changes[-count:]) if 0 < count <= len(self._changes) else 0
+        return self._changes[-count:] if 0 < count <= len(self._changes) else [EVERYTHING]
 
     def _walk(self) -> tuple[list[int], list[int]]:
         """Addresses of the lines' links and their numbers, in the order of the links."""
@@ -231,15 +259,12 @@ class Program:
         end = self.end
         rest = bytes(self._memory.ram[stop:end])
         self._memory.write(start, new + rest)
-        self.end = end + len(new) - (stop - start)
-        self.mend(start)
+        by = len(new) - (stop - start)
+        self.end = end + by
+        self.mend(Change(start, stop, by))
 
-    def mend(self, first: int = 0) -> None:
-        """Set every link to the next line, found by its final zero.
-
-        Args:
-            first: where the text, and so the first link, may be another one.
-        """
+    def mend(self, change: Change = EVERYTHING) -> None:
+        """Set every link to the next line, found by its final zero, when the text was changed."""
         ram, top = self._memory.ram, self._memory.top
         places: list[int] = []
         numbers: list[int] = []
@@ -253,7 +278,7 @@ class Program:
             ram[address] = following & 0xFF
             ram[address + 1] = following >> 8 & 0xFF
             address = following
-        self.changed(first)
+        self.changed(change)
         if self.start >= _RAM_START and address < top - 4 and not word(ram, address):
             # Who follows the links comes by the same lines.
             self._index = places, numbers

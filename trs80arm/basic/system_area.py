@@ -168,7 +168,8 @@ class Workspace:
         if variables.start <= address < variables.end:
             variables.poke(address, value)
             return
+        before = self._ram[address]
         self._ram[address] = value
         if address < variables.start:
-            self._state.program.changed()
+            self._state.program.poked(address, before)
             self._state.engine.look_around()

@@ -67,17 +67,19 @@ class ArmCompiler:
         self._end()
         joints += ["0"] * (JOINTS - len(joints))
         self._out.charge()
-        self._out.emit(f"arm_step({delay}, ({', '.join(joints)}), {self._reader.address})")
+        self._out.emit(
+            f"arm_step({delay}, ({', '.join(joints)}), {self._out.address(self._reader.address)})"
+        )
 
     def _close(self) -> None:
         """`@CLOSE [D]`."""
         delay = self._delay()
-        self._out.emit(f"arm_close({delay}, {self._reader.address})")
+        self._out.emit(f"arm_close({delay}, {self._out.address(self._reader.address)})")
 
     def _set(self) -> None:
         """`@SET [D]`."""
         delay = self._delay()
-        self._out.emit(f"arm_set({delay}, {self._reader.address})")
+        self._out.emit(f"arm_set({delay}, {self._out.address(self._reader.address)})")
 
     def _delay(self) -> str:
         delay = "None"

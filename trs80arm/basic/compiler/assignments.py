@@ -162,10 +162,10 @@ class AssignmentCompiler:
         prompt = "b''"
         if reader.code == characters.QUOTE:
             length, address = reader.string_literal()
-            prompt = f"text_at({length}, {address})"
+            prompt = f"text_at({length}, {self._out.address(address)})"
             self._draft.expect(characters.SEMICOLON)
         self._out.charge()
-        self._out.emit(f"begin_input({prompt}, {reader.address})")
+        self._out.emit(f"begin_input({prompt}, {self._out.address(reader.address)})")
 
     def _not_direct(self) -> None:
         if self._line == DIRECT:
@@ -175,7 +175,7 @@ class AssignmentCompiler:
         unit = self.tape_unit()
         self._not_direct()
         self._out.charge()
-        self._out.emit(f"begin_tape_input({unit}, {self._reader.address})")
+        self._out.emit(f"begin_tape_input({unit}, {self._out.address(self._reader.address)})")
 
     def tape_unit(self) -> str:
         """`#-1,` or `#-2,`; FC for another number."""
@@ -203,7 +203,7 @@ class AssignmentCompiler:
                 break
             reader.advance()
         self._out.charge()
-        self._out.emit(f"leave({reader.address})")
+        self._out.emit(f"leave({self._out.address(reader.address)})")
         return False
 
     def _letter(self) -> int:

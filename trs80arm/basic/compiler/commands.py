@@ -22,13 +22,13 @@ class CommandCompiler:
         """END: to command level; CONT goes on behind it."""
         if self._reader.at_end:
             self._out.charge()
-            self._out.emit(f"end_program({self._reader.address})")
+            self._out.emit(f"end_program({self._out.address(self._reader.address)})")
 
     def stop(self, _word: Word) -> None:
         """STOP: `Break in n`."""
         if self._reader.at_end:
             self._out.charge()
-            self._out.emit(f"stop_program({self._reader.address})")
+            self._out.emit(f"stop_program({self._out.address(self._reader.address)})")
 
     def cont(self, word: Word) -> bool:
         """CONT; what stands behind it is not looked at."""
@@ -52,13 +52,15 @@ class CommandCompiler:
     def _trace(self, word: Word, *, on: bool) -> None:
         self._out.emit(f"{word.calls}({on})")
         self._out.charge()
-        self._out.emit(f"leave({self._reader.address})")
+        self._out.emit(f"leave({self._out.address(self._reader.address)})")
 
     def with_text(self, word: Word) -> None:
         """A command that reads the rest of the line by itself."""
         self._out.charge()
         length = len(self._reader.text) - self._reader.position
-        self._out.emit(f"{word.calls}(text_at({length}, {self._reader.address}))")
+        self._out.emit(
+            f"{word.calls}(text_at({length}, {self._out.address(self._reader.address)}))"
+        )
 
     # -- passed -------------------------------------------------------------------------------
 

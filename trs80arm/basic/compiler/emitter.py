@@ -12,9 +12,18 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from functools import lru_cache
-from types import CellType, CodeType, FunctionType
+from types import CellType, CodeType
 from typing import Any, Final, NamedTuple
 
+from trs80arm.basic.compiler import relocation
+from trs80arm.basic.compiler.relocation import (
+    Framed,
+    Location,
+    Relocatable,
+    Search,
+    placeholder,
+    with_addresses,
+)
 from trs80arm.basic.control import ForFrame, Frame
 from trs80arm.basic.errors import Code
 from trs80arm.basic.numbers.functions import OF_ONE_EXPONENT
@@ -74,7 +83,7 @@ class Mark(NamedTuple):
     """What is known of a line of generated text.
 
     Attributes:
-        statement: the address of the statement that it belongs to.
+        statement: the index of the address of the statement that it belongs to.
         cost: T-states not yet charged when it runs.
     """
 
@@ -152,13 +161,12 @@ class Emitter:
         flat: the same.
         cost: T-states that came together since the clock was last charged.
         most_cost: the most that came together on one way through the function.
-        statement: the address of the statement whose text is being written.
+        statement: the address of the statement whose text is being written (`begin`).
         marks: what is known of each line.
         calls: the subroutines that a block has gone into.
         loops: the loops that it goes round in, the innermost last.
         calls_code: whether machine code may be called.
         followed: where a jump goes that the block is to go on behind, instead of leaving.
-        reach: the highest address of the program's text that the function was made from.
         around: the open loop whose body begins where the block does, if there is one.
         strings: text of the characters of string variables that a block knows, by their names.
         next_at: tells of a block's jumps whether they go to a NEXT, while certain loops are open.
@@ -168,6 +176,7 @@ class Emitter:
         self.flat = flat
         self.cost = 0
         self.statement = 0
+        self._statement = 0
         self.most_cost = 0
         self.marks: list[Mark] = []
         self.indent = 1
@@ -177,7 +186,10 @@ class Emitter:
         self._stored: set[str] = set()
         self._constants: dict[int, str] = {}
         self._temporaries = 0
-        self.reach = 0
+        self._addresses: dict[int, int] = {}
+        self._spans: list[tuple[int, int]] = []
+        self._searches: list[Search] = []
+        self._frames: dict[str, tuple[Framed, int]] = {}
         self._leader: int | None = None
         self.around: ForFrame | None = None
         self._head: list[str] = []
@@ -200,11 +212,17 @@ class Emitter:
             frame: the innermost loop or subroutine that is open then.
         """
         self._leader = address
+        self.address(address)
         if isinstance(frame, ForFrame) and frame.body == address:
             self.around = frame
         self.emit("while True:")
         self.indent += 1
         self._base = self.indent
+
+    @property
+    def _known_leader(self) -> int:
+        assert self._leader is not None
+        return self._leader
 
     @property
     def in_block(self) -> bool:
@@ -244,7 +262,8 @@ class Emitter:
             return self._head_whole
         self._head_whole = whole
         frame = KNOWN_LOOP
-        same = f"{frame}.scalar is {scalar} and {frame}.body == {self._leader}"
+        leader = self.address(self._known_leader)
+        same = f"{frame}.scalar is {scalar} and {frame}.body == {leader}"
         self._head = [
             f"{frame} = frames[-1]",
             f"if {same} and {frame}.step == {step!r}: {KNOWN_LIMIT} = {limit}",
@@ -277,7 +296,7 @@ class Emitter:
 
     def go_round(self) -> None:
         """The innermost loop's body again."""
-        self._leave(str(self.loops[-1].body), again="")
+        self._leave(self.address(self.loops[-1].body), again="")
 
     def end_loop(self) -> None:
         """The innermost loop is done."""
@@ -295,12 +314,13 @@ class Emitter:
             (self.cost, self.most_cost, self._charged, self._temporaries, self.indent, self._base),
             (dict(self._cells), set(self._stored), dict(self._constants)),
             (list(self.calls), list(self.loops), self._head, self._head_whole),
+            (len(self._spans), len(self._searches), dict(self._frames)),
             dict(self.strings),
         )
 
     def restore(self, state: tuple[Any, ...]) -> None:
         """Take back what was written since."""
-        length, numbers, (cells, stored, constants), flow, self.strings = state
+        length, numbers, (cells, stored, constants), flow, location, self.strings = state
         del self._lines[length:], self.marks[length:]
         for line in [line for line in self._counted if line >= length]:
             del self._counted[line]
@@ -309,12 +329,14 @@ class Emitter:
         )
         self._cells, self._stored, self._constants = cells, stored, constants
         self.calls, self.loops, self._head, self._head_whole = flow
+        spans, searches, self._frames = location
+        del self._spans[spans:], self._searches[searches:]
         self.followed = None
 
     def emit(self, text: str) -> None:
         """Add a line."""
         self._lines.append("  " * self.indent + text)
-        self.marks.append(Mark(self.statement, self.cost))
+        self.marks.append(Mark(self._statement, self.cost))
 
     def _emit_timed(self, text: str, counted: str) -> None:
         """Add a line that has to do with the clock.
@@ -348,10 +370,6 @@ class Emitter:
         """Write T-states that are found at run time to the clock."""
         self._emit_timed(f"clock.now += {text}", f"spare -= {text}")
 
-    def depends_on(self, address: int) -> None:
-        """The function holds only as long as the text stays the same up to an address."""
-        self.reach = max(self.reach, address)
-
     def allow(self, most: int) -> None:
         """Reckon with T-states that a call will charge by itself, at most so many."""
         self._charged += most
@@ -359,6 +377,37 @@ class Emitter:
     def note_cost(self) -> None:
         """One way through the function ends here."""
         self.most_cost = max(self.most_cost, self._charged + self.cost)
+
+    # -- where it stands ----------------------------------------------------------------------
+
+    def begin(self, address: int) -> None:
+        """What follows belongs to the statement behind a separator."""
+        self.statement = address
+        self.address(address)
+        self._statement = self._addresses[address]
+
+    def address(self, address: int) -> str:
+        """What stands in the text for an address."""
+        index = self._addresses.setdefault(address, len(self._addresses))
+        return placeholder(index)
+
+    def depends_on(self, first: int, last: int) -> None:
+        """The function holds only as long as the program is the same from here to there."""
+        self._spans.append((first, last))
+
+    def passes(self, search: Search) -> None:
+        """A jump of the function is charged for the lines that it passes."""
+        self._searches.append(search)
+
+    @property
+    def reach(self) -> int:
+        """The highest address of the program that the function was made from."""
+        return max((last for _, last in self._spans), default=0)
+
+    def location(self) -> Location:
+        """Where the function stands."""
+        addresses, spans = tuple(self._addresses), tuple(self._spans)
+        return Location(addresses, spans, self.reach, tuple(self._searches))
 
     # -- leaving ------------------------------------------------------------------------------
 
@@ -374,15 +423,16 @@ class Emitter:
         """Leave the function for the statement at an address."""
         home = address == self._leader and not self.loops and not self.calls
         again = "" if home else None
-        self._leave(str(address), again)
+        self._leave(self.address(address), again)
 
     def look_at_clock(self, address: int) -> None:
         """Leave for the statement at an address if too little time is left for more."""
         self.charge()
         self._asks = True
+        to = self.address(address)
         self._emit_timed(
-            f"if clock.now >= soft: return {address}",
-            f"if spare <= 0: clock.now += given - spare; return {address}",
+            f"if clock.now >= soft: return {to}",
+            f"if spare <= 0: clock.now += given - spare; return {to}",
         )
 
     def go_to_found(self, text: str) -> None:
@@ -391,13 +441,14 @@ class Emitter:
 
     def go_to_start(self) -> None:
         """Go round to the block's own start."""
-        assert self._leader is not None
-        self.leave_for(self._leader)
+        self.leave_for(self._known_leader)
 
     def go_to_loop_body(self) -> None:
         """Leave the function for the body of the loop in `f`."""
-        around = self._leader is not None and not self.loops
-        self._leave(_LOOP_BODY, f"{_LOOP_BODY} == {self._leader} and " if around else None)
+        again = None
+        if self._leader is not None and not self.loops:
+            again = f"{_LOOP_BODY} == {self.address(self._leader)} and "
+        self._leave(_LOOP_BODY, again)
 
     def _leave(self, to: str, again: str | None = None) -> None:
         """Charge what has come together and leave; go round at once if there is time.
@@ -448,6 +499,18 @@ class Emitter:
             self._cells[name] = CellType(value)
         return name
 
+    def frame(self, framed: Framed, address: int) -> str:
+        """A name for what the function opens a loop or a subroutine with.
+
+        Args:
+            framed: makes it by where the loop or the subroutine goes back to.
+            address: that.
+        """
+        name = self.constant(framed(address))
+        self.address(address)
+        self._frames[name] = framed, self._addresses[address]
+        return name
+
     @property
     def constants(self) -> dict[str, Any]:
         """The objects that the function keeps for itself, by their names."""
@@ -457,7 +520,7 @@ class Emitter:
 
     def source(self) -> str:
         """The Python text of the function, inside one that declares its cells."""
-        return self._text()[0]
+        return with_addresses(self._text()[0], tuple(self._addresses))
 
     def _text(self) -> tuple[str, int]:
         """The same, and the number of its lines in front of the emitted ones."""
@@ -485,14 +548,14 @@ class Emitter:
         lines = []
         if self._leader is not None and more > 0:
             # It takes longer than the loop that called it reckons with.
-            alone = f"if clock.now >= soft: return alone({self._leader})"
+            alone = f"if clock.now >= soft: return alone({self.address(self._leader)})"
             lines = [f"soft = pace.soft - {more}", alone]
         elif self._asks:
             lines = ["soft = pace.soft"]
         return [*lines, "spare = given = soft - clock.now"] if counting else lines
 
-    def build(self, environment: dict[str, Any]) -> tuple[FunctionType, int]:
-        """The function, and the number of its text lines in front of the first emitted one.
+    def build(self, environment: dict[str, Any]) -> Relocatable:
+        """The function.
 
         Args:
             environment: the names that it may use, and what they stand for.
@@ -513,11 +576,13 @@ class Emitter:
             self.fail(Code.OM)
             source, first_line = self._text()
             code = _code(source)
-        for name in code.co_names:
+        for name in code.code.co_names:
             if name not in environment and name not in ATTRIBUTES:
                 raise UnlistedName(name)
-        closure = tuple(self._cells[name] for name in code.co_freevars)
-        return FunctionType(code, environment, "statement", None, closure), first_line
+        names = code.code.co_freevars
+        cells = tuple([self._cells[name] for name in names])
+        frames = tuple([(i, *self._frames[n]) for i, n in enumerate(names) if n in self._frames])
+        return Relocatable(code, environment, cells, frames, first_line)
 
 
 def _is_quiet(line: str) -> bool:
@@ -541,10 +606,10 @@ def _told(line: str) -> str:
 
 
 @lru_cache(_KEPT)
-def _code(source: str) -> CodeType:
+def _code(source: str) -> relocation.Code:
     """What Python makes of the text of a function: the same for the same text."""
     module = compile(source, "<statement>", "exec")
-    return _inner(_inner(module, "cells"), "statement")
+    return relocation.Code.of(_inner(_inner(module, "cells"), "statement"))
 
 
 def _inner(code: CodeType, name: str) -> CodeType:

@@ -258,7 +258,7 @@ class ExpressionCompiler:
         if code == QUOTE:
             length, address = reader.string_literal()
             out.cost += costs.STRING_LITERAL + costs.STRING_CHARACTER * length
-            call = f"literal({length}, {address})"
+            call = f"literal({length}, {out.address(address)})"
             value = Expression(call, STRING)
             if address < addresses.PROGRAM or length > characters.LONGEST_STRING:
                 return value

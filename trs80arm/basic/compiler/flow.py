@@ -10,6 +10,7 @@ from trs80arm.basic.characters import AT, COMMA, QUOTE
 from trs80arm.basic.compiler.draft import Draft, Mistake
 from trs80arm.basic.compiler.emitter import Call
 from trs80arm.basic.compiler.expressions import ExpressionCompiler
+from trs80arm.basic.compiler.relocation import Search
 from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.control import DIRECT, GosubFrame
 from trs80arm.basic.errors import Code
@@ -65,9 +66,9 @@ class FlowCompiler:
     def _jump_address(self, number: int) -> int:
         """The separator in front of a line, its search paid for; UL."""
         program = self._program
-        passed = program.place(number)
-        if self._line != DIRECT and number > self._line:
-            passed -= program.place(self._line)
+        behind = self._line if self._line != DIRECT and number > self._line else None
+        passed = program.place(number) - (0 if behind is None else program.place(behind))
+        self._out.passes(Search(number, behind, passed))
         self._out.cost += costs.LINE_PASSED * max(0, passed)
         address = self._find(number)
         return address - 1
@@ -75,10 +76,11 @@ class FlowCompiler:
     def _find(self, number: int) -> int:
         """The address of a line's link; UL."""
         address = self._program.find(number)
-        # A line that is not there may be put in anywhere.
-        self._out.depends_on(LAST_ADDRESS if address is None else address)
         if address is None:
+            # It may be put in anywhere.
+            self._out.depends_on(0, LAST_ADDRESS)
             raise Mistake(Code.UL)
+        self._out.depends_on(address - 1, address)
         return address
 
     def _pass_rest(self) -> None:
@@ -115,11 +117,12 @@ class FlowCompiler:
         number = self._line_number()
         self._pass_rest()
         address = self._jump_address(number)
-        frame = out.constant(GosubFrame(back, self._line))
+        line = self._line
+        frame = out.frame(lambda back: GosubFrame(back, line), back)
         out.emit(f"if memory_room.plenty and len(frames) < {room.FEW}:")
         out.emit(f"  frames.append({frame})")
         out.emit("else:")
-        out.emit(f"  open_subroutine({back}, {self._line})")
+        out.emit(f"  open_subroutine({out.address(back)}, {line})")
         if out.straight:
             # Short of memory, statements are compiled with looks at it: not in this block.
             out.indent += 1
@@ -164,7 +167,9 @@ class FlowCompiler:
         self._out.cost += word.work
         self._out.emit(f"{word.calls}()")
         if self._reader.at_end:
-            self._out.go(self._program.start - 1)
+            start = self._program.start
+            self._out.depends_on(start - 1, start)
+            self._out.go(start - 1)
         else:
             self._goto()
         return False
@@ -203,7 +208,7 @@ class FlowCompiler:
         code = self._reader.skip()
         word = words.BY_TOKEN.get(code)
         if self._out.in_block and (code == AT or (word is not None and not word.plain)):
-            self._out.emit(f"now_at({self._out.statement})")
+            self._out.emit(f"now_at({self._out.address(self._out.statement)})")
 
     def _branch(self) -> None:
         """What is done in one case: a line number, a statement, or nothing."""
@@ -281,8 +286,10 @@ class FlowCompiler:
         if not number:
             self._out.emit("set_trap(0)")
             return
-        self._out.cost += costs.LINE_PASSED * self._program.place(number)
-        self._out.emit(f"set_trap({self._find(number)})")
+        passed = self._program.place(number)
+        self._out.passes(Search(number, None, passed))
+        self._out.cost += costs.LINE_PASSED * passed
+        self._out.emit(f"set_trap({self._out.address(self._find(number))})")
 
     def error(self, word: Word) -> None:
         """ERROR n."""

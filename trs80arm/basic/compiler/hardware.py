@@ -56,7 +56,9 @@ class HardwareCompiler:
         self._out.cost += word.work
         address = self._out.keep(self._expressions.integer().text)
         value = self._byte_behind_comma()
-        self._out.emit(f"{word.calls}({address}, {value}, {self._draft.reader.address})")
+        self._out.emit(
+            f"{word.calls}({address}, {value}, {self._out.address(self._draft.reader.address)})"
+        )
 
     def out(self, word: Word) -> None:
         """OUT port, byte."""

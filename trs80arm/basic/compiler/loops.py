@@ -90,13 +90,14 @@ class LoopCompiler:
                 reader.advance()
                 value = to_kind(self._expressions.number(), key[1])
                 step, by = value.text, value.constant
-        opened = f"open_loop({scalar}, {limit}, {step}, {body}, {self._line})"
+        opened = f"open_loop({scalar}, {limit}, {step}, {out.address(body)}, {self._line})"
         self._loops.append(key)
         if by is None or not _usual(by):
             out.emit(opened)
             return
         # A loop that is opened again with the same limit is the same.
-        before = out.constant([ForFrame(self._scope.object(key), math.nan, by, body, self._line)])
+        loop, usual, line = self._scope.object(key), by, self._line
+        before = out.frame(lambda body: [ForFrame(loop, math.nan, usual, body, line)], body)
         frame = out.keep(f"{before}[0]")
         out.emit(
             f"if {frame}.limit == {limit} and memory_room.plenty and len(frames) < {room.FEW}:"
@@ -269,7 +270,7 @@ class LoopCompiler:
         else:
             return
         name = out.cell(self._scope.cell_name(key), self._scope.scalar(key).cell, stored=True)
-        out.depends_on(found.reach)
+        out.depends_on(address, found.reach)
         out.cost += found.cost
         out.emit(f"if {frame} is frames[-1] and {_short_step(name, key, step, limit)}:")
         out.indent += 1

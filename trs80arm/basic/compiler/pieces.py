@@ -275,9 +275,10 @@ def store(out: Emitter, target: str, piece: Piece) -> None:
 def point_to(out: Emitter, target: str, piece: Piece) -> None:
     """Write LET of a literal: it stays where it stands, below string space."""
     assert piece.known is not None
-    out.emit(f"if {piece.place} <= space.bottom and not space.temporaries:")
+    place = out.address(piece.place)
+    out.emit(f"if {place} <= space.bottom and not space.temporaries:")
     out.emit(f"  {target}[0] = {len(piece.known)}")
-    out.emit(f"  {target}[1] = {piece.place}")
+    out.emit(f"  {target}[1] = {place}")
     out.emit("else:")
     out.indent += 1
     out.emit(f"assign({target}, {piece.slow})")

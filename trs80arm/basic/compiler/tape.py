@@ -69,13 +69,13 @@ class TapeCompiler:
                 out.emit(f"data += {function}({value.text})")
             if newline:
                 out.emit("data += b'\\r'")
-        out.emit(f"begin_tape_print(data, {reader.address})")
+        out.emit(f"begin_tape_print(data, {out.address(reader.address)})")
 
     def csave(self, word: Word) -> None:
         """CSAVE name."""
         with self._data():
             self._name()
-        self._out.emit(f"{word.calls}(data, {self._reader.address})")
+        self._out.emit(f"{word.calls}(data, {self._out.address(self._reader.address)})")
 
     def _name(self) -> None:
         """A program's name into `data`."""
@@ -92,7 +92,7 @@ class TapeCompiler:
         else:
             with self._data():
                 self._name()
-        self._out.emit(f"{word.calls}(data, {verify}, {self._reader.address})")
+        self._out.emit(f"{word.calls}(data, {verify}, {self._out.address(self._reader.address)})")
 
     def system(self, word: Word) -> None:
         """SYSTEM."""
