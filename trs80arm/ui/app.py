@@ -363,6 +363,8 @@ class Trs80Arm(Themed[int]):
             self.tour.offer()
         self.plugged.begin()
         self.served.begin()
+        # The panels know their sizes and nothing has been drawn: the first frame is to show it all.
+        self.draw()
         if self.options.demo:
             self.commands.machine.demo()
         elif self.session.playing:
@@ -515,7 +517,8 @@ class Trs80Arm(Themed[int]):
         self.call_after_refresh(self._arrange)
 
     def _arrange(self) -> None:
-        self.desk.lay_out()
+        if self.desk.laid_out_for != self.size:
+            self.desk.lay_out()
         self._next_frame = 0.0
         self.heartbeat.wake()
 

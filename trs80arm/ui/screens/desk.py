@@ -14,7 +14,7 @@ from math import radians
 
 from textual import events
 from textual.app import ComposeResult
-from textual.geometry import Offset
+from textual.geometry import Offset, Size
 from textual.markup import escape
 from textual.message import Message
 from textual.widget import Widget
@@ -89,6 +89,7 @@ class DeskScreen(Layer):
         cursor_style: whether the cursor blinks.
         numbers_due: the wall's time at which numbers are to be drawn again.
         still: whether arm and bench stood at the last frame as at the one before.
+        laid_out_for: the size of the terminal that the panels have their places for.
     """
 
     def __init__(
@@ -122,6 +123,7 @@ class DeskScreen(Layer):
         self.no_pixels = NOT_HERE
         self.cursor_style = CursorStyle.BLINK
         self.numbers_due = 0.0
+        self.laid_out_for = Size(0, 0)
         self._pictures_due = 0.0
         self._pixels_took = 0.0
         self._shown: list[tuple[Cadence, AnyPanel]] = []
@@ -179,6 +181,7 @@ class DeskScreen(Layer):
 
     def lay_out(self) -> None:
         """Put the panels where the layout has them."""
+        self.laid_out_for = self.app.size
         width, height = self._room
         places = layout.plan(self._groups, width, height, self.bottom, self.zoomed, self.leading)
         frames = layout.frames(width, height) if self.zoomed is None else layout.Frames.TITLED

@@ -17,6 +17,7 @@ from rich.segment import Segment
 from rich.style import Style
 from textual._compositor import ChopsUpdate, Compositor
 from textual.color import Color
+from textual.events import ScreenResume
 from textual.geometry import Offset, Region
 from textual.screen import Screen
 from textual.strip import Strip
@@ -95,6 +96,14 @@ class Layer(Screen[Any]):
         self._laid_out: object = None
         self._updating = False
         self._to_be_drawn = False
+
+    def _on_screen_resume(self, event: ScreenResume) -> None:
+        """Shown for the first time, all of it has just got its styles; Textual would find them anew.
+
+        Textual's own handler comes after this one.
+        """
+        if not self.stack_updates:
+            event.refresh_styles = False
 
     @contextmanager
     def frame(self) -> Iterator[None]:
