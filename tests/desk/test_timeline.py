@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.own_places import PROGRAMS
+from trs80arm.arm.settings import ArmSettings
 from trs80arm.desk import recording, timeline
 from trs80arm.desk.debugger import Debugger
 from trs80arm.desk.session import Session
@@ -115,6 +117,28 @@ def test_marks_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     gaps = [later.time - earlier.time for earlier, later in pairwise(marks)]
     assert gaps[-1] < gaps[1]
     assert session.timeline.back()
+
+
+@pytest.mark.parametrize(
+    ("model", "bench", "greeting"),
+    [("minimover5", None, True), ("minimover5", "sort.toml", False), ("teachmover", None, False)],
+)
+def test_the_beginning_is_had_again_as_it_was(
+    tmp_path: Path, model: str, bench: str | None, greeting: bool
+) -> None:
+    settings = RigSettings(
+        tape_folder=tmp_path, printer_file=tmp_path / "paper.txt", arm=ArmSettings(model=model)
+    )
+    session = Session(settings, PROGRAMS / bench if bench else None, greeting=greeting)
+    began = session.rig.snapshot()
+    session.rig.load_text('10 LPRINT "A"\n20 PRINT#-1,5\n30 @STEP 50,40\n40 GOTO 40\n')
+    session.rig.type("RUN\r")
+    run(session, 12)
+    kept = sorted(tmp_path.iterdir())
+    past = session.timeline._past(0)
+    assert past.done == 0
+    assert past.rig.snapshot() == began
+    assert sorted(tmp_path.iterdir()) == kept
 
 
 def test_back_at_the_prompt_leads_to_the_last_statement() -> None:

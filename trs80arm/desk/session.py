@@ -96,20 +96,32 @@ class Session:
         self._told_faults: set[str] = set()
         self._pasting = False
         self.keepsakes = Keepsakes(lambda: self.rig)
-        rig = Rig(self._settings, file.bench if file else None)
         self.greeted = greeting
-        if greeting:
-            greet(rig.console)
+
+        def begin() -> Rig:
+            rig = Rig(self._settings, file.bench if file else None)
+            if greeting:
+                greet(rig.console)
+            return rig
+
+        rig = begin()
         self.halted = False
         self.held_back: Callable[[], bool] = lambda: False
         self.broken_off: object = None
-        timeline = self._timeline(rig)
+        timeline = self._timeline(rig, begin)
         journal = Journal(rig, file.text if file else None, record, greeting=greeting)
         self._use(rig, timeline, journal)
 
-    def _timeline(self, rig: Rig) -> Timeline:
-        """Keep a rig's past from now on; to be told of inputs before a journal is."""
-        return Timeline(rig, lambda count: self._journal.cut(count))
+    def _timeline(self, rig: Rig, begin: Callable[[], Rig] | None = None) -> Timeline:
+        """Keep a rig's past from now on; to be told of inputs before a journal is.
+
+        Args:
+            rig: the machine.
+            begin: makes another that is as it is now.
+        """
+        # To switch on a machine with a ROM of its own takes longer than to keep it.
+        beginning = begin if rig.settings.rom is None else None
+        return Timeline(rig, lambda count: self._journal.cut(count), beginning)
 
     def _use(self, rig: Rig, timeline: Timeline, journal: Journal) -> None:
         self.rig = rig
@@ -462,7 +474,7 @@ class Session:
         self._journal.close()
         self.timeline.close()
         rig = recording.rig()
-        timeline = self._timeline(rig)
+        timeline = self._timeline(rig, recording.rig)
         self._use(rig, timeline, Journal(rig, recording.bench, greeting=recording.greeting))
         self._play_fault = None
         self._played = deque(recording.inputs)

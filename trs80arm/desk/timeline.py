@@ -15,7 +15,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.rig import Input, Rig
@@ -44,13 +44,18 @@ class Mark:
         time: its T-state.
         inputs: how many things the operator had done by then.
         recordings: how many recordings there were on cassettes of the tape folder.
-        snapshot: the machine.
+        snapshot: the machine; None if it stood as it begins.
     """
 
     time: int
     inputs: int
     recordings: int
-    snapshot: bytes
+    snapshot: bytes | None
+
+    @property
+    def size(self) -> int:
+        """How many bytes are kept."""
+        return len(self.snapshot or b"")
 
 
 class Timeline:
@@ -59,11 +64,19 @@ class Timeline:
     Args:
         rig: whose past is kept, from now on.
         cut: is told how many of the things that were done are left when one went back.
+        beginning: makes a machine that is as the rig is now. Then nothing is kept of it at first,
+            which takes thrice as long as to switch it on; few ever go back so far.
     """
 
-    def __init__(self, rig: Rig, cut: Callable[[int], object] = lambda count: None) -> None:
+    def __init__(
+        self,
+        rig: Rig,
+        cut: Callable[[int], object] = lambda count: None,
+        beginning: Callable[[], Rig] | None = None,
+    ) -> None:
         self._rig = rig
         self._cut = cut
+        self._beginning = beginning
         self._done: list[Input] = []
         self._future: deque[Input] = deque()
         self._front = 0
@@ -71,7 +84,10 @@ class Timeline:
         self._again = False
         self._marks: list[Mark] = []
         self._stop = rig.record(self._take)
-        self.mark()
+        if beginning is None:
+            self.mark()
+        else:
+            self._keep(Mark(rig.clock.now, 0, len(rig.recordings), None))
 
     def close(self) -> None:
         """Keep nothing from now on."""
@@ -104,7 +120,7 @@ class Timeline:
         marks = self._marks
         marks.insert(self._place(mark.time), mark)
         while len(marks) > 2 and (
-            len(marks) > MOST or sum(len(other.snapshot) for other in marks) > LARGEST
+            len(marks) > MOST or sum(other.size for other in marks) > LARGEST
         ):
             now = marks[-1].time + 1
             gaps = {
@@ -168,7 +184,7 @@ class Timeline:
         window = WINDOW
         while True:
             begin = max(earliest, now - window)
-            past = _Past(self._rig, self._last_mark(begin), self._inputs)
+            past = self._past(begin)
             past.run_to(begin)
             if past.time < end:
                 self._mark_past(past)
@@ -184,7 +200,7 @@ class Timeline:
 
     def go_to(self, time: int) -> None:
         """Go back to a T-state at which a statement was about to begin."""
-        past = _Past(self._rig, self._last_mark(time), self._inputs)
+        past = self._past(time)
         past.stop_at(time)
         inputs = self._inputs
         if not self._behind:
@@ -205,6 +221,17 @@ class Timeline:
     def _last_mark(self, time: int) -> Mark:
         return self._marks[max(self._place(time) - 1, 0)]
 
+    def _past(self, time: int) -> _Past:
+        """A second machine, at the last mark before a T-state."""
+        mark = self._last_mark(time)
+        snapshot = mark.snapshot
+        if snapshot is None:
+            assert self._beginning is not None
+            snapshot = self._beginning().snapshot()
+            self._marks[self._marks.index(mark)] = replace(mark, snapshot=snapshot)
+        past = self._rig.past(snapshot, mark.recordings)
+        return _Past(past, mark, self._inputs)
+
     def _mark_past(self, past: _Past) -> None:
         """Keep a moment of the past that will be wanted again."""
         if past.time - self._last_mark(past.time).time >= WINDOW:
@@ -220,7 +247,7 @@ class _Past:
     """
 
     def __init__(self, rig: Rig, mark: Mark, inputs: list[Input]) -> None:
-        self.rig = rig.past(mark.snapshot, mark.recordings)
+        self.rig = rig
         self.done = mark.inputs
         self._inputs = inputs
         self._recorded_before = mark.recordings

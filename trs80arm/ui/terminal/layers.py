@@ -98,7 +98,7 @@ class Layer(Screen[Any]):
         self._to_be_drawn = False
 
     def _on_screen_resume(self, event: ScreenResume) -> None:
-        """Shown for the first time, all of it has just got its styles; Textual would find them anew.
+        """Shown for the first time, all of it has just got its styles: they are not found again.
 
         Textual's own handler comes after this one.
         """
