@@ -6,8 +6,6 @@ them here.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.events import ArmEvent, Happening
 
@@ -62,15 +60,19 @@ class EventLog:
             index = number - self.events[0].number
             event = self.events[index]
             if (goes_on and motor is not None) or time - event.until <= LULL:
-                event = replace(
-                    event,
+                steps, force = event.steps + steps, max(event.force, force)
+                self.events[index] = ArmEvent(
+                    number,
+                    event.time,
+                    event.kind,
+                    event.motor,
+                    steps,
+                    event.reason,
+                    happening.text(steps, force),
                     until=time,
                     count=event.count + 1,
-                    steps=event.steps + steps,
-                    force=max(event.force, force),
+                    force=force,
                 )
-                text = happening.text(event.steps, event.force)
-                self.events[index] = replace(event, text=text)
                 return number
         number = self.count
         self._happening[happening] = number

@@ -91,7 +91,7 @@ def steps_to_stops(drive: CableDrive, rotors: Sequence[int]) -> int:
         limits.gear - abs(right),
     )
     cable = model.hand.range * model.hand_steps - drive.cable(rotors)
-    fewest = min(room * min(drive.steps for drive in model.drives[:5]), cable)
+    fewest = min(room * model.finest_steps, cable)
     return max(0, int(fewest) - 1)
 
 

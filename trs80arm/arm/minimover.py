@@ -21,7 +21,7 @@ from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.events import ArmEvent, EventKind, Happening, Reason
 from trs80arm.arm.following import follow_burst
 from trs80arm.arm.forces import Burden, Strength, Vector
-from trs80arm.arm.geometry import CableDrive, JointAngles, OutOfReach, inverse, pose_of
+from trs80arm.arm.geometry import CableDrive, JointAngles, OutOfReach, forward, inverse, pose_of
 from trs80arm.arm.grip import Grip
 from trs80arm.arm.limits import beyond_stop, steps_to_stops
 from trs80arm.arm.loads import Loads, per_cent
@@ -444,12 +444,15 @@ class MiniMover:
     def _force(self, latch: int) -> float:
         """Ounces at the hand, along the way it turns it, of what contacts put on a motor."""
         turns, model = self.motor_kinds[latch], self.model
-        x, y, _ = self._world.body.points.fingertip
-        out = max(math.sqrt(x * x + y * y), model.hand_length)
-        # A link swings the hand about without turning it, and one wrist motor pitches it by half.
-        half = model.hand_length / 2
-        levers = (out, model.link, model.link, half, half, 1.0)
-        return abs(self._world.torques[turns]) / levers[turns]
+        if turns is BASE:
+            x, y, _ = forward(model, self._world.angles).fingertip
+            lever = max(math.sqrt(x * x + y * y), model.hand_length)
+        else:
+            # A link swings the hand about without turning it, and one wrist motor pitches it by
+            # half.
+            half = model.hand_length / 2
+            lever = (0.0, model.link, model.link, half, half, 1.0)[turns]
+        return abs(self._world.torques[turns]) / lever
 
     def _count_rings(self, latch: int, target: int) -> None:
         """Note rings that a rotor has lost or regained against its field."""

@@ -229,6 +229,8 @@ class ArmModel:
     _scales: tuple[tuple[int, int, float], ...] = field(init=False, repr=False, compare=False)
     _pays_out: Signs = field(init=False, repr=False, compare=False)
     _gears: Mapping[int, Signs] = field(init=False, repr=False, compare=False)
+    _names: tuple[str, ...] = field(init=False, repr=False, compare=False)
+    _finest: float = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         turned = [drive.turns for drive in self.drives]
@@ -252,6 +254,9 @@ class ArmModel:
         signs = self.drives[left].sign, self.drives[right].sign
         both = {side: ((left, signs[0]), (right, side * signs[1])) for side in (1, -1)}
         object.__setattr__(self, "_gears", both)
+        names = tuple(drive.turns.name.lower().replace("_", " ") for drive in self.drives)
+        object.__setattr__(self, "_names", names)
+        object.__setattr__(self, "_finest", min(drive.steps for drive in self.drives[:5]))
 
     @property
     def reach(self) -> float:
@@ -261,7 +266,12 @@ class ArmModel:
     @property
     def motor_names(self) -> tuple[str, ...]:
         """What people call the six motors, in the order of their latches."""
-        return tuple(drive.turns.name.lower().replace("_", " ") for drive in self.drives)
+        return self._names
+
+    @property
+    def finest_steps(self) -> float:
+        """Half-steps a radian of the motor that turns its joint farthest with one."""
+        return self._finest
 
     @property
     def hand_per_elbow(self) -> int:
