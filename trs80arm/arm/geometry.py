@@ -92,11 +92,34 @@ def forward(model: ArmModel, angles: JointAngles) -> ArmPoints:
         model: of the arm.
         angles: joint angles in radians.
     """
-    s1, c1 = sin_cos(angles.base)
-    s2, c2 = sin_cos(angles.shoulder)
-    s3, c3 = sin_cos(angles.elbow)
-    sp, cp = sin_cos(angles.pitch)
-    sr, cr = sin_cos(angles.roll)
+    return forward_by(
+        model,
+        sin_cos(angles.base),
+        sin_cos(angles.shoulder),
+        sin_cos(angles.elbow),
+        sin_cos(angles.pitch),
+        sin_cos(angles.roll),
+    )
+
+
+SinCos = tuple[float, float]
+"""Sine and cosine of an angle."""
+
+
+def forward_by(
+    model: ArmModel, base: SinCos, shoulder: SinCos, elbow: SinCos, pitch: SinCos, roll: SinCos
+) -> ArmPoints:
+    """`forward`, for who has sines and cosines of the joint angles.
+
+    Args:
+        model: of the arm.
+        base: of that joint's angle, and so on.
+        shoulder: as `base`.
+        elbow: as `base`.
+        pitch: as `base`.
+        roll: as `base`.
+    """
+    (s1, c1), (s2, c2), (s3, c3), (sp, cp), (sr, cr) = base, shoulder, elbow, pitch, roll
     height, link, hand = model.shoulder_height, model.link, model.hand_length
     r2, z2 = link * c2, height + link * s2
     r3, z3 = r2 + link * c3, z2 + link * s3

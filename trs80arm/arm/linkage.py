@@ -15,7 +15,7 @@ from trs80arm.arm.contact.carrying import load_at
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import Matrix
 from trs80arm.arm.contact.solids import Solid, box
-from trs80arm.arm.geometry import JointAngles, forward
+from trs80arm.arm.geometry import JointAngles, forward, forward_by
 from trs80arm.arm.model import ArmModel
 from trs80arm.arm.model import Link as Piece
 from trs80arm.arm.settings import ArmSettings
@@ -99,11 +99,13 @@ class ArmLinkage:
             joints: angles of base, upper arm, forearm, left and right gear in radians, and the
                 opening in inches.
         """
-        angles = JointAngles.of_gears(*joints[:5])
-        points = forward(self.model, angles)
-        s1, c1 = sin_cos(angles.base)
-        s2, c2 = sin_cos(angles.shoulder)
-        s3, c3 = sin_cos(angles.elbow)
+        base_angle, shoulder, elbow, left_gear, right_gear, opening = joints
+        s1, c1 = one = sin_cos(base_angle)
+        s2, c2 = two = sin_cos(shoulder)
+        s3, c3 = three = sin_cos(elbow)
+        # As `JointAngles` has them of the gears.
+        bent, rolled = (left_gear + right_gear) / 2, (left_gear - right_gear) / 2
+        points = forward_by(self.model, one, two, three, sin_cos(bent), sin_cos(rolled))
         link = self.model.link
         left: Vector = (-s1, c1, 0.0)
         right: Vector = (s1, -c1, 0.0)
@@ -130,7 +132,6 @@ class ArmLinkage:
         }
         for piece, side in zip(FINGERS, (0.5, -0.5), strict=True):
             by = (side * across[0], side * across[1], side * across[2])
-            opening = joints[5]
             place = (tip[0] + opening * by[0], tip[1] + opening * by[1], tip[2] + opening * by[2])
             found[piece] = Link(place, turn, (*hand, (NOWHERE, by)))
         return [found[solid.link] for solid in self.model.solids]

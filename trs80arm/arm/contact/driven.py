@@ -112,6 +112,9 @@ class DrivenArm:
         standing: ticks for which only the hand has been.
     """
 
+    _led: tuple[bytes, Standing] = b"", Standing(None, ())
+    """Where the last step that was looked at would lead, by the question; no part of its state."""
+
     def __init__(self, linkage: Linkage | None) -> None:
         self._standing: Standing | None = None
         self._stood: Recurrence[Standing] = Recurrence(STANDINGS)
@@ -130,7 +133,9 @@ class DrivenArm:
         # Links are where the joints have them. Where a step began is said anew at each, and depends
         # on how many were asked for at once.
         nowhere: dict[str, Any] = {"_standing": None, "_stood": Recurrence(STANDINGS)}
-        return {**self.__dict__, "began": [0.0] * 6, **nowhere}
+        state = {**self.__dict__, "began": [0.0] * 6, **nowhere}
+        state.pop("_led", None)
+        return state
 
     @property
     def linkage(self) -> Linkage | None:
@@ -141,15 +146,23 @@ class DrivenArm:
     def linkage(self, linkage: Linkage | None) -> None:
         self._linkage = linkage
         self._standing, self._stood = None, Recurrence(STANDINGS)
+        self._led = b"", Standing(None, ())
 
     @property
     def _there(self) -> Standing:
         """What follows from where the joints are."""
         if self._standing is None:
             asked = question(self.joints)
-            self._standing = self._stood.get(asked) or self._stood.keep(
-                asked, Standing(self.linkage, tuple(self.joints))
-            )
+            known = self._stood.get(asked)
+            if known is None:
+                # Most steps that were looked at where they lead are made.
+                led, there = self._led
+                if led == asked and there.linkage is self._linkage:
+                    known = there
+                else:
+                    known = Standing(self._linkage, tuple(self.joints))
+                self._stood.keep(asked, known)
+            self._standing = known
         return self._standing
 
     @property
@@ -315,7 +328,10 @@ class DrivenArm:
 
     def speeds(self, rates: Sequence[float]) -> list[float]:
         """Bounds on the speed of any point of each link, inches a second."""
-        a, b, c, d, e, f = (abs(rate) for rate in rates)
+        a, b, c, d, e, f = rates
+        if not (a or b or c or d or e or f):
+            return [0.0] * len(self.names)
+        a, b, c, d, e, f = abs(a), abs(b), abs(c), abs(d), abs(e), abs(f)
         return [u * a + v * b + w * c + x * d + y * e + z * f for u, v, w, x, y, z in self.reaches]
 
     def repeat(
@@ -341,7 +357,9 @@ class DrivenArm:
             seconds: length of the step.
         """
         moved = [at + rate * seconds for at, rate in zip(self.joints, mobile.speed, strict=True)]
-        return Standing(self.linkage, tuple(moved)).solids
+        there = Standing(self.linkage, tuple(moved))
+        self._led = question(moved), there
+        return there.solids
 
     def move(self, mobile: Mobile, seconds: float, *, touched: bool, loaded: bool) -> None:
         """Move for a step; find what contact does to the motors.
