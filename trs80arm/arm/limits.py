@@ -9,7 +9,7 @@ import math
 from collections.abc import Sequence
 
 from trs80arm.arm.geometry import CableDrive
-from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER
+from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER, ArmModel
 
 _HAIR = 1e-9
 
@@ -33,24 +33,42 @@ def beyond_stop(
         The stop's description, or None.
     """
     model = drive.model
+    if model.drives[motor].turns is HAND:
+        over = drive.cable(rotors) > model.hand.range * model.hand_steps + slack
+        opens = step * model.drives[motor].sign > 0
+        return f"hand 0 to {model.hand.range:g} in" if opens and over else None
+    return _joint_beyond(motor, step, model, drive.driven(rotors), slack)
+
+
+def _joint_beyond(
+    motor: int, step: int, model: ArmModel, driven: Sequence[float], slack: int
+) -> str | None:
+    """`beyond_stop` of a motor that is not the hand's, for who has what the motors turn.
+
+    Args:
+        motor: as for `beyond_stop`.
+        step: as for `beyond_stop`.
+        model: of the arm.
+        driven: what the motors turn, as `CableDrive` has it.
+        slack: as for `beyond_stop`.
+    """
     limits, turned = model.limits, model.drives[motor]
     turns, up = turned.turns, step * turned.sign
-    if turns is HAND:
-        over = drive.cable(rotors) > model.hand.range * model.hand_steps + slack
-        return f"hand 0 to {model.hand.range:g} in" if up > 0 and over else None
-    a = drive.angles(rotors)
+    base, shoulder, elbow, left, right = driven
     hair = _HAIR + slack / 200.0
     if turns is BASE:
-        return f"base +-{_degrees(limits.base)}" if a.base * up > limits.base + hair else None
+        return f"base +-{_degrees(limits.base)}" if base * up > limits.base + hair else None
     if turns is SHOULDER:
         low, high = limits.shoulder
-        if up > 0 and a.shoulder > high + hair:
+        if up > 0 and shoulder > high + hair:
             return f"shoulder {_degrees(high):+}"
-        if up < 0 and a.shoulder < low - hair:
+        if up < 0 and shoulder < low - hair:
             return f"shoulder {_degrees(low):+}"
+    # As `JointAngles` has them of the gears.
+    pitch, roll = (left + right) / 2, (left - right) / 2
     if turns in (SHOULDER, ELBOW):
         low, high = limits.elbow
-        bend = a.elbow - a.shoulder
+        bend = elbow - shoulder
         # Raising the upper arm bends the elbow as lowering the forearm does.
         opening = up if turns is ELBOW else -up
         if opening > 0 and bend > high + hair:
@@ -59,13 +77,13 @@ def beyond_stop(
             return f"elbow {_degrees(low)}"
         if turns is SHOULDER:
             return None
-        if (a.pitch - a.elbow) * up < -limits.pitch - hair:
+        if (pitch - elbow) * up < -limits.pitch - hair:
             return f"pitch +-{_degrees(limits.pitch)}"
         return None
-    gear = a.left_gear if turns is LEFT_WRIST else a.right_gear
+    gear = pitch + roll if turns is LEFT_WRIST else pitch - roll
     if gear * up > limits.gear + hair:
         return f"wrist gear +-{_degrees(limits.gear)}"
-    if (a.pitch - a.elbow) * up > limits.pitch + hair:
+    if (pitch - elbow) * up > limits.pitch + hair:
         return f"pitch +-{_degrees(limits.pitch)}"
     return None
 
@@ -97,9 +115,10 @@ def steps_to_stops(drive: CableDrive, rotors: Sequence[int]) -> int:
 
 def beyond_any_stop(drive: CableDrive, rotors: Sequence[int]) -> str | None:
     """Description of a stop that the arm is more than a half-step beyond, or None."""
+    driven = drive.driven(rotors)
     for motor in range(5):
         for step in (-1, 1):
-            stop = beyond_stop(motor, step, drive, rotors, slack=1)
+            stop = _joint_beyond(motor, step, drive.model, driven, slack=1)
             if stop is not None:
                 return stop
     return None
