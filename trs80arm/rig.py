@@ -245,7 +245,8 @@ class Rig:
         Raises:
             ValueError: the TRS-80 has no such key.
         """
-        key = Key(key)
+        if not isinstance(key, Key):
+            key = Key(key)
         self._record("press", str(key))
         self._keys.add(self._works.clock.now, key, True)
 
@@ -255,7 +256,8 @@ class Rig:
         Raises:
             ValueError: the TRS-80 has no such key.
         """
-        key = Key(key)
+        if not isinstance(key, Key):
+            key = Key(key)
         self._record("release", str(key))
         self._keys.add(self._works.clock.now, key, False)
 

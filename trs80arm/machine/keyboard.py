@@ -78,17 +78,24 @@ class Matrix:
 
     def press(self, key: Key) -> None:
         """Close a key's switch; nothing changes if it is closed."""
-        self._held.add(key)
-        self._changed()
+        if key not in self._held:
+            self._held.add(key)
+            row, bit = MATRIX[key]
+            self._rows[row] |= 1 << bit
+            self._changed()
 
     def release(self, key: Key) -> None:
         """Open a key's switch; nothing changes if it is open."""
-        self._held.discard(key)
-        self._changed()
+        if key in self._held:
+            self._held.remove(key)
+            row, bit = MATRIX[key]
+            self._rows[row] &= ~(1 << bit)
+            self._changed()
 
     def release_all(self) -> None:
         """Take all hands off the keyboard."""
         self._held.clear()
+        self._rows = bytearray(8)
         self._changed()
 
     def read(self, address: int) -> int:
@@ -111,13 +118,8 @@ class Matrix:
         """Stored nowhere: there are only switches here."""
 
     def _changed(self) -> None:
-        rows = bytearray(8)
-        for key in self._held:
-            row, bit = MATRIX[key]
-            rows[row] |= 1 << bit
-        self._rows = rows
         self._readings.clear()
-        self._image = bytes(rows[:SCANNED_ROWS])
+        self._image = bytes(self._rows[:SCANNED_ROWS])
         if self.ghosting:
             self._image = bytes(self._sense(1 << row) for row in range(SCANNED_ROWS))
 
@@ -181,6 +183,8 @@ class KeyboardDriver:
             return 0
         for row, now in enumerate(image):
             before = ram[WORK_AREA + row]
+            if now == before:
+                continue
             ram[WORK_AREA + row] = now
             new = now & ~before
             if new:

@@ -7,6 +7,7 @@ matrix knows rows and bits.
 from __future__ import annotations
 
 from enum import StrEnum
+from functools import lru_cache
 
 KEYBOARD_START = 0x3800
 KEYBOARD_STOP = 0x3C00
@@ -98,6 +99,7 @@ _NAMED_SHIFTED = {
 }
 
 
+@lru_cache(512)
 def keys_for(character: str) -> tuple[Key, ...] | None:
     """The keys that type one character by its meaning on the TRS-80, SHIFT first.
 

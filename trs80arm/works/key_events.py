@@ -51,9 +51,12 @@ class KeyEvents:
     def move(self) -> None:
         """Let the keys go down and up whose time has come."""
         works = self._works
-        while works.events and works.events[0].time <= works.clock.now:
-            event = heapq.heappop(works.events)
-            (works.matrix.press if event.down else works.matrix.release)(event.key)
+        events = works.events
+        if events:
+            now, matrix = works.clock.now, works.matrix
+            while events and events[0].time <= now:
+                event = heapq.heappop(events)
+                (matrix.press if event.down else matrix.release)(event.key)
 
     def release_all(self) -> None:
         """Let every key go, also those that were still to be pressed."""

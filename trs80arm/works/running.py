@@ -158,20 +158,20 @@ class Running:
     def _turn(self, target: int, until_waiting: bool) -> None:
         """Hand the machine one stretch of time in which no key changes."""
         works, keys = self._works, self._keys
-        clock = works.clock
-        waiting = works.basic.waiting
-        for time, key, down in works.typist.due(clock.now, waiting is not Waiting.NOTHING):
+        clock, typist, basic = works.clock, works.typist, works.basic
+        works_on = basic.waiting is Waiting.NOTHING
+        for time, key, down in typist.due(clock.now, not works_on):
             keys.add(time, key, down, typed=True)
         keys.move()
         limit = target
-        key_time, look = keys.next_time, works.typist.next_look
+        key_time, look = keys.next_time, typist.next_look
         if key_time is not None and key_time < limit:
             limit = key_time
         if look is not None and clock.now < look < limit:
             limit = look
         clock.limit = limit
         # A machine that waits already is not asked to stop at the wait that it is in.
-        works.basic.advance(until_waiting=until_waiting and waiting is Waiting.NOTHING)
+        basic.advance(until_waiting=until_waiting and works_on)
         self._arm_advances()
 
     def _arm_advances(self) -> None:
