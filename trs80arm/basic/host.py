@@ -7,7 +7,7 @@ hand it plain stand-ins. Every method returns at once: what takes time on the re
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -210,8 +210,14 @@ class Processor(Protocol):
     def missing(self) -> str:
         """Why there is none, in one line; empty where there is."""
 
-    def without_rom(self) -> None:
-        """Have `run` return where code comes to the ROM, and note when it looks for BREAK."""
+    def without_rom(self, jumps: Mapping[int, int], t_states: int) -> None:
+        """Have `run` return where code comes to the ROM, and note when it looks for BREAK.
+
+        Args:
+            jumps: addresses of the ROM from which code only goes on elsewhere, and where: `run`
+                need not return there.
+            t_states: that such a jump takes.
+        """
 
     def answer_live(self, *ranges: tuple[int, int]) -> None:
         """Let the memory map answer at these ranges of RAM, and not the storage behind it."""

@@ -108,7 +108,7 @@ class MachineCode(Activity):
     def advance(self, state: State) -> None:
         """Execute code until the clock's limit."""
         clock, processor = state.clock, processor_of(state)
-        processor.without_rom()
+        processor.without_rom(rom_entries.JUMPS, rom_entries.T_JUMP)
         registers = processor.registers
         while clock.now < clock.limit and state.stack[-1] is self:
             due = self._break_due(state, processor)

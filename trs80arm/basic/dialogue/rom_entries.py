@@ -36,7 +36,7 @@ _T_SCAN, _T_SCAN_SAVING, _T_WAIT, _T_WAIT_SAVING = 748, 823, 780, 855
 _T_CLEAR, _T_COLUMN = 170, 62
 _T_MESSAGE, _T_MESSAGE_CHARACTER, _T_STRING, _T_STRING_CHARACTER = 62, 57, 1117, 88
 _T_DELAY, _T_DELAY_END = 26, 5
-_T_JUMP, _T_COMPARE, _T_TYPE, _T_NEXT, _T_BLANK = 10, 31, 52, 31, 50
+T_JUMP, _T_COMPARE, _T_TYPE, _T_NEXT, _T_BLANK = 10, 31, 52, 31, 50
 _T_TO_INTEGER, _T_FROM_INTEGER, _T_CONVERT, _T_MOVE = 110, 46, 720, 62
 _T_DECIMAL, _T_DECIMAL_DIGIT, _T_DIGIT = 2270, 506, 370
 _T_BLOCK, _T_MOTOR, _T_STAR = 596, 126, 43
@@ -89,7 +89,7 @@ class Call:
         self.spend(t_states)
         self.registers.pc = self.processor.pop()
 
-    def go(self, address: int, t_states: int = _T_JUMP) -> None:
+    def go(self, address: int, t_states: int = T_JUMP) -> None:
         """Go on elsewhere."""
         self.spend(t_states)
         self.registers.pc = address
@@ -590,19 +590,23 @@ def _error_in_e(call: Call) -> None:
     raise BasicError(Code(number) if number in Code._value2member_map_ else Code.UE)
 
 
+JUMPS: Final = {
+    0x0008: 0x4000,
+    0x0010: 0x4003,
+    0x0018: 0x4006,
+    0x0020: 0x4009,
+    0x0028: 0x400C,
+    0x0030: 0x400F,
+    0x0038: 0x4012,
+}
+"""Where the restarts are that only jump, and where to: vectors in RAM."""
 ENTRIES: Final[dict[int, Entry]] = {
+    **{address: _jump(target) for address, target in JUMPS.items()},
     0x0000: _power_on,
-    0x0008: _jump(0x4000),
-    0x0010: _jump(0x4003),
     0x0013: _device_in,
-    0x0018: _jump(0x4006),
     0x001B: _device_out,
-    0x0020: _jump(0x4009),
-    0x0028: _jump(0x400C),
     0x002B: _look(_T_SCAN, _KEYBOARD_BLOCK),
-    0x0030: _jump(0x400F),
     0x0033: _display(_T_DISPLAY, _DISPLAY_BLOCK),
-    0x0038: _jump(0x4012),
     0x003B: _printer(_T_PRINTER, _PRINTER_BLOCK),
     0x0040: _line,
     0x0049: _wait(_T_WAIT, _KEYBOARD_BLOCK),

@@ -8,6 +8,7 @@ Who runs it (`basic`, or the machine with a user's ROM) says which addresses are
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from trs80arm.machine.clock import Clock
@@ -71,6 +72,9 @@ class Processor:
         self._live: tuple[tuple[int, int], ...] = ()
         self._keys: bytes | None = None
         self._guarded = False
+        self._jumps: Mapping[int, int] = {}
+        self._jump_takes = 0
+        self._told = False
         self._start = 0
         self._chip: Z80Machine | None = None
         self._head: memoryview = memoryview(b"")
@@ -87,6 +91,9 @@ class Processor:
             "_keys",
             "_start",
             "_guarded",
+            "_jumps",
+            "_jump_takes",
+            "_told",
         }
         kept = {name: value for name, value in self.__dict__.items() if name not in made_anew}
         return kept | {"_registers": self.registers.content()}
@@ -142,8 +149,15 @@ class Processor:
         assert self._chip is not None
         self._chip.unmark_addrs(start, length, _BREAKPOINT)
 
-    def without_rom(self) -> None:
-        """Have `run` return where code comes to the ROM, and note when it looks for BREAK."""
+    def without_rom(self, jumps: Mapping[int, int], t_states: int) -> None:
+        """Have `run` return where code comes to the ROM, and note when it looks for BREAK.
+
+        Args:
+            jumps: addresses of the ROM from which code only goes on elsewhere, and where: `run`
+                need not return there.
+            t_states: that such a jump takes.
+        """
+        self._jumps, self._jump_takes = jumps, t_states
         if not self._guarded:
             self.stop_at(0, _DEVICES_START)
             assert self._chip is not None
@@ -186,6 +200,7 @@ class Processor:
         self.power_on()
         clock, chip = self._clock, self._chip
         assert chip is not None
+        self._told = False
         self._copy_in()
         # The chip holds what calls it back where nothing collects it: no longer than it runs.
         chip.set_read_callback(self._read)
@@ -208,7 +223,12 @@ class Processor:
                 stopped = chip.run() & _BREAKPOINT
                 clock.now = self._start + self._passed
                 if stopped:
-                    return True
+                    target = self._jumps.get(self.registers.pc)
+                    # What has been stored where somebody answers may be of consequence.
+                    if target is None or self._told or clock.now >= until:
+                        return True
+                    self.registers.pc = target
+                    clock.now += self._jump_takes
             return False
         finally:
             for forget in (chip.set_read_callback, chip.set_input_callback):
@@ -290,6 +310,7 @@ class Processor:
             if VIDEO_START <= address < VIDEO_STOP:
                 self._bytes[address] = self._video.cells[address - VIDEO_START]
             return
+        self._told = True
         self._memory.poke(address, value)
         # What lies there in RAM is what is copied back.
         self._bytes[address] = self._memory.ram[address]
