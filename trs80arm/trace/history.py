@@ -58,8 +58,9 @@ class _Ring:
     """The last rows of a table with times, as arrays of a fixed size."""
 
     def __init__(self, size: int, columns: int, kind: type) -> None:
-        self.times: Times = np.zeros(2 * size, dtype=np.int64)
-        self.rows: npt.NDArray[Any] = np.zeros((2 * size, columns), dtype=kind)
+        # What is behind the end is never looked at.
+        self.times: Times = np.empty(2 * size, dtype=np.int64)
+        self.rows: npt.NDArray[Any] = np.empty((2 * size, columns), dtype=kind)
         self._size = size
         self._end = 0
 

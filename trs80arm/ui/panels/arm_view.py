@@ -36,8 +36,9 @@ class ArmView(Panel):
         self._moves = False
 
     def compose(self) -> ComposeResult:
-        """The sheet for pixels, over the rows."""
-        yield self._sheet
+        """The sheet for pixels, over the rows; where there are none it is never needed."""
+        if self.pixels is not None:
+            yield self._sheet
 
     def show(self, readings: Readings) -> None:
         """Show these readings, and lengthen the trail; a picture in which nothing moved stands."""
@@ -51,6 +52,8 @@ class ArmView(Panel):
     def redraw(self) -> None:
         """Draw the last readings again, in pixels where they can be seen."""
         self._sheet.display = self._in_pixels
+        if self._sheet.display and not self._sheet.is_attached:
+            self.mount(self._sheet)
         super().redraw()
 
     def draw(self, readings: Readings, width: int, height: int) -> list[Row]:

@@ -116,6 +116,7 @@ class DeskScreen(Layer):
         self._guide = GuideBar(id="guide")
         self._guide.display = False
         self._too_small = Static(id="too-small")
+        self._too_small.display = False
         self.bottom = layout.ARM
         self.zoomed: str | None = None
         self.history: History | None = None
@@ -137,23 +138,26 @@ class DeskScreen(Layer):
         self._stood: tuple[object, ...] = ()
 
     def compose(self) -> ComposeResult:
-        """What is shown at first, as `lay_out` has decided; a panel is mounted when it is shown."""
-        yield self._too_small
-        yield from (panel for panel in self.panels.values() if panel.display)
-        yield self._guide
+        """What is shown at first, as `lay_out` has decided; the rest is mounted when it is shown."""
+        yield from (widget for widget in self._at_times if widget.display)
         yield self.status
         yield self._bar
 
+    @property
+    def _at_times(self) -> list[Widget]:
+        """What is not always shown, in its order."""
+        return [self._too_small, *self.panels.values(), self._guide]
+
     def _mount_shown(self) -> None:
-        """Mount panels that are shown for the first time, each in its row's place."""
-        before: Widget = self._guide
+        """Mount what is shown for the first time, each in its place."""
+        before: Widget = self.status
         if not before.is_attached:
             return
-        for panel in reversed(self.panels.values()):
-            if panel.display and not panel.is_attached:
-                self.mount(panel, before=before)
-            if panel.is_attached:
-                before = panel
+        for widget in reversed(self._at_times):
+            if widget.display and not widget.is_attached:
+                self.mount(widget, before=before)
+            if widget.is_attached:
+                before = widget
 
     def on_screen_suspend(self) -> None:
         """A dialog opened."""
@@ -204,8 +208,8 @@ class DeskScreen(Layer):
                     panel.set_class(frames is kind and with_rule, kind.value, update=styled)
                 panel.set_class(panel is leading, "leading", update=styled)
         self._shown = [(row.cadence, self.panels[row.id]) for row in self._rows if row.id in places]
-        self._mount_shown()
         self._too_small.display = not places
+        self._mount_shown()
         if not places:
             self._too_small.update(TOO_SMALL.format(*layout.SMALLEST, width, height))
         self.numbers_due = 0.0
