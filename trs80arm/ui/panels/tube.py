@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from rich.segment import Segment
+from rich.style import Style
 from textual.filter import LineFilter
 from textual.geometry import Size
 from textual.strip import Strip
@@ -65,6 +66,7 @@ class Tube(Widget):
         self._wide = False
         self._glyphs = GlyphSet.SEXTANT
         self._strips: dict[tuple[bytes, bool], Strip] = {}
+        self._known_style: Style | None = None
         self._cursor: int | None = None
         self._cursor_hidden = False
         self.first_row = 0
@@ -120,7 +122,7 @@ class Tube(Widget):
 
     def _write(self, before: list[bytes], changed: list[int]) -> None:
         """Write what differs in some rows from before, at once if can be, or have it written."""
-        style = self.rich_style
+        style = self._style
         width, height = self.size
         changes = []
         for row in changed:
@@ -138,7 +140,14 @@ class Tube(Widget):
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         """The program's filters, but for those that would change nothing on the tube."""
-        return needed(super().get_line_filters(), true_colours=in_true_colours(self.rich_style))
+        return needed(super().get_line_filters(), true_colours=in_true_colours(self._style))
+
+    @property
+    def _style(self) -> Style:
+        """The one style of all that is shown; to find it takes a while."""
+        if self._known_style is None:
+            self._known_style = self.rich_style
+        return self._known_style
 
     def _look_at(self, cursor: int | None) -> bool:
         """Where it has not the room for all, show its last lines, and the columns of the cursor.
@@ -170,8 +179,9 @@ class Tube(Widget):
         return GLYPHS[self._glyphs].row(self._rows[row], wide=self._wide)
 
     def notify_style_update(self) -> None:
-        """Forget the strips drawn in the old colours."""
+        """Forget the old colours, and the strips drawn in them."""
         self._strips.clear()
+        self._known_style = None
         super().notify_style_update()
 
     def get_content_width(self, container: Size, viewport: Size) -> int:
@@ -186,16 +196,16 @@ class Tube(Widget):
         """One row in one style."""
         y += self.first_row
         if not 0 <= y < ROWS:
-            return Strip.blank(self.size.width, self.rich_style)
+            return Strip.blank(self.size.width, self._style)
         key = (self._rows[y], self._wide)
         strip = self._strips.get(key)
         if strip is None:
             if len(self._strips) > 256:
                 self._strips.clear()
-            strip = Strip([Segment(self._text(y), self.rich_style)], COLUMNS)
+            strip = Strip([Segment(self._text(y), self._style)], COLUMNS)
             self._strips[key] = strip
         strip = strip.crop(self.first_column) if self.first_column else strip
-        return strip.adjust_cell_length(self.size.width, self.rich_style)
+        return strip.adjust_cell_length(self.size.width, self._style)
 
 
 def _differing(before: bytes, now: bytes, *, wide: bool) -> tuple[int, int]:

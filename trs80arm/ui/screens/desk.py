@@ -138,7 +138,7 @@ class DeskScreen(Layer):
         self._stood: tuple[object, ...] = ()
 
     def compose(self) -> ComposeResult:
-        """What is shown at first, as `lay_out` has decided; the rest is mounted when it is shown."""
+        """What is shown at first, as `lay_out` has decided; what else is shown is mounted then."""
         yield from (widget for widget in self._at_times if widget.display)
         yield self.status
         yield self._bar
