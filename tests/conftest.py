@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.in_one_message import tell_in_one_message
+
 if sys.dont_write_bytecode:
     # The program is started by dozens of tests. Where nothing may be written beside its modules
     # they are kept compiled beside pytest's own cache, or each start would compile them all.
@@ -33,8 +35,9 @@ NOBODY = 65534
 """A user who owns nothing."""
 
 
-def pytest_configure() -> None:
+def pytest_configure(config: pytest.Config) -> None:
     """A busy computer is slow, not wrong: where `CI` is set hypothesis knows it."""
+    tell_in_one_message(config)
     # Only now, or it would be imported before there is a place for what is compiled of it.
     from hypothesis import settings
 
@@ -52,6 +55,13 @@ def pytest_collection_finish() -> None:
     gc.freeze()
     gc.enable()
     gc.set_threshold(50_000, 10, 10)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Who has handed out tests and run none has reports of them all, and among them no garbage."""
+    if session.config.getoption("dist", "no") != "no":
+        gc.freeze()
 
 
 @pytest.fixture
