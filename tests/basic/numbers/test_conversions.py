@@ -34,15 +34,20 @@ def test_no_integer_beyond_sixteen_bits(value: str) -> None:
 
 @given(wide)
 @example(-32768.0)
+@example(-65536.0)
 def test_int_and_fix_are_whole_and_singles_stay_singles(x: float) -> None:
     down, cut = convert.int_(x), convert.fix(x)
     assert type(down) is float
     assert down == math.floor(x)
     assert cut == math.trunc(x)
     y = double.from_single(x)
+    # Where nothing is set below the top byte, the ROM does not give back what it borrows (case
+    # conv-int-whole-double).
+    top = 2 ** max(0, math.frexp(x)[1] - 8)
+    borrowed = top if x < -32768 and x % top == 0 else 0
     # FIX makes a negative number positive first, and 32768 is no integer.
     for found, expected, least in (
-        (convert.int_(y), math.floor(x), -32768),
+        (convert.int_(y), math.floor(x) - borrowed, -32768),
         (convert.fix(y), math.trunc(x), -32767),
     ):
         if least <= expected <= 32767:
