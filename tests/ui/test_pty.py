@@ -25,6 +25,8 @@ from trs80arm.files import load_program
 
 PATIENCE = 40.0
 """Seconds of the wall after which something that should come has not come."""
+OFTEN = 0.005
+"""Seconds between two looks at what is looked at in no time."""
 PROGRAM = "from trs80arm.cli import main; main()"
 FAULTY = """
 from trs80arm.ui.app import Trs80Arm as Desk
@@ -34,7 +36,7 @@ real = Desk.draw
 count = [0]
 def draw(self, now=None):
     count[0] += 1
-    if count[0] > 20:
+    if count[0] > 10:
         raise RuntimeError("forced")
     real(self, now)
 Desk.draw = draw
@@ -174,10 +176,11 @@ class Terminal:
     def _up(self, character: str) -> str:
         return f"\x1b[{ord(character)};1:3u" if self.reports else ""
 
-    def hold(self, characters: str, seconds: float) -> None:
-        """Hold keys together."""
+    def hold(self, characters: str, so: Callable[[], bool], seconds: float) -> None:
+        """Hold keys together, for so long since something is so."""
         for character in characters:
             self.send(self._down(character))
+        self.until(so)
         self.read(seconds)
         for character in characters:
             self.send(self._up(character))
@@ -193,23 +196,36 @@ class Terminal:
         self.send(f"\x1b[<0;{column};{row}M", 0.1)
         self.send(f"\x1b[<0;{column};{row}m")
 
-    def until(self, so: Callable[[], bool]) -> None:
-        """Wait until something is so."""
+    def until(self, so: Callable[[], bool], every: float = 0.05) -> None:
+        """Wait until something is so: it is looked whenever something is written, and so often."""
         end = time.monotonic() + PATIENCE
         while not so():
             assert time.monotonic() < end, self.output[-2000:]
-            self._read_more()
+            self._read_more(every)
+
+    def read_until_it_stands(self) -> None:
+        """Take all that the program writes until it is suspended."""
+        state = Path(f"/proc/{self.process.pid}/stat")
+        if state.is_file():
+            # Behind the name, which is in brackets.
+            self.until(lambda: state.read_text().rpartition(") ")[2].startswith("T"), OFTEN)
+        else:
+            self.read(0.4)
+        self._read_rest()
+
+    def _read_rest(self) -> None:
+        """Take what was written and not read."""
+        while select.select([self.master], [], [], 0)[0]:
+            self.read(0.01)
 
     def leave(self) -> int:
         """Wait until the program has ended; its exit code."""
-        end = time.monotonic() + PATIENCE
-        while self.process.poll() is None:
-            assert time.monotonic() < end, self.output[-2000:]
-            self._read_more()
+        self.until(lambda: self.process.poll() is not None, OFTEN)
         # What it wrote before it ended is there by now.
-        while select.select([self.master], [], [], 0)[0]:
-            self.read(0.01)
-        return self.process.returncode
+        self._read_rest()
+        code = self.process.poll()
+        assert code is not None
+        return code
 
     def is_as_it_was(self) -> bool:
         """Whether nothing of the program is left in the terminal."""
@@ -273,8 +289,7 @@ def test_two_joints_are_jogged_at_once_and_the_terminal_is_left_alone(
     arguments = ("--record", str(record), "--keys", keys)
     with terminal(tmp_path, *arguments, reports=reports) as one:
         one.type("@SET\r", shown=IN_MANUAL_MODE)
-        one.hold("1w", 0.7)
-        one.read(0.1)
+        one.hold("1w", lambda: all(done_with(record, key) for key in "1W"), 0.3)
         if not reports:
             one.type(" ")
         one.until(lambda: len(done_with(record, "W")) == 2)
@@ -357,7 +372,7 @@ def test_a_fault_leaves_the_terminal_as_it_was_and_keeps_the_program(tmp_path: P
 def test_told_to_end_it_keeps_the_program_and_leaves_the_terminal_as_it_was(
     tmp_path: Path, number: signal.Signals
 ) -> None:
-    with terminal(tmp_path) as one:
+    with terminal(tmp_path, "--speed", "5") as one:
         one.type("10 END\r?6*7\r", shown=" 42")
         os.kill(one.process.pid, number)
         assert one.leave() == 128 + number
@@ -368,7 +383,7 @@ def test_told_to_end_it_keeps_the_program_and_leaves_the_terminal_as_it_was(
 
 
 def test_when_the_terminal_is_closed_it_keeps_the_program_and_ends(tmp_path: Path) -> None:
-    one = Terminal(tmp_path, [], reports=False)
+    one = Terminal(tmp_path, ["--speed", "5"], reports=False)
     one.wait_for("at READY")
     one.type("10 END\r?6*7\r", shown=" 42")
     os.close(one.slave)
@@ -386,9 +401,9 @@ def test_when_the_terminal_is_closed_it_keeps_the_program_and_ends(tmp_path: Pat
 def test_suspended_and_back_the_terminal_is_the_shells_in_between(tmp_path: Path) -> None:
     with terminal(tmp_path, reports=True) as one:
         one.send("\x1b[122;5u\x1b[122;5:3u")
-        one.until(lambda: termios.tcgetattr(one.slave) == one.before)
+        one.until(lambda: termios.tcgetattr(one.slave) == one.before, OFTEN)
         # What is written to a terminal that is given back already.
-        one.read(0.4)
+        one.read_until_it_stands()
         assert one.is_as_it_was()
         os.kill(one.process.pid, signal.SIGCONT)
         # All of the tube, not only what has changed since.

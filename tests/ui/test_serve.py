@@ -34,7 +34,7 @@ def answer_of(address: str, process: subprocess.Popen[str]) -> str:
             with urllib.request.urlopen(address, timeout=5) as page:
                 return str(page.read().decode())
         except OSError:
-            time.sleep(0.1)
+            time.sleep(0.02)
     raise AssertionError("nobody answers")
 
 

@@ -258,7 +258,7 @@ import os, subprocess, sys, time
 code = (
     "import os, signal, sys, time\\n"
     "from trs80arm.ui import start\\n"
-    "start.LOOK_SECONDS = 0.2\\n"
+    "start.LOOK_SECONDS = 0.05\\n"
     "start._end_with_server()\\n"
     "print(os.getpid(), flush=True)\\n"
     "time.sleep(600)\\n"
@@ -275,11 +275,11 @@ def test_a_machine_ends_when_its_server_is_killed() -> None:
         assert server.stdout is not None
         machine = int(server.stdout.readline())
         server.send_signal(signal.SIGKILL)
-        for _ in range(300):
+        for _ in range(3000):
             try:
                 os.kill(machine, 0)
             except ProcessLookupError:
                 break
-            time.sleep(0.1)
+            time.sleep(0.01)
         else:
             pytest.fail("the machine is still there")
