@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trs80arm.machine.keys import Key
-from trs80arm.ui.keys.held_keys import GLANCE, HOLD, LIFT, HeldKeys
+from trs80arm.ui.keys.held_keys import GLANCE, HOLD, LIFT, MOST_ALIKE, HeldKeys
 
 FRAME = 1 / 60
 Seen = list[tuple[float, Key, bool]]
@@ -153,6 +153,47 @@ def test_everything_is_let_go_at_once() -> None:
     held.release_all()
     changes = held.changes(0.0, 0.0, manual=True, ready=True)
     assert {key for key, down in changes if not down} == {Key.N1, Key.W, Key.E, Key.R}
+
+
+def test_what_was_typed_is_typed_though_the_focus_goes() -> None:
+    held = HeldKeys()
+    held.tap((Key.R,))
+    held.tap((Key.U,))
+    held.key_down("n", (Key.N,))
+    seen = watch(held, 0.01)
+    held.release_all()
+    seen += watch(held, 1.0, start=0.02)
+    assert [(key, down) for _, key, down in seen] == [
+        (key, down) for key in (Key.R, Key.U, Key.N) for down in (True, False)
+    ]
+    assert not held.busy
+
+
+def test_a_program_may_type_a_listing_at_its_own_pace() -> None:
+    held = HeldKeys()
+    keys = [Key.A, Key.B, Key.C, Key.C, Key.ENTER] * 40
+    for key in keys:
+        held.tap((key,))
+    assert held.waiting == len(keys)
+    assert pressed(watch(held, 30.0)) == keys
+
+
+def test_auto_repeat_does_not_run_far_ahead_of_the_machine() -> None:
+    held = HeldKeys()
+    for _ in range(1000):
+        held.tap((Key.A,))
+    held.tap((Key.B,))
+    typed = pressed(watch(held, 30.0))
+    assert typed == [Key.A] * MOST_ALIKE + [Key.B]
+
+
+def test_another_machine_is_not_typed_at() -> None:
+    held = HeldKeys()
+    for key in (Key.A, Key.B, Key.C):
+        held.tap((key,))
+    watch(held, 0.03)
+    held.start_afresh()
+    assert not watch(held, 1.0)
 
 
 def test_break_overtakes_what_waits() -> None:

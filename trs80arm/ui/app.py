@@ -74,7 +74,7 @@ from trs80arm.ui.keys.keyboard import Keyboard
 from trs80arm.ui.panels.inspector import Asked
 from trs80arm.ui.panels.keys_by_mouse import KeyHeld, KeyLatched, KeysLetGo
 from trs80arm.ui.panels.registry import PANELS, PanelRow
-from trs80arm.ui.panels.status import Pace
+from trs80arm.ui.panels.status import Pace, typing_text
 from trs80arm.ui.screens.desk import DeskScreen, Typed
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.palette import PaletteScreen
@@ -100,6 +100,8 @@ COPY_EVERY = 5.0
 """Seconds of the wall between two looks at whether a recovery copy is due."""
 BEHIND_FPS = 5
 """The most frames a second while a dialog is open."""
+FAR_AHEAD = 20
+"""Keys that wait for the ROM before it is said that they do."""
 NOTICE_SECONDS = 6.0
 """How long a notice stands in the status line."""
 SIGNALLED = 128
@@ -481,6 +483,7 @@ class Trs80Arm(Themed[int]):
         """Draw what differs from what is shown."""
         now = self.wall() if now is None else now
         pacer = self.pacer
+        ahead = self.keyboard.held.waiting
         self._guide()
         if now >= self.desk.numbers_due:
             bench = self.session.bench_path
@@ -491,7 +494,7 @@ class Trs80Arm(Themed[int]):
             Pace(pacer.speed, pacer.achieved, pacer.paused, pacer.turbo),
             keys=self.keyboard.in_use.value,
             notice=self._notice if now < self._notice_until else "",
-            line=self.served.text,
+            line=typing_text(ahead) if ahead > FAR_AHEAD else self.served.text,
         )
 
     def _guide(self) -> None:

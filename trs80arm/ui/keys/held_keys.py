@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Hashable
 from dataclasses import dataclass, field
+from itertools import islice
 
 from trs80arm.options import TerminalSettings
 from trs80arm.rig import Key
@@ -24,8 +25,10 @@ GLANCE = 0.250
 """Virtual seconds after ENTER until keys go on to a machine that has not asked for more."""
 TOUCH = 0.020
 """Virtual seconds for which a key is down at least in manual mode: two steps at any speed."""
-MOST_QUEUED = 60
-"""Strokes that may wait; more than that were auto-repeat, not typing."""
+MOST_ALIKE = 60
+"""Strokes of one key in a row that may wait; more than that were auto-repeat, not typing."""
+MOST_QUEUED = 4096
+"""Strokes that may wait: some program types, at its own pace, for which the ROM takes minutes."""
 
 Keys = tuple[Key, ...]
 
@@ -69,6 +72,11 @@ class HeldKeys:
         """Whether any key is down or waits for its turn."""
         return bool(self._queue or self._strokes or self._timed or self._down or self._wanted())
 
+    @property
+    def waiting(self) -> int:
+        """How many strokes wait for their turn."""
+        return len(self._queue)
+
     # -- the four sources -------------------------------------------------------------------------
 
     def key_down(self, source: Hashable, keys: Keys) -> None:
@@ -90,7 +98,9 @@ class HeldKeys:
     def _add(self, stroke: _Stroke) -> None:
         if Key.BREAK in stroke.keys:
             self._queue.clear()
-        if len(self._queue) < MOST_QUEUED:
+        last = list(islice(reversed(self._queue), MOST_ALIKE))
+        repeated = len(last) == MOST_ALIKE and all(each.keys == stroke.keys for each in last)
+        if not repeated and len(self._queue) < MOST_QUEUED:
             self._queue.append(stroke)
 
     def hold_a_while(self, keys: Keys, wall: float) -> None:
@@ -120,9 +130,14 @@ class HeldKeys:
         self._pointed.clear()
 
     def release_all(self) -> None:
-        """Take every finger off: the window lost the focus, or a dialog opened."""
-        self._queue.clear()
-        self._strokes.clear()
+        """Take every finger off: the window lost the focus, or a dialog opened.
+
+        What was typed before is typed still.
+        """
+        self._strokes = [stroke for stroke in self._strokes if stroke.source is None]
+        for stroke in self._queue:
+            stroke.up = True
+            stroke.source = None
         self._timed.clear()
         self._last_timed = None
         self._latched.clear()
@@ -167,6 +182,8 @@ class HeldKeys:
     def start_afresh(self) -> None:
         """The machine was switched off and on, or is another one: none of its keys is down."""
         self.release_all()
+        self._queue.clear()
+        self._strokes.clear()
         self._down = frozenset()
         self._lifted.clear()
         self._last_stroke = -PERIOD

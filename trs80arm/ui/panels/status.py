@@ -160,10 +160,15 @@ def _first_that_fits(choices: Iterable[Sequence[Span]], width: int) -> Row | Non
     return None
 
 
+def typing_text(left: int) -> str:
+    """That so many keys are still to be typed."""
+    return f"typing, {left} to go: Escape stops"
+
+
 def doing_text(readings: Readings) -> str:
     """What the machine does or waits for."""
     if readings.to_type:
-        return f"typing, {readings.to_type} to go: Escape stops"
+        return typing_text(readings.to_type)
     motion = _MOTION.get(readings.mode)
     if readings.waiting is Waiting.NOTHING and motion:
         return f"running {motion}"

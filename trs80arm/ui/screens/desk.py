@@ -417,7 +417,7 @@ class DeskScreen(Layer):
             pace: how fast the rig runs.
             keys: how keys are read.
             notice: what is to be said now, or nothing.
-            line: what goes on at the arm's serial line, or nothing.
+            line: what goes on at the keyboard or the arm's serial line, or nothing.
         """
         with self.frame():
             self._show(rig, now, pace, keys, notice, line)
