@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Link, Screw
 from trs80arm.arm.contact.carrying import load_at
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import Matrix
-from trs80arm.arm.contact.solids import Solid, box
+from trs80arm.arm.contact.solids import KNOWN, Solid, box
 from trs80arm.arm.geometry import JointAngles, forward, forward_by
 from trs80arm.arm.model import ArmModel
 from trs80arm.arm.model import Link as Piece
@@ -40,6 +40,12 @@ def said(name: str) -> str:
     return name.strip(_FIXED + _LINK)
 
 
+@lru_cache(KNOWN)
+def _solid(half: Vector, center: Vector) -> Solid:
+    """A box of a link in the link's frame; arms of one model have the same ones."""
+    return box((2 * half[0], 2 * half[1], 2 * half[2])).moved(center)
+
+
 FINGERS = (Piece.LEFT_FINGER, Piece.RIGHT_FINGER)
 
 
@@ -63,10 +69,7 @@ class ArmLinkage:
     @cached_property
     def solids(self) -> Sequence[Solid]:
         """Of the links, each in its own frame."""
-        return tuple(
-            box((2 * s.half[0], 2 * s.half[1], 2 * s.half[2])).moved(s.center)
-            for s in self.model.solids
-        )
+        return tuple(_solid(s.half, s.center) for s in self.model.solids)
 
     @cached_property
     def frictions(self) -> Sequence[float]:

@@ -10,12 +10,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.contact.rotations import Matrix, Quaternion, apply, matrix
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
 
 CYLINDER_SIDES = 24
+KNOWN = 256
+"""Solids of each kind that are known at once."""
 _SAME = 1e-9
 
 
@@ -93,7 +96,14 @@ def box(size: Vector) -> Solid:
     Args:
         size: along x, y and z, inches.
     """
-    x, y, z = size[0] / 2, size[1] / 2, size[2] / 2
+    x, y, z = size
+    return _box(x, y, z)
+
+
+@lru_cache(KNOWN)
+def _box(wide: float, deep: float, high: float) -> Solid:
+    """`box`: benches of many machines have the same ones."""
+    x, y, z = wide / 2, deep / 2, high / 2
     return prism(((-x, -y), (x, -y), (x, y), (-x, y)), 2 * z)
 
 
@@ -123,6 +133,7 @@ def prism(outline: Sequence[tuple[float, float]], height: float) -> Solid:
     return Solid.of(vertices, [bottom, tuple(range(count, 2 * count)), *sides])
 
 
+@lru_cache(KNOWN)
 def cylinder(radius: float, height: float) -> Solid:
     """An upright cylinder or disc: a prism of as much cross-section as the circle has.
 
