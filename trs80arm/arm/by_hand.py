@@ -11,6 +11,7 @@ from dataclasses import fields, replace
 from typing import TYPE_CHECKING
 
 from trs80arm.arm.bench import deep
+from trs80arm.arm.contact.carrying import load_at
 from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.limits import beyond_any_stop
@@ -187,10 +188,14 @@ def _turn_hand(world: World, rotors: list[int], wanted: int) -> None:
     world.settle(LET_GO)
 
 
-def _found_at(world: World, joints: Sequence[float]) -> str | None:
+def _found_at(world: World, joints: list[float]) -> str | None:
     """Name of what an arm and its load would be in with its joints there."""
-    scene = world.bench.scene
-    for name, solid in world.linkage.standing(joints, scene.carried):
+    scene, linkage = world.bench.scene, world.linkage
+    there = scene.driven.at(joints)
+    solids = list(zip(linkage.names, there.solids, strict=True))
+    for load in scene.carried:
+        solids += [("", solid) for solid in load_at(load, there.links[linkage.hand])]
+    for name, solid in solids:
         if solid.low[2] < -SUNK:
             return TABLE
         for thing in scene.fixed.values():

@@ -148,18 +148,6 @@ class ArmLinkage:
         points = forward(self.model, JointAngles.of_gears(*joints[:5]))
         return Link(points.wrist, _frame(points.pointing, points.across), ())
 
-    def piece(self, number: int, links: Sequence[Link], carried: Sequence[Body]) -> list[Placed]:
-        """The solids of one piece: a link, or after these what rests in the hand.
-
-        Args:
-            number: of the piece.
-            links: where they stand.
-            carried: what rests in the hand.
-        """
-        if number < len(links):
-            return [Placed(self.solids[number], links[number].place, links[number].turn)]
-        return load_at(carried[number - len(links)], links[self.hand])
-
     def standing(
         self, joints: Sequence[float], carried: Iterable[Body] = ()
     ) -> list[tuple[str, Placed]]:

@@ -14,6 +14,7 @@ import numpy as np
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.contact.bodies import Fixed
+from trs80arm.arm.contact.carrying import load_at
 from trs80arm.arm.contact.distance import boxes_apart, distance, separation
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.recurrence import Recurrence, question
@@ -238,13 +239,19 @@ class Surroundings:
 
     def _measured_of(self, joints: Sequence[float], near: Sequence[Near]) -> Room:
         """`measured` of a few, all others being far."""
-        links, carried = self._linkage.links(joints), self._bench.scene.carried
-        solids: dict[int, list[Placed]] = {}
+        scene = self._bench.scene
+        there, carried = scene.driven.at(list(joints)), scene.carried
+        links = len(there.links)
+        loads: dict[int, list[Placed]] = {}
         least = low = FAR
         for piece, other in near:
-            if piece not in solids:
-                solids[piece] = self._linkage.piece(piece, links, carried)
-            for solid in solids[piece]:
+            if piece < links:
+                solids = [there.solids[piece]]
+            else:
+                if piece not in loads:
+                    loads[piece] = load_at(carried[piece - links], there.links[self._linkage.hand])
+                solids = loads[piece]
+            for solid in solids:
                 if other is None:
                     low = min(low, solid.low[2])
                 else:

@@ -113,7 +113,7 @@ class DrivenArm:
     """
 
     _led: tuple[bytes, Standing] = b"", Standing(None, ())
-    """Where the last step that was looked at would lead, by the question; no part of its state."""
+    """Where it was last looked at whether it could go, by the question; no part of its state."""
 
     def __init__(self, linkage: Linkage | None) -> None:
         self._standing: Standing | None = None
@@ -155,7 +155,7 @@ class DrivenArm:
             asked = question(self.joints)
             known = self._stood.get(asked)
             if known is None:
-                # Most steps that were looked at where they lead are made.
+                # Most ways that were looked at where they lead are gone.
                 led, there = self._led
                 if led == asked and there.linkage is self._linkage:
                     known = there
@@ -349,6 +349,16 @@ class DrivenArm:
             for contact in contacts
         )
 
+    def at(self, joints: list[float]) -> Standing:
+        """The arm if it stood somewhere; when it goes there next nothing is worked out again.
+
+        Args:
+            joints: its six coordinates there.
+        """
+        there = Standing(self._linkage, tuple(joints))
+        self._led = question(joints), there
+        return there
+
     def led(self, mobile: Mobile, seconds: float) -> Sequence[Placed]:
         """The links as solids, where a step leads them.
 
@@ -357,9 +367,7 @@ class DrivenArm:
             seconds: length of the step.
         """
         moved = [at + rate * seconds for at, rate in zip(self.joints, mobile.speed, strict=True)]
-        there = Standing(self.linkage, tuple(moved))
-        self._led = question(moved), there
-        return there.solids
+        return self.at(moved).solids
 
     def move(self, mobile: Mobile, seconds: float, *, touched: bool, loaded: bool) -> None:
         """Move for a step; find what contact does to the motors.
