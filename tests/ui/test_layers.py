@@ -74,9 +74,50 @@ def test_textual_still_has_the_hooks_that_layers_override_and_use() -> None:
     ]
     assert "self._compositor = Compositor()" in inspect.getsource(Screen.__init__)
     assert "self._get_renders(crop)" in inspect.getsource(Compositor._render_chops)
+    resume = inspect.getsource(Screen._on_screen_resume)
+    assert "if event.refresh_styles:" in resume
+    assert "self.stack_updates += 1" in resume
     partial = inspect.getsource(Compositor.render_partial_update)
     assert "self._dirty_regions" in partial
     assert "self._render_chops(" in partial
+
+
+@piloted
+async def test_what_is_shown_for_the_first_time_has_the_styles_that_would_be_found_anew(
+    sit_down: Opener,
+) -> None:
+    async with sit_down(120, 40) as sitting:
+        for key in ("f3", "f1", "f2", "f8", "ctrl+p", "ctrl+t", "ctrl+g"):
+            await sitting.press(key)
+            await sitting.settle()
+            screen = sitting.app.screen
+            widgets = list(screen.walk_children(with_self=True))
+            before = [dict(widget.styles.base.get_rules()) for widget in widgets]
+            seen = screen_text(sitting.app), screen_colours(sitting.app)
+            screen.update_node_styles(animate=False)
+            await sitting.settle()
+            assert (screen_text(sitting.app), screen_colours(sitting.app)) == seen
+            assert [widget.styles.base.get_rules() for widget in widgets] == before
+            await sitting.press("escape")
+            await sitting.settle()
+
+
+@piloted
+async def test_the_first_frame_shows_what_there_is(
+    sit_down: Opener, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    frames: list[str] = []
+    draw = Compositor.render_full_update
+
+    def see(compositor: Compositor, *, simplify: bool = False) -> object:
+        frames.append("\n".join(strip.text for strip in compositor.render_strips()))
+        return draw(compositor, simplify=simplify)
+
+    monkeypatch.setattr(Compositor, "render_full_update", see)
+    async with sit_down(120, 40) as sitting:
+        [frame] = frames
+        rows = [row.rstrip() for row in frame.splitlines()]
+        assert rows == screen_text(sitting.app).splitlines()
 
 
 @piloted
