@@ -9,8 +9,9 @@ from typing import Any, ParamSpec
 from unittest.mock import patch
 
 from textual.css.stylesheet import Stylesheet
+from textual.pilot import Pilot
 
-from tests.ui.all_done import all_done, know_threads
+from tests.ui.all_done import all_done, know_threads, screen_done
 from tests.ui.parsed_once import parse_once
 
 Arguments = ParamSpec("Arguments")
@@ -30,6 +31,7 @@ def piloted(
         with (
             patch("textual.pilot.wait_for_idle", all_done),
             patch("textual.app.wait_for_idle", all_done),
+            patch.object(Pilot, "_wait_for_screen", screen_done),
             patch.object(Stylesheet, "_parse_rules", parse_once),
         ):
             asyncio.run(prepared(*args, **kwargs))
