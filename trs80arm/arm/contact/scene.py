@@ -618,6 +618,8 @@ class Scene:
             contacts: as solved.
             before: the arm's links before this step.
         """
+        if not awake:
+            return
         arm = self.driven
         links = set(arm.names)
         lean = leaning(contacts)
