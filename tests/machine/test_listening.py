@@ -23,6 +23,7 @@ from trs80arm.machine.cassette import FileFormatError, SystemRecording
 
 LINES = tuple((number, b'\xb2 "LINE %d"' % number) for number in range(10, 130, 10))
 PROGRAM = cassette.encode_program(ord("A"), LINES)
+BLANKS = cassette.encode_program(ord("A"), ((0, b" " * 7), (1, b" ")))
 RATE = 22_050
 
 
@@ -46,6 +47,8 @@ def clean(content: bytes = PROGRAM) -> Samples:
 @given(programs, damages, forms)
 @example(PROGRAM, Damage(wow=0.02, wow_rate=3, hum=0.4, noise=0.008, fade=0.15), wav.Form(8_000))
 @example(PROGRAM, Damage(upside_down=True, dull=True, hum=0.4), wav.Form(11_025, 2, 1))
+# The ROM's pause behind the sync byte in a dip that ends soon.
+@example(BLANKS, Damage(fade=0.5, dips=((0.4766, 0.0156, 0.25),)), wav.Form(8_000, 1, 1))
 def test_a_program_is_heard_through_bad_recorders(
     content: bytes, damage: Damage, form: wav.Form
 ) -> None:

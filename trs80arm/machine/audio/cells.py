@@ -40,6 +40,9 @@ _LONGEST_GAP: Final = 40
 """Cells without a clock after which the recording has ended."""
 _WEAK: Final = 0.3
 """A clock below this part of those around is looked at more closely."""
+_BESIDE, _BEFORE = 0.35, 0.12
+"""A clock that others follow has at least these parts of the strongest around it and of the
+strongest of those that follow: the volume may come up again, but what is hardly there is noise."""
 _FAINT: Final = 0.06
 """Pulses below this part of what they were for long are none."""
 _MOST_JITTER: Final = 0.13
@@ -277,8 +280,13 @@ class _Follower:
         last = place
         while last < count and times[last] < stop:
             last += 1
-        enough = 0.35 * max(strengths[place:last])
-        found = 0 if strengths[place] < enough else 1
+        least = _BEFORE * max(strengths[place:last])
+
+        def is_clock(pulse: int) -> bool:
+            strength = strengths[pulse]
+            return strength >= least and strength >= _BESIDE * self._high_around(pulse, cell)
+
+        found = int(is_clock(place))
         look = place + 1
         for _ in range(_AHEAD):
             due = clock + cell
@@ -287,7 +295,7 @@ class _Follower:
             best, best_off = -1, 1.0
             while look < last and times[look] < due + 0.17 * cell:
                 off = abs(times[look] - due)
-                if strengths[look] >= enough and off < best_off:
+                if off < best_off and is_clock(look):
                     best, best_off = look, off
                 look += 1
             if best < 0:
