@@ -82,32 +82,6 @@ def add_linked(
     return out
 
 
-def add_alone(block: list[float], columns: list[tuple[int, Six]], stiffness: list[float]) -> None:
-    """`add_linked` against what stands fast, to which nothing couples the arm."""
-    (a, b, c, d, e, f, g, h, i, j, k, m, n, o, p, q, r, s, t, u, v) = stiffness
-    shifted: list[tuple[int, float, float, float]] = []
-    turned: list[tuple[int, float, float, float, float, float, float]] = []
-    for at, (x, y, z, ex, ey, ez) in columns:
-        fx, fy, fz = a * x + b * y + d * z, b * x + c * y + e * z, d * x + e * y + f * z
-        mx, my, mz = g * x + h * y + i * z, k * x + m * y + n * z, q * x + r * y + s * z
-        # Cables move most links without turning them.
-        if ex or ey or ez:
-            turned.append((at, x, y, z, ex, ey, ez))
-            fx += g * ex + k * ey + q * ez
-            fy += h * ex + m * ey + r * ez
-            fz += i * ex + n * ey + s * ez
-            mx += j * ex + o * ey + t * ez
-            my += o * ex + p * ey + u * ez
-            mz += t * ex + u * ey + v * ez
-        else:
-            shifted.append((at, x, y, z))
-        start = at * (at + 1) // 2
-        for other, x, y, z in shifted:
-            block[start + other] += fx * x + fy * y + fz * z
-        for other, x, y, z, ex, ey, ez in turned:
-            block[start + other] += (fx * x + fy * y + fz * z) + (mx * ex + my * ey + mz * ez)
-
-
 def add_own(
     block: list[float],
     between: list[Six],

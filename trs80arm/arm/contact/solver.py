@@ -20,7 +20,6 @@ from __future__ import annotations
 import math
 
 from trs80arm.arm.contact.blocks import (
-    add_alone,
     add_linked,
     add_own,
     add_shifted,
@@ -290,7 +289,7 @@ class Problem:
             if stiffness is None:
                 continue
             if patch.columns_two is not None:
-                add_alone(blocks[patch.two], patch.columns_two, stiffness)
+                add_linked(blocks[patch.two], patch.columns_two, stiffness)
                 continue
             add_up(blocks[patch.two], stiffness)
             if patch.one is not None:
