@@ -363,15 +363,16 @@ class CompiledCode:
             return Written(None, False, False, False)
         # The separator in front of a line belongs to the line before it.
         text = address if ram[address] else start
-        out.depends_on(text, start + 1)
         if ram[address] == 0:
             if direct or not (ram[start] or ram[start + 1]):
+                out.depends_on(text, start + 1)
                 out.emit(f"end_of_text({out.address(address)})")
                 return Written(None, False, False, False)
             start += 4
             line = ram[address + 3] | ram[address + 4] << 8
             out.cost += costs.NEW_LINE
         elif ram[address] != characters.COLON:
+            out.depends_on(address, start)
             out.cost += costs.STATEMENT
             out.fail(Code.SN)
             return Written(None, False, False, False)
