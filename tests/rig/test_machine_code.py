@@ -139,6 +139,7 @@ def test_halt_comes_back_to_ready() -> None:
         ("CD 49 00 18 FB", 1.1),
         ("21 00 70 06 20 CD 40 00 18 F6", 1.5),
         ("01 00 00 CD 60 00 18 F8", 0.1),
+        ("CD 87 02 18 FB", 0.1),  # leader after leader to the tape
     ],
 )
 def test_break_ends_any_code(code: str, seconds: float) -> None:
@@ -150,6 +151,12 @@ def test_break_ends_any_code(code: str, seconds: float) -> None:
     assert rig.outcome.ending is Ending.BREAK
     rig.type("PRINT 1\n")
     assert " 1 \n" in printed(rig)
+
+
+def test_a_leader_leaves_the_registers_as_the_rom_does() -> None:
+    # B has counted the bytes to 0; A: the sync byte.
+    rig = program("01 34 12 CD 87 02 6F 60 C3 9A 0A", "20 PRINT USR(0)")
+    assert printed(rig).startswith(f" {0xA5} \n")
 
 
 def test_code_that_looks_at_break_gets_it() -> None:

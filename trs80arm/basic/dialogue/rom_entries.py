@@ -46,7 +46,7 @@ _DISPLAY_BLOCK, _KEYBOARD_BLOCK, _PRINTER_BLOCK = 0x401D, 0x4015, 0x4025
 _NUMBER_BUFFER: Final = 0x4130
 _STARS: Final = (0x3C3E, 0x3C3F)
 _STAR, _BLANK = ord("*"), ord(" ")
-_LEADER, _SYNC = 255, 0xA5
+_LEADER, _LEADER_BYTE, _SYNC = 255, 0x028A, 0xA5
 _PORT, _FLAGS, _MOTOR = 0xFF, 0x403D, 0b100
 _LINE_BUFFER: Final = 0x41E8
 _WORD: Final = 0xFFFF
@@ -311,14 +311,24 @@ def _motor(on: bool) -> Entry:
     return entry
 
 
-def _leader(call: Call) -> None:
-    tape = call.state.host.tape
-    tape.start_writing()
-    for value in (*bytes(_LEADER), _SYNC):
-        tape.write(value)
-        call.spend(costs.tape_byte(value))
-    call.registers.a = _SYNC
-    call.back()
+def _start_writing(call: Call) -> None:
+    """A byte of the leader at a time comes behind it, counted in B as in the ROM."""
+    registers = call.registers
+    call.state.host.tape.start_writing()
+    registers.a, registers.b = 0, _LEADER
+    registers.flags(zero=True)
+    call.go(_LEADER_BYTE, 0)
+
+
+def _write_leader(call: Call) -> None:
+    """A byte of the leader; the last goes on to the sync byte."""
+    registers = call.registers
+    call.state.host.tape.write(0)
+    call.spend(costs.tape_byte(0))
+    registers.b = registers.b - 1 & 0xFF
+    if not registers.b:
+        registers.a = _SYNC
+        _write_byte(call)
 
 
 def _write_byte(call: Call) -> None:
@@ -621,8 +631,9 @@ ENTRIES: Final[dict[int, Entry]] = {
     0x022C: _blink,
     0x0235: _read_byte,
     0x0264: _write_byte,
-    0x0284: _leader,
-    0x0287: _leader,
+    0x0284: _start_writing,
+    0x0287: _start_writing,
+    _LEADER_BYTE: _write_leader,
     0x0293: _find_sync,
     0x0296: _find_sync,
     0x0314: _read_word,
