@@ -111,10 +111,10 @@ class Control:
 
     def stack_bytes(self) -> int:
         """What the frames take on the Z-80's stack."""
-        sizes = (
-            FOR_BYTES if isinstance(frame, ForFrame) else GOSUB_BYTES for frame in self.frames[1:]
-        )
-        return sum(sizes) - self.slip
+        # A recursion that fills memory asks this each time: no step of Python for each frame.
+        loops = [*map(type, self.frames)].count(ForFrame)
+        subroutines = len(self.frames) - 1 - loops
+        return loops * FOR_BYTES + subroutines * GOSUB_BYTES - self.slip
 
     def forget(self, data: int) -> None:
         """No frames, no trap, nothing to CONT; READ begins behind `data` (part of 1B5DH)."""
