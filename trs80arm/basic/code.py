@@ -341,12 +341,13 @@ class CompiledCode:
         return Compiled(relocatable, out.location(), scope.assumptions(), out.marks, out.calls_code)
 
     def _loops(self) -> list[Key]:
-        """The variables of the loops that are open now."""
-        return [
-            (frame.scalar.name, frame.scalar.kind)
-            for frame in self._state.control.frames
-            if isinstance(frame, ForFrame)
-        ]
+        """The variables of the open loops that NEXT can come to: those of this subroutine."""
+        loops: list[Key] = []
+        for frame in reversed(self._state.control.frames):
+            if not isinstance(frame, ForFrame):
+                break
+            loops.append((frame.scalar.name, frame.scalar.kind))
+        return loops[::-1]
 
     def _write(self, address: int, out: Emitter, scope: Scope, loops: list[Key]) -> Written:
         """Write the statement behind a separator."""
