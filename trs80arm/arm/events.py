@@ -6,8 +6,9 @@ whoever draws the arm or judges a run reads them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
+
+from trs80arm.records import dataclass
 
 
 class EventKind(Enum):

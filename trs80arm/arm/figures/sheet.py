@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from html import escape
 from typing import Any
+
+from trs80arm.records import dataclass
 
 Point = tuple[float, float]
 

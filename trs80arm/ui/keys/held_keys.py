@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Hashable
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import islice
 
 from trs80arm.options import TerminalSettings
+from trs80arm.records import dataclass
 from trs80arm.rig import Key
 
 HOLD = 0.060
