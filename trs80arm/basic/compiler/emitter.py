@@ -52,6 +52,7 @@ ATTRIBUTES: Final = frozenset(
 QUIET: Final = frozenset(
     {
         *("abs", "float", "int", "len", "fail", "byte", "below", "subscript", "bad", "always"),
+        "from_one",
         *("floor", "to_kind", "to_single", "to_double", "narrow", "negate", "absolute", "sign"),
         *("any_floor", "fix", "compare", "any_add", "any_sub", "any_mul", "any_div"),
         *("integer_add", "integer_sub", "integer_mul", "integer_step"),

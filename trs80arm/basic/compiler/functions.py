@@ -6,6 +6,7 @@ the `of_` methods, which differ in the argument that they take.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 from trs80arm.basic import costs, room, words
@@ -21,6 +22,8 @@ from trs80arm.basic.words import Word
 
 _COLUMNS, _ROWS = 128, 48
 """Graphics blocks of the display."""
+_HARMLESS = re.compile(rb"(?:, *[0-9]{1,2} *)?\)")
+"""The end of MID$, with or without a length, in which no error can be."""
 
 
 class FunctionCompiler:
@@ -103,15 +106,28 @@ class FunctionCompiler:
             self._draft.expect(COMMA)
             if string.kind != STRING:
                 raise Mistake(Code.TM)
-            numbers = [expressions.byte()]
+            middle = word.calls == "middle"
+            numbers = [self._place() if middle else expressions.byte()]
             with self._draft.pending(*numbers):
-                if word.calls == "middle" and reader.code == COMMA:
+                if middle and reader.code == COMMA:
                     reader.advance()
                     numbers.append(expressions.byte())
                 expressions.close_parenthesis()
         value = _call(word, string.text, *(number.text for number in numbers))
         piece = pieces.part(self._out, word.calls, string, numbers)
         return pieces.with_piece(value, piece, self._out)
+
+    def _place(self) -> Expression:
+        """The place that MID$ begins at: FC for 0 comes before any error in what follows.
+
+        Where nothing can be wrong in that, MID$ looks at it.
+        """
+        place = self._expressions.byte()
+        if place.constant == 0:
+            raise Mistake(Code.FC)
+        if place.constant is not None or _HARMLESS.match(self._reader.text, self._reader.position):
+            return place
+        return settled(self._out, Expression(f"from_one({place.text})", INTEGER))
 
     def of_place(self, word: Word) -> Expression:
         """POINT."""

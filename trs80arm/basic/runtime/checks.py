@@ -20,6 +20,13 @@ def byte(value: int) -> int:
     return value
 
 
+def from_one(value: int) -> int:
+    """A place in a string, from 1 on; FC."""
+    if not value:
+        raise BasicError(Code.FC)
+    return value
+
+
 def below(value: int, limit: int) -> int:
     """A coordinate that must be below a limit; FC."""
     if value >= limit:

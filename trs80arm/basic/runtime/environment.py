@@ -37,6 +37,7 @@ FUNCTIONS: Final[dict[str, Any]] = {
     # Errors and checks.
     "fail": checks.fail,
     "byte": checks.byte,
+    "from_one": checks.from_one,
     "below": checks.below,
     "subscript": checks.subscript,
     "bad": checks.bad,
