@@ -11,7 +11,7 @@ import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from os.path import realpath
 from pathlib import Path
@@ -26,7 +26,6 @@ from trs80arm.files import FileFormatError
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.operator import Operator, ScriptError, parse_holds
 from trs80arm.reasons import one_line
-from trs80arm.records import dataclass
 from trs80arm.report import ended, report
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.script import Expected, RunScript, read_script, script_beside

@@ -5,12 +5,12 @@ A run without a screen and a sitting at the machine read their benches here.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 from trs80arm.arm import benchfile
 from trs80arm.arm.bench import Bench
 from trs80arm.paths import beside, is_file
-from trs80arm.records import dataclass
 from trs80arm.script import SUFFIX
 
 

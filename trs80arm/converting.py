@@ -7,6 +7,7 @@ one program goes the first of them, or the one that is named.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 from trs80arm import files
@@ -14,7 +15,6 @@ from trs80arm.files import FileFormatError, Kind
 from trs80arm.machine import cassette, tape_files
 from trs80arm.machine.cassette import DataRecording, ProgramRecording, Recording, SystemRecording
 from trs80arm.machine.tape_files import Entry, TapeFile
-from trs80arm.records import dataclass
 from trs80arm.saving import write_whole
 
 

@@ -7,6 +7,7 @@ machine's time.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
 
@@ -16,7 +17,6 @@ from trs80arm.basic.state import Activity
 from trs80arm.machine import cassette, tape_files
 from trs80arm.machine.cassette import Stretch
 from trs80arm.machine.tape_files import sign
-from trs80arm.records import dataclass
 from trs80arm.rig import Rig
 
 BYTE_SECONDS = 0.016

@@ -6,7 +6,7 @@ Looking changes nothing and takes none of the machine's time. The terminal's pan
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import islice
 from typing import Any
@@ -17,7 +17,6 @@ from trs80arm.basic.kinds import DOUBLE, INTEGER, STRING, Kind
 from trs80arm.basic.numbers.decimal import number_text
 from trs80arm.deck import Deck, cassettes_of
 from trs80arm.program_text import spell
-from trs80arm.records import dataclass
 from trs80arm.rig import Rig
 from trs80arm.works.named_variables import as_number as as_number
 from trs80arm.works.named_variables import is_name as is_name

@@ -9,11 +9,11 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 
 from trs80arm.basic.activity import Waiting
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.keys import Key
-from trs80arm.records import dataclass
 from trs80arm.rig import LONGEST_HOLD, Rig
 
 HAND_PAUSE = 0.1

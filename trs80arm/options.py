@@ -6,11 +6,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import Enum, StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING
-
-from trs80arm.records import dataclass
 
 if TYPE_CHECKING:
     from trs80arm.rig import RigSettings

@@ -13,13 +13,12 @@ import math
 import types
 import typing
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from enum import Enum, IntEnum
 from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
-from trs80arm.records import dataclass
 from trs80arm.shown import shown
 
 T = TypeVar("T")

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import codecs
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
 from trs80arm.basic import cruncher, tokens
 from trs80arm.basic.errors import BasicError
 from trs80arm.machine.cassette import FileFormatError, ProgramLine
-from trs80arm.records import dataclass
 
 _DOS_END = "\x1a"
 _QUOTE = 0x22

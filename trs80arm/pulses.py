@@ -12,12 +12,11 @@ long to make, and one is made for each write that is sent alone.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
-
-from trs80arm.records import dataclass
 
 Series: TypeAlias = Sequence[int] | npt.NDArray[np.int64]
 """A column of a burst: a plain sequence for a few writes, an array for many."""

@@ -6,14 +6,13 @@ one line that names file and key.
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
 
 from trs80arm.operator import HAND_PAUSE, Hold, ScriptError, parse_holds
 from trs80arm.paths import beside
 from trs80arm.plain_values import Range, SettingsError, Table
-from trs80arm.records import dataclass
 from trs80arm.toml_files import TomlError, read_text, tables_of
 
 SUFFIX = ".run.toml"

@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import typing
 from collections.abc import Callable, Iterable, Mapping, MutableMapping
-from dataclasses import fields
+from dataclasses import dataclass, fields
 from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -22,7 +22,6 @@ from trs80arm.options import TerminalOptions, TerminalSettings
 from trs80arm.plain_values import SettingsError as SettingsError
 from trs80arm.plain_values import fit, keys_of
 from trs80arm.reasons import reason
-from trs80arm.records import dataclass
 from trs80arm.saving import write_whole
 from trs80arm.serial.limits import PlugSettings
 from trs80arm.toml_files import TomlError, read_text, tables_of, what_is_wrong, with_plain_ends

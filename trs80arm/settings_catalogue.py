@@ -9,12 +9,11 @@ from __future__ import annotations
 import inspect
 import re
 import typing
-from dataclasses import field
+from dataclasses import dataclass, field
 from enum import Enum, IntEnum
 from typing import Any
 
 from trs80arm.plain_values import SettingsError, as_table, fit
-from trs80arm.records import dataclass
 from trs80arm.settings import plain_value, tables
 
 _ENTRY = re.compile(r"^    (\w[\w, ]*): (.*)$")

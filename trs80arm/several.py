@@ -10,7 +10,7 @@ import io
 import json
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, TextIO
@@ -34,7 +34,6 @@ from trs80arm.batch import (
 from trs80arm.cores import EndedFromOutsideError, on_all_cores
 from trs80arm.expectations import unmet
 from trs80arm.reasons import one_line
-from trs80arm.records import dataclass
 from trs80arm.saving import expect_to_write, write_whole
 from trs80arm.shown import shown
 

@@ -6,9 +6,8 @@ whoever draws the arm or judges a run reads them.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import Enum
-
-from trs80arm.records import dataclass
 
 
 class EventKind(Enum):

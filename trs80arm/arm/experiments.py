@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import pickle
 from collections.abc import Callable
+from dataclasses import dataclass
 from enum import Enum
 
 from trs80arm.arm.bench import Bench
@@ -20,7 +21,6 @@ from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.model import Motor, Pose
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.stepping import PulseGenerator
-from trs80arm.records import dataclass
 
 SLOW = T_STATES_PER_SECOND // 120
 """T-states per step at 120 steps a second, at which every motor keeps up."""

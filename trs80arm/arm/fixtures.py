@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import field, fields
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any
 
@@ -17,7 +17,6 @@ from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import IDENTITY, about, apply, matrix, quaternion
 from trs80arm.arm.contact.solids import Solid, box
 from trs80arm.arm.shapes import SKIN, Box, Vector, plus, upright
-from trs80arm.records import dataclass
 
 ON_THE_TABLE = 0.02
 """Height of its lowest corner up to which something stands on the table, inches."""

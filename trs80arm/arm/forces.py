@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,6 @@ from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.geometry import JointAngles, forward
 from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER, ArmModel, Link, Motor
 from trs80arm.arm.trigonometry import sin_cos
-from trs80arm.records import dataclass
 
 NEVER = 1 << 40
 """Period, in T-states, of a motor whose load is more than it can move."""

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from trs80arm.arm.model import SHOULDER, ArmModel, Motor, Pose, Rotors
 from trs80arm.arm.trigonometry import arc_tangent, sin_cos
-from trs80arm.records import dataclass
 
 Point = tuple[float, float, float]
 

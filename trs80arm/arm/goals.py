@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import Any
 
@@ -15,7 +16,6 @@ from trs80arm.arm.contact.rotations import about, apply, matrix
 from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.fixtures import Part, Tray
 from trs80arm.arm.linkage import fixed_name
-from trs80arm.records import dataclass
 
 Place = tuple[float, ...]
 """x and y, or x, y and the height of the middle, inches."""

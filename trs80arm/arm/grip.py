@@ -7,8 +7,9 @@ on joint 6; Figures 5 and 6). `World` keeps it in line with what contact finds.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from trs80arm.arm.model import ArmModel
-from trs80arm.records import dataclass
 
 
 @dataclass

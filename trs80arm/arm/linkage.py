@@ -7,6 +7,7 @@ hangs on its end; the wrist gears turn the hand about two axes at once.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Link, Screw
@@ -20,7 +21,6 @@ from trs80arm.arm.model import Link as Piece
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Vector, cross
 from trs80arm.arm.trigonometry import sin_cos
-from trs80arm.records import dataclass
 
 _FIXED, _LINK = "\x01", "\x02"
 

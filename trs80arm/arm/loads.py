@@ -6,12 +6,12 @@ nothing else, for whoever shows them: panel, line mode, traces, `trs80arm run --
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import ceil, tau
 
 from trs80arm.arm.forces import Curve, Strength
 from trs80arm.arm.model import ArmModel, Drive, Motor
 from trs80arm.arm.motors import HALF_STEPS_PER_TURN, StepperMotor
-from trs80arm.records import dataclass
 
 NEAR = 0.85
 """Share of what a motor has, or of what a grip holds, from which on it is near to giving way."""

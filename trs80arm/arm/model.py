@@ -9,14 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-
-from trs80arm.records import dataclass
 
 Rotors = Sequence[int] | npt.NDArray[np.int64]
 """Half-steps of six motors; or six arrays of them, as one array."""

@@ -9,11 +9,11 @@ rotor, and tells it how far the rotor got.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 from trs80arm.arm.contact.clock import T_STATES_PER_SECOND
 from trs80arm.arm.events import Reason
 from trs80arm.arm.forces import NEVER
-from trs80arm.records import dataclass
 
 __all__ = ["PHASES", "RING", "ROWS", "StepperMotor"]
 

@@ -7,7 +7,7 @@ burst, place and load, and remembered.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from itertools import starmap
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -20,7 +20,6 @@ from trs80arm.arm.keeping_pace import behind
 from trs80arm.arm.loads import per_cent
 from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER
 from trs80arm.arm.motors import RING
-from trs80arm.records import dataclass
 
 if TYPE_CHECKING:
     from trs80arm.arm.minimover import MiniMover

@@ -8,10 +8,10 @@ the model; what they do settle is data in `models/`. `MiniMover` and its
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 from trs80arm.arm.model import ArmModel
 from trs80arm.arm.models import model_named
-from trs80arm.records import dataclass
 
 _RANGES: dict[str, tuple[float, float]] = {
     "speed_margin": (0.1, 100),

@@ -6,9 +6,8 @@ Nothing here knows what the boxes are. Inches, radians.
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from functools import cached_property
-
-from trs80arm.records import dataclass
 
 Vector = tuple[float, float, float]
 

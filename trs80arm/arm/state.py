@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.model import Pose
-from trs80arm.records import dataclass
 
 Six = tuple[int, int, int, int, int, int]
 """One number for each motor."""

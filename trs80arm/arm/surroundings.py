@@ -7,6 +7,7 @@ decides what happens: only whether it is certain that nothing does.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +24,6 @@ from trs80arm.arm.linkage import FINGERS, ArmLinkage
 from trs80arm.arm.model import Link, Motor
 from trs80arm.arm.shapes import Vector, length, plus
 from trs80arm.arm.sweep import Extents, Ranges, Sweep
-from trs80arm.records import dataclass
 
 FAR = 100.0
 """More inches than there are."""

@@ -6,10 +6,9 @@ BREAK, STOP or an error the direct mode can look at everything, and CONT goes on
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from trs80arm.basic.variables import Scalar
-from trs80arm.records import dataclass
 
 DIRECT = 0xFFFF
 """The line number of the direct mode (40A2H, ERL)."""

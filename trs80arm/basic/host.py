@@ -8,10 +8,10 @@ hand it plain stand-ins. Every method returns at once: what takes time on the re
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Protocol
 
 from trs80arm.progress import Progress as Progress
-from trs80arm.records import dataclass
 
 
 class Clock(Protocol):

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import Enum
 
 from trs80arm.basic.errors import Code
-from trs80arm.records import dataclass
 
 
 class Ending(Enum):

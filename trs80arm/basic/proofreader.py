@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from typing import Final
 
 from trs80arm.basic import addresses, characters, tokens, words
@@ -20,7 +21,6 @@ from trs80arm.basic.errors import Code
 from trs80arm.basic.kinds import SIZES
 from trs80arm.basic.program import LINE_HEAD
 from trs80arm.basic.state import State
-from trs80arm.records import dataclass
 
 _DEFINES: Final = {
     token: SIZES[word.gives]

@@ -9,11 +9,11 @@ measurements as those in `costs`.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import Enum
 from typing import Final
 
 from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, STRING, Kind
-from trs80arm.records import dataclass
 
 FIRST: Final = 128
 """The token of the first word."""

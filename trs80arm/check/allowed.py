@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Final
 
 from trs80arm.basic import tokens
 from trs80arm.check.findings import RULES, Rule
 from trs80arm.check.statements import Statement
-from trs80arm.records import dataclass
 
 _ALLOW: Final = re.compile(rb"\s*CHECK\s*:\s*ALLOW\b(.*)", re.IGNORECASE | re.DOTALL)
 _NAME: Final = re.compile(r"[^\s,]+")

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
 from trs80arm.basic import characters, tokens
 from trs80arm.basic.errors import BasicError
 from trs80arm.basic.numbers import literal
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.check.statements import Statement
-from trs80arm.records import dataclass
 
 
 @dataclass(frozen=True)

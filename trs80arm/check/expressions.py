@@ -7,6 +7,7 @@ by the proofreader; here it is only `Unreadable`.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Final
 
 from trs80arm.basic import characters, tokens, words
@@ -15,7 +16,6 @@ from trs80arm.basic.errors import BasicError
 from trs80arm.basic.numbers import literal
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.precedence import BINARY, NOT, RELATION, UNARY_MINUS
-from trs80arm.records import dataclass
 
 _KINDS: Final = frozenset(b"%!#$")
 _WITHOUT_PARENTHESES: Final = frozenset(

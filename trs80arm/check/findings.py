@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 from typing import Final
-
-from trs80arm.records import dataclass
 
 
 class Level(Enum):

@@ -7,6 +7,7 @@ has no way is certain, and what has one need not ever be gone.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from typing import Final
 
 from trs80arm.basic import tokens
@@ -25,7 +26,6 @@ from trs80arm.check.statements import (
     Statement,
     Statements,
 )
-from trs80arm.records import dataclass
 
 _IDLE: Final = frozenset((tokens.REM, tokens.DATA, tokens.ELSE, END, STOP, RETURN))
 """What stands where nothing comes without being meant to run: remarks, data, and ends."""

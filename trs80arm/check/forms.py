@@ -5,14 +5,13 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 from urllib.parse import quote
 
 from trs80arm import __version__
 from trs80arm.check.findings import Finding, Level, Rule
-from trs80arm.records import dataclass
 from trs80arm.shown import shown
 
 SARIF_SCHEMA: Final = "https://json.schemastore.org/sarif-2.1.0.json"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from typing import Final
 
 from trs80arm.basic import tokens
-from trs80arm.records import dataclass
 
 _REST: Final = bytes((tokens.REM,))
 _DATA: Final = bytes((tokens.DATA,))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 from trs80arm.basic import tokens
@@ -25,7 +25,6 @@ from trs80arm.check.values import (
     Value,
     compared,
 )
-from trs80arm.records import dataclass
 
 Key = tuple[str, Kind]
 KINDS: Final = {"%": INTEGER, "!": SINGLE, "#": DOUBLE, "$": STRING}

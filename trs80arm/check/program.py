@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
@@ -23,7 +24,6 @@ from trs80arm.check.values import Items
 from trs80arm.files import FileFormatError, Kind, kind_of, parse_program, read_program
 from trs80arm.machine.cassette import ProgramLine
 from trs80arm.program_text import WrittenLine, spell, written_lines
-from trs80arm.records import dataclass
 from trs80arm.rig import Rig, RigSettings
 
 _LARGEST_KIB: Final = 48

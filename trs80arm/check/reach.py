@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final
 
 from trs80arm.arm.geometry import JointAngles, forward, inverse
 from trs80arm.arm.model import ArmModel, Pose
-from trs80arm.records import dataclass
 
 _HAIR: Final = 0.015
 """Radians forgiven: what programs round off by counting whole half-steps."""

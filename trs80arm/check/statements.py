@@ -7,14 +7,13 @@ knows where those of its ELSE begin; a line number behind THEN or ELSE is a GOTO
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Final
 
 from trs80arm.basic import characters, tokens, words
 from trs80arm.basic.characters import AT, COMMA, NUMBER_SIGN, SEMICOLON
 from trs80arm.basic.compiler.arm import JOINTS
 from trs80arm.check.expressions import Expression, Text, Unreadable, Variable, variables
-from trs80arm.records import dataclass
 
 END = words.TOKENS["END"]
 STOP = words.TOKENS["STOP"]

@@ -8,6 +8,7 @@ unknown.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any, Final
 
 from trs80arm.basic import tokens, words
@@ -15,7 +16,6 @@ from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import convert, decimal, double, functions, literal
 from trs80arm.basic.numbers.convert import Number
 from trs80arm.basic.numbers.double import Double
-from trs80arm.records import dataclass
 
 Items = frozenset[int]
 """Places of DATA items in the order of READ."""

@@ -7,10 +7,9 @@ back from is not answered: `then` is never called.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
-
-from trs80arm.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import operator
 import re
 from collections.abc import Callable
+from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
@@ -19,7 +20,6 @@ from trs80arm.desk.session import Session
 from trs80arm.desk.watches import Watch
 from trs80arm.inspection import Spot, next_spot, spot_at
 from trs80arm.machine.clock import T_STATES_PER_SECOND
-from trs80arm.records import dataclass
 from trs80arm.rig import Rig
 
 SLICE = T_STATES_PER_SECOND // 60

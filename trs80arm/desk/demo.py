@@ -7,10 +7,10 @@ some virtual time has passed.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from trs80arm.bundled import along
 from trs80arm.desk.session import Session
-from trs80arm.records import dataclass
 from trs80arm.rig import Key, Waiting
 
 PROGRAM = "table4.bas"

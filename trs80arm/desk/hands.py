@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple, replace
+from dataclasses import astuple, dataclass, replace
 from math import degrees
 
 from trs80arm.arm.by_hand import InTheWay, MotorsOn
 from trs80arm.arm.geometry import JointAngles, OutOfReach
 from trs80arm.desk.session import Session
-from trs80arm.records import dataclass
 from trs80arm.rig import Pose
 
 

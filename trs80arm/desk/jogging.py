@@ -10,13 +10,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import astuple, replace
+from dataclasses import astuple, dataclass, replace
 from enum import Enum
 
 from trs80arm.arm.geometry import CableDrive, JointAngles, OutOfReach, forward, inverse
 from trs80arm.arm.limits import beyond_any_stop
 from trs80arm.arm.model import ArmModel, Pose
-from trs80arm.records import dataclass
 from trs80arm.rig import Counts, Rig
 
 HAND = 5

@@ -11,14 +11,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 
 from trs80arm.arm.geometry import OutOfReach
 from trs80arm.arm.model import Pose
 from trs80arm.desk.jogging import Stance
 from trs80arm.desk.taught_programs import HOME, Manner
 from trs80arm.desk.teach import Lesson, Position, listing_comment, listing_name
-from trs80arm.records import dataclass
 
 LAST_X = -100.0
 """An X below it ends the DATA lines, as in Table 4's line 309."""

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from trs80arm.desk.jogging import STEP_SIZES, Coordinates, Jogger, Plan, Stance, StepSize
@@ -34,7 +34,6 @@ from trs80arm.files import FileFormatError, load_program
 from trs80arm.inspection import line_text
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.reasons import one_line
-from trs80arm.records import dataclass
 from trs80arm.rig import Key, Rig, Waiting
 
 KEPT = 200

@@ -8,13 +8,13 @@ which other files there are.
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 from trs80arm.bundled import programs_folder
 from trs80arm.desk.asking import FileQuestion
 from trs80arm.paths import is_file, is_folder, refusal, typed_path
-from trs80arm.records import dataclass
 
 OUTSIDE = "Only the files of your own folder can be reached here."
 

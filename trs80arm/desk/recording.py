@@ -14,7 +14,7 @@ import contextlib
 import io
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import astuple, replace
+from dataclasses import astuple, dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -30,7 +30,6 @@ from trs80arm.machine.tape import is_cassette_name
 from trs80arm.paths import open_to_read
 from trs80arm.plain_values import Range, SettingsError, Table, as_table, fit, from_table
 from trs80arm.reasons import reason
-from trs80arm.records import dataclass
 from trs80arm.rig import LONGEST_HOLD, TURNED_BY_HAND, Input, Key, Pose, Rig, RigSettings
 from trs80arm.saving import open_to_write, write_whole
 from trs80arm.serial.pendant_keys import key_named

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from trs80arm.reasons import reason
-from trs80arm.records import dataclass
 from trs80arm.settings import SettingsError, forget, remember
 from trs80arm.settings_catalogue import Setting, catalogue
 

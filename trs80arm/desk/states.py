@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from trs80arm.desk import recording
@@ -18,7 +19,6 @@ from trs80arm.inspection import next_spot
 from trs80arm.paths import is_file, read_beginning
 from trs80arm.plain_values import SettingsError, Table
 from trs80arm.reasons import reason
-from trs80arm.records import dataclass
 from trs80arm.rig import SnapshotError
 from trs80arm.saving import write_whole
 from trs80arm.shown import shown

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
 from trs80arm.arm.geometry import JointAngles, OutOfReach, forward, inverse
 from trs80arm.arm.model import ArmModel, Motor, Pose
 from trs80arm.desk.teach import Lesson, Position, steps_between
-from trs80arm.records import dataclass
 from trs80arm.rig import Counts
 
 

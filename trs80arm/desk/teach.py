@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.model import ArmModel
-from trs80arm.records import dataclass
 from trs80arm.rig import Counts, Pose
 
 REGISTER_SPAN = 1 << 16

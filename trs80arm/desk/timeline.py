@@ -15,10 +15,9 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import deque
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from trs80arm.machine.clock import T_STATES_PER_SECOND
-from trs80arm.records import dataclass
 from trs80arm.rig import Input, Rig
 
 SHORTEST = T_STATES_PER_SECOND // 4

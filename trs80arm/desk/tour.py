@@ -8,6 +8,7 @@ backticks are what is to be typed or pressed, just as it stands: the tour's test
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 from trs80arm.arm.bench import BenchError
@@ -19,7 +20,6 @@ from trs80arm.desk.session import Session
 from trs80arm.desk.teach import Lesson
 from trs80arm.files import FileFormatError
 from trs80arm.reasons import one_line
-from trs80arm.records import dataclass
 from trs80arm.rig import Counts, Waiting
 
 FILE = "tour.json"

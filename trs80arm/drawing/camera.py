@@ -8,6 +8,7 @@ is the same for corners that the sun's rays have taken there.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 from math import cos, inf, sin, sqrt
 
@@ -16,7 +17,6 @@ import numpy.typing as npt
 
 from trs80arm.arm.shapes import cross
 from trs80arm.drawing.solids import Floats, Place, Solids
-from trs80arm.records import dataclass
 
 _EDGE_ON = 1e-4
 """A face that is turned to the eye by less than this is seen as a line, that is not at all."""

@@ -7,6 +7,7 @@ cells as arrays, and the rows of text that come of them.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any, TypeAlias, TypeVar
@@ -18,7 +19,6 @@ from trs80arm.drawing.materials import INKS
 from trs80arm.drawing.raster import Nearness, Seen
 from trs80arm.drawing.rows import LEVELS, Ink, Paint, Row
 from trs80arm.drawing.solids import Floats, Ints
-from trs80arm.records import dataclass
 
 _Number = TypeVar("_Number", bound=np.generic)
 Text: TypeAlias = tuple[int, int, str, Ink]

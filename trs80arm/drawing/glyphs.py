@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from trs80arm.machine.video import FIRST_GRAPHIC, glyph, sextant
 from trs80arm.options import GlyphSet
-from trs80arm.records import dataclass
 
 PATTERNS = 64
 _ASCII_ARROWS = {0x5B: "^", 0x5C: "v", 0x5D: "<", 0x5E: ">"}

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import IntEnum
 
 import numpy as np
 
 from trs80arm.drawing.rows import PARTS, Ink
-from trs80arm.records import dataclass
 
 
 @dataclass(frozen=True)

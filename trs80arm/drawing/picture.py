@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import lru_cache
 from math import degrees, dist, floor, radians, tau
 
@@ -34,7 +35,6 @@ from trs80arm.drawing.styles import SOLID_STYLES
 from trs80arm.drawing.top_scene import top_scene
 from trs80arm.drawing.viewport import ASPECT, ZOOMS, Viewport, Window, draw
 from trs80arm.options import ArmStyle
-from trs80arm.records import dataclass
 
 TRAIL_POINTS = 800
 """How many places of the fingertip a trail keeps."""

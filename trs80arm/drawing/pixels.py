@@ -7,6 +7,7 @@ marks stay characters, a sheet of cells, and are written over it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -15,7 +16,6 @@ import numpy.typing as npt
 from trs80arm.drawing.cells import Cells, Samples
 from trs80arm.drawing.materials import INKS, SHADOW
 from trs80arm.drawing.rows import DARKEST, LIGHT, Ink
-from trs80arm.records import dataclass
 
 Triplet: TypeAlias = tuple[int, int, int]
 

@@ -9,6 +9,7 @@ of numbers that have the nearness in their upper half and the face in their lowe
 from __future__ import annotations
 
 import copy
+from dataclasses import dataclass
 from math import inf
 from typing import NamedTuple, TypeAlias, TypeVar
 
@@ -18,7 +19,6 @@ import numpy.typing as npt
 from trs80arm.drawing.camera import Projected
 from trs80arm.drawing.solids import Floats, Ints, Shape, Solids
 from trs80arm.drawing.viewport import ASPECT, Window
-from trs80arm.records import dataclass
 
 _Number = TypeVar("_Number", bound=np.generic)
 Nearness: TypeAlias = npt.NDArray[np.float32]

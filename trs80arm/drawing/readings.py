@@ -6,7 +6,7 @@ Panels never hold the rig. The program reads it once and hands the same frozen `
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
 from math import tau
@@ -27,7 +27,6 @@ from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box, Vector, upright
 from trs80arm.machine.driver import Mode
 from trs80arm.machine.jog_keys import JogKeys
-from trs80arm.records import dataclass
 from trs80arm.rig import Key, Rig, Waiting
 from trs80arm.trace.history import History
 

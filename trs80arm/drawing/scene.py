@@ -8,6 +8,7 @@ A scene is shapes in a plane. `ui/side_scene.py` makes that of the plane in whic
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from math import cos, dist, radians, sin
 from typing import TypeAlias
 
@@ -15,7 +16,6 @@ from trs80arm.arm.shapes import Box
 from trs80arm.drawing.canvas_ascii import Point
 from trs80arm.drawing.readings import Kind, Posture, Readings, Thing
 from trs80arm.drawing.rows import Ink
-from trs80arm.records import dataclass
 
 PALM_HALF_WIDTH = 0.76
 """Half the distance of the fingers' roots, inches: they are parallel at 1.52 (arm facts, 7)."""

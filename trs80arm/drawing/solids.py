@@ -8,7 +8,7 @@ move, their `Shape`, is put together once. Inches.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from itertools import repeat
 from math import cos, pi, sin
@@ -16,8 +16,6 @@ from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
-
-from trs80arm.records import dataclass
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 Ints: TypeAlias = npt.NDArray[np.int64]

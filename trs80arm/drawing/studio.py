@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import cos, radians, sin
 
@@ -37,7 +37,6 @@ from trs80arm.drawing.side_scene import RESTING, side_envelope, side_frame
 from trs80arm.drawing.solids import NOTHING, Floats, Place, Shape, Solids
 from trs80arm.drawing.top_scene import top_envelope, top_frame
 from trs80arm.drawing.viewport import ASPECT, Window
-from trs80arm.records import dataclass
 
 AMBIENT = 0.4
 """What of its brightness a face has that no light falls on."""

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import numpy.typing as npt
 
 from trs80arm.drawing.cells import NO_INK, Cells, Samples, levels, nearest_but
 from trs80arm.machine.video import sextant
-from trs80arm.records import dataclass
 
 LIKE = 0.13
 """How much two samples of one ink may differ in brightness to be drawn as one."""

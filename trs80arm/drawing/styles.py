@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
 from trs80arm.drawing import style_ascii, style_braille
 from trs80arm.drawing.cells import Cells, Samples
 from trs80arm.drawing.style_blocks import HALVES, SEXTANTS
 from trs80arm.options import ArmStyle
-from trs80arm.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -6,14 +6,13 @@ still while the arm moves. A closer look follows the hand in whole cells.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import ceil, floor, hypot
 from typing import Protocol
 
 from trs80arm.drawing.canvas_ascii import AsciiCanvas, Point
 from trs80arm.drawing.scene import Block, Bounds, Facet, Joint, Scene, Stroke, Trace, around
-from trs80arm.records import dataclass
 
 ASPECT = 2.0
 """How many times higher than wide a terminal's cell is."""

@@ -9,13 +9,13 @@ Inches, ounces, radians.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from trs80arm.arm.contact.solids import Solid, box, moments
 from trs80arm.arm.geometry import JointAngles
 from trs80arm.arm.model import ArmModel, Link, LinkSolid, Motor
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Vector
-from trs80arm.records import dataclass
 
 WHOLE_WEIGHT = 96.0
 """Ounces that the arm weighs: Table 1's 6 lb. What the links leave of it is the body's."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from trs80arm.arm.bench import BenchError
@@ -15,7 +15,6 @@ from trs80arm.export.urdf import urdf
 from trs80arm.files import FileFormatError
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.reasons import one_line
-from trs80arm.records import dataclass
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.saving import expect_to_write, write_whole
 from trs80arm.unattended import NotReadyError, ready_with

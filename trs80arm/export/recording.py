@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from trs80arm.arm.contact.bodies import Shape
 from trs80arm.arm.contact.rotations import Quaternion
 from trs80arm.arm.shapes import Vector
 from trs80arm.export.chain import counts, joint_values
 from trs80arm.operator import Hold, Operator
-from trs80arm.records import dataclass
 from trs80arm.rig import Rig
 
 LINGERS = 1.0

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Sequence
+from dataclasses import dataclass
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.contact.bodies import NOWHERE
 from trs80arm.arm.contact.rotations import STRAIGHT, Matrix, Quaternion, quaternion
 from trs80arm.arm.contact.solids import Solid
 from trs80arm.arm.shapes import Box, Vector, cross, dot
-from trs80arm.records import dataclass
 
 OWN = 2
 """How many of a bench's obstacles are the arm's own: its base plate and its body."""

@@ -6,13 +6,13 @@ cable to the arm hangs on the card's plug, and a logic analyser can be clipped o
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import Enum, IntEnum
 from functools import cache
 from typing import Any, NamedTuple, Protocol
 
 from trs80arm.machine.clock import Clock
 from trs80arm.pulses import Burst, Columns, Series
-from trs80arm.records import dataclass
 
 
 class Latch(IntEnum):

@@ -8,8 +8,7 @@ from and written to them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-
-from trs80arm.records import dataclass
+from dataclasses import dataclass
 
 LEADER = bytes(255)
 """As many zeros as the ROM writes before the sync byte; playing takes any number."""

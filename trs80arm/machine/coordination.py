@@ -7,9 +7,9 @@ tick; the others are spread evenly over the same ticks, so that all begin and en
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from trs80arm.pulses import Train
-from trs80arm.records import dataclass
 
 _T_STATES_PER_10_US = (11_088, 625)
 """1,774,080 T-states a second, as a fraction of hundredths of a millisecond in lowest terms."""

@@ -8,7 +8,7 @@ mode and registers.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any, Protocol
 
@@ -20,7 +20,6 @@ from trs80arm.machine.jog_keys import JogKeys, KeyMatrix, KeysDown
 from trs80arm.machine.keys import Key
 from trs80arm.progress import Progress
 from trs80arm.pulses import Columns, Pulses, Train
-from trs80arm.records import dataclass
 
 Counts = tuple[int, int, int, int, int, int]
 

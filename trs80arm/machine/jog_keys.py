@@ -5,10 +5,10 @@ The driver reads them straight from the matrix, all at once; the front end label
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Protocol
 
 from trs80arm.machine.keys import KEYBOARD_START, MATRIX, Key
-from trs80arm.records import dataclass
 
 
 class KeyMatrix(Protocol):

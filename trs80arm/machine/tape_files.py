@@ -8,6 +8,7 @@ recording.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Final
 
 from trs80arm.machine import cassette
@@ -17,7 +18,6 @@ from trs80arm.machine.cassette import (
     Recording,
     SystemRecording,
 )
-from trs80arm.records import dataclass
 
 CAS, RAW, SOUND = ".cas", ".500", ".wav"
 SUFFIXES: Final = (CAS, RAW, SOUND)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Protocol
 
 from trs80arm.desk.code_debugger import CodeDebugger
@@ -18,7 +19,6 @@ from trs80arm.desk.teach import Lesson
 from trs80arm.desk.tour import Tour
 from trs80arm.desk.workbench import Workbench
 from trs80arm.plain.asking import LineAsking
-from trs80arm.records import dataclass
 
 
 class Tell(Protocol):

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
+from dataclasses import dataclass
 
-from trs80arm.records import dataclass
 from trs80arm.rig import Rig
 from trs80arm.serial.endpoints import Port
 from trs80arm.serial.lines import END, Lines

@@ -8,9 +8,9 @@ sent.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from math import ceil
 
-from trs80arm.records import dataclass
 from trs80arm.serial.gathering import Leg
 from trs80arm.serial.protocol import FASTEST, Close, Command, Read, Reset, Step, line
 from trs80arm.serial.speeds import speed_of

@@ -9,13 +9,12 @@ added up for as long as all motors go evenly, and at most for half a second: a l
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from trs80arm.arm.motors import RING, ROWS
 from trs80arm.machine.card import MOTORS
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.pulses import Series
-from trs80arm.records import dataclass
 
 LONGEST = 0.5
 """Seconds that a leg takes at most: what was sent can only be stopped at its end."""

@@ -8,10 +8,10 @@ second number, a further one in the third. Rows of other kinds are kept, and do 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import IntEnum
 from typing import TypeAlias
 
-from trs80arm.records import dataclass
 from trs80arm.serial.memory import MOVE, Move, Row, kind_of
 
 CLOSE, PUT_OUT, REST, JUMP = range(MOVE + 1, MOVE + 5)

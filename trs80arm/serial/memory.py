@@ -8,9 +8,8 @@ from TeachMover Virtual Command, which writes such rows: the number of the step,
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TypeAlias
-
-from trs80arm.records import dataclass
 
 Row: TypeAlias = tuple[int, int, int, int, int, int, int, int]
 """Eight numbers, each 0 to 65535."""

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import TypeAlias
 
-from trs80arm.records import dataclass
 from trs80arm.serial.memory import Row, row_of
 
 DELIMITER = "@"

@@ -8,13 +8,13 @@ import select
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.benches import BenchFile
 from trs80arm.reasons import one_line
-from trs80arm.records import dataclass
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.serial import pendant_words
 from trs80arm.serial.attendant import Attendant, Logged

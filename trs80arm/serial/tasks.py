@@ -5,6 +5,7 @@ Each is a small object of plain values that can be left at any T-state and gone 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Protocol
 
 from trs80arm.machine.clock import T_STATES_PER_SECOND, Clock
@@ -12,7 +13,6 @@ from trs80arm.machine.coordination import Pace
 from trs80arm.machine.driver import Driver, Mode
 from trs80arm.progress import Progress
 from trs80arm.pulses import Train
-from trs80arm.records import dataclass
 from trs80arm.serial.instructions import Close, Jump, PutOut, Rest, instruction_of
 from trs80arm.serial.memory import Move, Row, TeachMemory, number_of
 from trs80arm.serial.speeds import delay_of

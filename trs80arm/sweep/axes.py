@@ -6,9 +6,8 @@ import itertools
 import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from decimal import Decimal
-
-from trs80arm.records import dataclass
 
 MOST_CELLS = 10_000
 """Cells of a grid: it is to be seen as a table."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
+from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -17,7 +18,6 @@ from trs80arm.files import FileFormatError, load_program
 from trs80arm.operator import ScriptError, parse_holds
 from trs80arm.paths import is_file
 from trs80arm.reasons import reason
-from trs80arm.records import dataclass
 from trs80arm.rig import RigSettings
 from trs80arm.saving import expect_to_write, whole_file
 from trs80arm.sweep.axes import NOISE, SweepError, grid, parse_axis

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from trs80arm.basic import tokens, words
 from trs80arm.basic.cruncher import crunch
-from trs80arm.records import dataclass
 from trs80arm.sweep.axes import SweepError
 
 Line = tuple[int, bytes]

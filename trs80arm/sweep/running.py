@@ -7,13 +7,13 @@ before it begins; the run itself is the same every time.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 from trs80arm.arm.events import EventKind
 from trs80arm.cores import EndedFromOutsideError, on_all_cores
 from trs80arm.operator import Hold, Operator
-from trs80arm.records import dataclass
 from trs80arm.report import ended
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.sweep.axes import NOISE, Axis, SweepError

@@ -7,13 +7,13 @@ import re
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import NoReturn
 
 from trs80arm.arm.bench import Bench
 from trs80arm.basic.outcome import Ending
 from trs80arm.operator import Operator, parse_holds
-from trs80arm.records import dataclass
 from trs80arm.rig import Rig, RigSettings
 from trs80arm.teletype import ENTER, Teletype
 from trs80arm.testing.story import account

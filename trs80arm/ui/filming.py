@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import tempfile
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +27,6 @@ from trs80arm.film.svg import svg
 from trs80arm.operator import Operator, ScriptError, parse_holds
 from trs80arm.options import ArmStyle, Speed, TerminalOptions
 from trs80arm.reasons import one_line
-from trs80arm.records import dataclass
 from trs80arm.saving import expect_to_write, write_whole
 from trs80arm.ui import layout, themes
 from trs80arm.ui.app import Trs80Arm

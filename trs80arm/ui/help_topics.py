@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from dataclasses import dataclass
 from importlib.resources import files
 from inspect import cleandoc
 
 from trs80arm.options import KeyMode
-from trs80arm.records import dataclass
 from trs80arm.rig import Waiting
 from trs80arm.ui.keys.host_keys import TABLE
 

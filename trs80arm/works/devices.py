@@ -6,7 +6,7 @@ snapshot.
 
 from __future__ import annotations
 
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +30,6 @@ from trs80arm.machine.typist import Typist, check_answer
 from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
 from trs80arm.machine.z80.processor import Processor
 from trs80arm.machine.z80.rom import SIZE, Rom, RomArea
-from trs80arm.records import dataclass
 from trs80arm.serial.controller import Controller
 from trs80arm.works import rom_driver
 from trs80arm.works.rom_language import RomLanguage

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 from trs80arm.arm.bench import BenchError
 from trs80arm.arm.by_hand import InTheWay, MotorsOn
 from trs80arm.machine.clock import T_STATES_PER_SECOND
-from trs80arm.records import dataclass
 
 
 class ReplayError(Exception):

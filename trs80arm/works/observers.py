@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import TypeVar
 
 from trs80arm.basic.state import Listener as StatementListener
@@ -11,7 +11,6 @@ from trs80arm.basic.state import Stops
 from trs80arm.machine.card import Observer
 from trs80arm.machine.console import Listener
 from trs80arm.machine.ports import LineListener
-from trs80arm.records import dataclass
 from trs80arm.serial.controller import Listener as SerialListener
 from trs80arm.works.devices import Works
 from trs80arm.works.inputs import Input

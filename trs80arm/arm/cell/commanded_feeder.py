@@ -7,6 +7,7 @@ part is there.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import ClassVar
 
 from trs80arm.arm.bench import deep
@@ -14,7 +15,6 @@ from trs80arm.arm.cell.device import AnsweringDevice, Site, rises
 from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.fixtures import Feeder
-from trs80arm.records import dataclass
 
 
 @dataclass

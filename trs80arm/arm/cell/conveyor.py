@@ -7,6 +7,7 @@ time of its ramp; so what stands on it need not slide, if friction is enough for
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import ClassVar
 
 from trs80arm.arm.cell.device import Device, Site, stand
@@ -17,7 +18,6 @@ from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.fixtures import Obstacle
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Vector
-from trs80arm.records import dataclass
 
 
 @dataclass

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import ClassVar, Protocol
 
 from trs80arm.arm.cell.seen import Seen
@@ -21,7 +22,6 @@ from trs80arm.arm.fixtures import Feeder, Obstacle, Part
 from trs80arm.arm.linkage import fixed_name
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box
-from trs80arm.records import dataclass
 
 NEVER = 1 << 60
 """A T-state that does not come."""

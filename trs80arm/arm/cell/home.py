@@ -6,10 +6,11 @@ however many steps were lost. Registers it knows nothing of.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.model import Motor
 from trs80arm.arm.shapes import UP, Box, Vector, plus
-from trs80arm.records import dataclass
 
 JOINTS: dict[str, Motor] = {
     "base": Motor.BASE,

@@ -8,11 +8,11 @@ of those on it answers, as contacts in parallel to ground would have it.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Protocol
 
 from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.shapes import Box
-from trs80arm.records import dataclass
 
 IDLE = 0b1110
 """Bits 1 to 3 where nothing answers."""

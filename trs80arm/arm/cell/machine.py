@@ -9,6 +9,7 @@ until `start` falls; when `start` falls while it works it stops, and the part is
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import ClassVar
 
 from trs80arm.arm.cell.device import NEVER, AnsweringDevice, Site, rises, stand
@@ -20,7 +21,6 @@ from trs80arm.arm.event_log import EventLog
 from trs80arm.arm.fixtures import Obstacle, Part
 from trs80arm.arm.settings import ArmSettings
 from trs80arm.arm.shapes import Box, Vector, dot, minus
-from trs80arm.records import dataclass
 
 IDLE, BUSY, DONE, ERROR = "idle", "busy", "done", "error"
 """What it does; the last three are its answers too."""

@@ -5,13 +5,13 @@ They sense what contact does to the arm and where it truly is.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import Enum
 
 from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.contact.distance import distance_to
 from trs80arm.arm.model import Link
 from trs80arm.arm.shapes import Box, Vector, dot, plus
-from trs80arm.records import dataclass
 
 FACING = 0.7
 """Cosine to the way straight at a face from which what presses there presses on it."""

@@ -6,6 +6,7 @@ Each sees true places, those of parts and of the arm, and says whether it answer
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 from trs80arm.arm.cell.seen import Seen
 from trs80arm.arm.contact.distance import distance, distance_to
@@ -13,7 +14,6 @@ from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import IDENTITY
 from trs80arm.arm.contact.solids import box
 from trs80arm.arm.shapes import Box, Vector, interval, plus, upright
-from trs80arm.records import dataclass
 
 TOUCHED = 0.005
 """A pad feels what is within this of it, inches."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 from trs80arm.arm.cell.device import Device, Site, rises
@@ -24,7 +24,6 @@ from trs80arm.arm.forces import Strength
 from trs80arm.arm.model import Motor
 from trs80arm.arm.motors import PHASES, RING, ROWS, StepperMotor
 from trs80arm.arm.settings import ArmSettings
-from trs80arm.records import dataclass
 
 LATCH = 6
 """Number of the auxiliary latch's motor in events."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import field, fields
+from dataclasses import dataclass, field, fields
 from typing import Any, NamedTuple, Protocol
 
 from trs80arm.arm.contact.manifold import Placed
@@ -26,7 +26,6 @@ from trs80arm.arm.contact.rotations import (
 )
 from trs80arm.arm.contact.solids import Solid, moments
 from trs80arm.arm.shapes import Vector, dot, plus
-from trs80arm.records import dataclass
 
 NOWHERE: Vector = (0.0, 0.0, 0.0)
 UPPER = 0.7

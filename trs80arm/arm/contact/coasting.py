@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 from trs80arm.arm.contact.contacts import Mobile
 from trs80arm.arm.contact.distance import boxes_apart, separation
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.patch import CREEP, DRIFT
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
-from trs80arm.records import dataclass
 
 MOST_STEPS = 32
 """Steps done with the same velocities, at most."""

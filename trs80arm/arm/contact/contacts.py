@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from trs80arm.arm.contact.rotations import IDENTITY, Matrix, apply_back
 from trs80arm.arm.contact.sixes import Six
 from trs80arm.arm.shapes import Vector, minus, plus
-from trs80arm.records import dataclass
 
 Key = tuple[str, str, int]
 """Of a contact: the two things' names, and which of their solids."""

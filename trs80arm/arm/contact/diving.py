@@ -7,7 +7,7 @@ it ends: a corner comes in over the rim of a face, an edge on which it turns giv
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from trs80arm.arm.contact.bodies import Body, Fixed
 from trs80arm.arm.contact.bounds import box_around, greatest_speed, overlap
@@ -15,7 +15,6 @@ from trs80arm.arm.contact.contacts import Mobile
 from trs80arm.arm.contact.driven import DrivenArm
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.roster import Roster
-from trs80arm.records import dataclass
 
 FAST = 0.06
 """Inches that a thing may go in a step without its being looked at where that leads."""

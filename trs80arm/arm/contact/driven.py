@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -19,7 +20,6 @@ from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.recurrence import Recurrence, question
 from trs80arm.arm.contact.sixes import Six
 from trs80arm.arm.shapes import Vector
-from trs80arm.records import dataclass
 
 GRAVITY = 386.09
 """Inches per second squared."""

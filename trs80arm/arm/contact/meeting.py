@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed
 from trs80arm.arm.contact.bounds import greatest_speed, met, spheres_within
@@ -18,7 +18,6 @@ from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.table import TABLE, Plate, surface
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
-from trs80arm.records import dataclass
 
 MARGIN = 0.02
 """Gap within which two things are looked at as about to touch, inches."""

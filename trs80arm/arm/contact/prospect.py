@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from trs80arm.arm.contact.bodies import NOWHERE, UPPER, Body, Fixed
 from trs80arm.arm.contact.bounds import box_around
@@ -15,7 +16,6 @@ from trs80arm.arm.contact.sixes import STILL, Six
 from trs80arm.arm.contact.solver import Problem
 from trs80arm.arm.contact.table import TABLE
 from trs80arm.arm.shapes import cross, dot, minus, plus
-from trs80arm.records import dataclass
 
 
 @dataclass(slots=True)

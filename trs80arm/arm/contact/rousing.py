@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from trs80arm.arm.contact.bodies import Body, Fixed
 from trs80arm.arm.contact.bounds import outside, spheres_around, within
@@ -12,7 +13,6 @@ from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.meeting import TOUCH
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.table import TABLE
-from trs80arm.records import dataclass
 
 
 @dataclass(slots=True)

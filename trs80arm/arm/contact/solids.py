@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 
 from trs80arm.arm.contact.recurrence import question
 from trs80arm.arm.contact.rotations import Matrix, Quaternion, apply, matrix
 from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
-from trs80arm.records import dataclass
 
 CYLINDER_SIDES = 24
 KNOWN = 256

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 from trs80arm.arm.contact.bodies import NOWHERE
 from trs80arm.arm.shapes import Vector
-from trs80arm.records import dataclass
 
 TABLE = "\x01the table"
 """No name that anybody can give begins with an unprintable character."""

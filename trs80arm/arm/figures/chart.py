@@ -10,7 +10,7 @@ import io
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import field
+from dataclasses import dataclass, field
 from enum import Enum
 from pathlib import Path
 from textwrap import wrap
@@ -18,7 +18,6 @@ from typing import Any, BinaryIO
 
 from trs80arm.arm.figures.diagram import Diagram
 from trs80arm.arm.figures.sheet import Pen, Sheet
-from trs80arm.records import dataclass
 from trs80arm.saving import whole_file
 
 SUFFIXES = (".svg", ".png", ".pdf")

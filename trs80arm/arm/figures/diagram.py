@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from trs80arm.arm.figures.sheet import Sheet
-from trs80arm.records import dataclass
 
 WIDTH = 79
 """Columns that a diagram in text takes, at most."""

@@ -9,12 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from enum import Enum
 from html import escape
 from typing import Any
-
-from trs80arm.records import dataclass
 
 Point = tuple[float, float]
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from trs80arm.basic import characters, costs, room, tokens
 from trs80arm.basic.characters import COMMA, OPEN
 from trs80arm.basic.compiler import pieces
@@ -13,7 +15,6 @@ from trs80arm.basic.errors import Code
 from trs80arm.basic.kinds import SIZES, STRING, Kind
 from trs80arm.basic.variables import Key
 from trs80arm.basic.words import Word
-from trs80arm.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ nothing was stored before them.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Final
 
 from trs80arm.basic import addresses, costs
@@ -22,7 +22,6 @@ from trs80arm.basic.characters import LONGEST_STRING
 from trs80arm.basic.compiler.emitter import Emitter
 from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.kinds import INTEGER, SINGLE
-from trs80arm.records import dataclass
 
 MOST: Final = 9
 """Variables, literals and functions in a piece; none can need more temporaries than there are."""

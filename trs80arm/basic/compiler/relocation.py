@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from types import CellType, CodeType, FunctionType
 from typing import Any, Final, NamedTuple
 
 from trs80arm.basic.control import ForFrame, GosubFrame
 from trs80arm.basic.program import Change, Program
-from trs80arm.records import dataclass
 
 _FIRST: Final = 10**20
 """The first placeholder; no number of the language is a whole one as large."""

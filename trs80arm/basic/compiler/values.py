@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from trs80arm.basic import costs
@@ -11,7 +11,6 @@ from trs80arm.basic.compiler.emitter import Emitter
 from trs80arm.basic.kinds import ANY, DOUBLE, INTEGER, NUMBER, SINGLE, Kind
 from trs80arm.basic.numbers import convert
 from trs80arm.basic.numbers.double import Double
-from trs80arm.records import dataclass
 
 if TYPE_CHECKING:
     from trs80arm.basic.compiler.pieces import Piece

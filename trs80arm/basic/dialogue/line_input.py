@@ -6,6 +6,7 @@ a `LineInput` and gets a `Line` as its result.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Final
 
 from trs80arm.basic import addresses, keyboard
@@ -13,7 +14,6 @@ from trs80arm.basic.activity import Waiting
 from trs80arm.basic.addresses import word
 from trs80arm.basic.characters import BLANK
 from trs80arm.basic.state import Activity, State
-from trs80arm.records import dataclass
 
 LINE_LENGTH: Final = 240
 """Characters that a typed line holds; further keys are ignored (facts, Typing)."""

@@ -5,13 +5,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Final
 
 from trs80arm.basic import cruncher, tokens
 from trs80arm.basic.characters import BLANKS, COLON, END, POINT
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.state import State
-from trs80arm.records import dataclass
 
 BEYOND: Final = 0xFFFA
 """The end of a range that has none: larger than any line number."""

@@ -7,10 +7,11 @@ to the next field still comes (Level II facts, PRINT USING).
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from trs80arm.basic.errors import BasicError, Code
 from trs80arm.basic.numbers import convert, decimal, double
 from trs80arm.basic.numbers.double import Double
-from trs80arm.records import dataclass
 
 MOST_PLACES = 24
 """A numeric field of more places than this (point included) is FC."""

@@ -7,13 +7,13 @@ some files were written by who had not found it yet.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
 from trs80arm.machine import cassette
 from trs80arm.machine.cassette import FileFormatError, Recording
-from trs80arm.records import dataclass
 
 SYNC_BITS: Final = bytes((1, 0, 1, 0, 0, 1, 0, 1))
 _LEADER: Final = 8

@@ -10,13 +10,13 @@ clock has another one a cell later, and so on.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from trs80arm.machine.audio.pulses import Pulses
-from trs80arm.records import dataclass
 
 _RUN: Final = 20
 """Pulses at equal distances that may be a leader."""

@@ -7,6 +7,7 @@ only as long as something is wrong with it; of each recording the best hearing c
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -16,7 +17,6 @@ from trs80arm.machine import cassette
 from trs80arm.machine.audio import bits, cells, pulses, speeds, wav
 from trs80arm.machine.audio.cells import Cells
 from trs80arm.machine.cassette import FileFormatError, Recording
-from trs80arm.records import dataclass
 
 CELL: Final = 2.0e-3
 """Seconds of a bit at 500 baud."""

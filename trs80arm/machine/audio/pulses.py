@@ -11,13 +11,13 @@ next compares it with its neighbours.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from trs80arm.machine.audio.wav import Samples, Sound
-from trs80arm.records import dataclass
 
 CENTRES: Final = (2_800.0, 1_900.0, 4_200.0)
 """Hertz to listen at: the usual, for dull recordings, and for sharp ones."""

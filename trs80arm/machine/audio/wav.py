@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from trs80arm.machine.cassette import FileFormatError
-from trs80arm.records import dataclass
 
 Samples = NDArray[np.float32]
 """Sound pressure over time, -1 to 1."""

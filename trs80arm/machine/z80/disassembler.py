@@ -8,9 +8,8 @@ FDH put IX or IY in the place of HL. What is no instruction is shown as the byte
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Final
-
-from trs80arm.records import dataclass
 
 _REGISTERS: Final = ("B", "C", "D", "E", "H", "L", "(HL)", "A")
 _PAIRS: Final = ("BC", "DE", "HL", "SP")

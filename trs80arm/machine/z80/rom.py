@@ -7,10 +7,9 @@ The versions of the Level II ROM and their CRC-32 are those that owners have pub
 from __future__ import annotations
 
 import zlib
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
-
-from trs80arm.records import dataclass
 
 SIZE: Final = 12_288
 VERSIONS: Final = {

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from rich.segment import Segment
 from textual import events
 from textual.strip import Strip
 from textual.widget import Widget
 
-from trs80arm.records import dataclass
 from trs80arm.ui.commands.command import Command
 
 LESS_IMPORTANT = ("speed", "save", "panel", "pause", "step_statement", "zoom", "teach")

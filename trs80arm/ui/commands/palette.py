@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from functools import partial
 
 from textual.command import DiscoveryHit, Hit, Hits, Provider
 
-from trs80arm.records import dataclass
 from trs80arm.ui.commands.command import key_names
 from trs80arm.ui.commands.table import COMMANDS
 

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Hashable
-from dataclasses import field
+from dataclasses import dataclass, field
 from itertools import islice
 
 from trs80arm.options import TerminalSettings
-from trs80arm.records import dataclass
 from trs80arm.rig import Key
 
 HOLD = 0.060

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from textwrap import wrap
 
 from textual.events import MouseScrollDown, MouseScrollUp
@@ -11,7 +12,6 @@ from trs80arm.arm.events import ArmEvent, EventKind
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, clock_text
 from trs80arm.machine.clock import T_STATES_PER_SECOND
-from trs80arm.records import dataclass
 from trs80arm.ui.panels.panel import Panel
 
 _GLYPHS = {

@@ -7,11 +7,11 @@ the key that does the same.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from trs80arm.desk.jogging import Coordinates
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, Span
-from trs80arm.records import dataclass
 from trs80arm.rig import Key
 from trs80arm.ui.panels.keys_by_mouse import KeysByMouse
 from trs80arm.ui.panels.panel import Panel

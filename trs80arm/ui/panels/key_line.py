@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from textual import events
 
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, Span
-from trs80arm.records import dataclass
 from trs80arm.ui.panels.panel import Panel
 
 

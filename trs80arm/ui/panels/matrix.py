@@ -6,6 +6,8 @@ On the keys of manual mode stands the joint that they move, as in the article's 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from rich.segment import Segment
 from rich.style import Style
 from textual.reactive import reactive
@@ -14,7 +16,6 @@ from textual.strip import Strip
 from trs80arm.drawing.readings import Readings
 from trs80arm.machine.jog_keys import JogKeys
 from trs80arm.machine.keys import ARROWS, INDENTS, PLAIN_ARROWS, ROWS_OF_KEYS
-from trs80arm.records import dataclass
 from trs80arm.rig import Key
 from trs80arm.ui.panels.keys_by_mouse import KeysByMouse
 

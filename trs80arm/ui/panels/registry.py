@@ -7,9 +7,9 @@ its pace, and its commands in the palette.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from enum import Enum
 
-from trs80arm.records import dataclass
 from trs80arm.ui import layout
 from trs80arm.ui.panels.cell import CellPanel
 from trs80arm.ui.panels.coils import CoilsPanel

@@ -6,12 +6,12 @@ A notice stands beside them, and where it is too long for that, in lines of its 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from textwrap import wrap
 
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row, Span, clock_text
 from trs80arm.machine.driver import Mode
-from trs80arm.records import dataclass
 from trs80arm.rig import Waiting
 from trs80arm.ui.panels.panel import Panel
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import ClassVar
 
 from textual import events
@@ -14,7 +15,6 @@ from textual.widgets import Static
 from trs80arm.desk.base_pendant import BasePendant
 from trs80arm.drawing.readings import Readings
 from trs80arm.options import ArmStyle
-from trs80arm.records import dataclass
 from trs80arm.serial.pendant_keys import FunctionKey
 from trs80arm.ui.keys.jog_keyboard import JogKeyboard
 from trs80arm.ui.panels.joint_pad import JointPad

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from math import hypot
 from pathlib import Path
 from typing import ClassVar, Protocol
@@ -19,7 +20,6 @@ from trs80arm.desk.reach import Reach
 from trs80arm.desk.teach import Position
 from trs80arm.drawing.readings import Kind, Readings, Thing
 from trs80arm.options import ArmStyle
-from trs80arm.records import dataclass
 from trs80arm.ui.keys.jog_keyboard import JogKeyboard
 from trs80arm.ui.panels.jog_pad import JogPad
 from trs80arm.ui.panels.key_line import KeyHint, KeyLine

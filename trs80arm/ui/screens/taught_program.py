@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar
 
@@ -16,7 +17,6 @@ from trs80arm.desk.pendant import Pendant
 from trs80arm.desk.reach import ALL_FILES, Reach
 from trs80arm.desk.taught_programs import Written
 from trs80arm.reasons import reason
-from trs80arm.records import dataclass
 from trs80arm.saving import write_whole
 from trs80arm.shown import shown
 from trs80arm.ui.screens.dialog import Ask, AskPath, Dialog
