@@ -59,9 +59,13 @@ def spheres_around(solids: Sequence[Placed], margins: Sequence[float]) -> tuple[
     d = e = f = -math.inf
     for solid, margin in zip(solids, margins, strict=True):
         x, y, z = solid.middle
-        r = solid.radius + margin
-        a, b, c = min(a, x - r), min(b, y - r), min(c, z - r)
-        d, e, f = max(d, x + r), max(e, y + r), max(f, z + r)
+        r = solid.solid.radius + margin
+        a = x - r if x - r < a else a
+        b = y - r if y - r < b else b
+        c = z - r if z - r < c else c
+        d = x + r if x + r > d else d
+        e = y + r if y + r > e else e
+        f = z + r if z + r > f else f
     return (a, b, c), (d, e, f)
 
 

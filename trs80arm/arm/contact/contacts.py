@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from trs80arm.arm.contact.rotations import IDENTITY, Matrix, apply_back
 from trs80arm.arm.contact.sixes import Six
-from trs80arm.arm.shapes import Vector, minus, plus
+from trs80arm.arm.shapes import Vector, cross, minus, plus
 
 Key = tuple[str, str, int]
 """Of a contact: the two things' names, and which of their solids."""
@@ -57,21 +57,38 @@ class Side(NamedTuple):
     screws: tuple[tuple[Vector, Vector], ...] | None = None
 
     @property
-    def spin(self) -> Vector:
-        """Radians a second."""
-        if self.mobile is None:
-            return (0.0, 0.0, 0.0)
-        if self.screws is None:
-            return self.mobile.speed[3], self.mobile.speed[4], self.mobile.speed[5]
-        return total(self.screws, self.mobile.speed)[0]
+    def motion(self) -> Motion | None:
+        """How it moves now; None for what stands fast."""
+        mobile = self.mobile
+        if mobile is None:
+            return None
+        if self.screws is not None:
+            spin, velocity = total(self.screws, mobile.speed)
+            return Motion(velocity, spin, (0.0, 0.0, 0.0))
+        u, v, w, p, q, r = mobile.speed
+        return Motion((u, v, w), (p, q, r), mobile.place)
+
+
+class Motion(NamedTuple):
+    """Velocity of one of a thing's points, the thing's spin in radians a second, and the point."""
+
+    velocity: Vector
+    spin: Vector
+    about: Vector
+
+    def at(self, point: Vector) -> Vector:
+        """Velocity at another point."""
+        return plus(self.velocity, cross(self.spin, minus(point, self.about)))
 
 
 def total(screws: Sequence[tuple[Vector, Vector]], rates: Sequence[float]) -> tuple[Vector, Vector]:
     """Spin of a link, and velocity at the world's origin."""
-    spin = velocity = (0.0, 0.0, 0.0)
-    for (turning, going), rate in zip(screws, rates, strict=True):
-        spin, velocity = plus(spin, turning, rate), plus(velocity, going, rate)
-    return spin, velocity
+    p = q = r = u = v = w = 0.0
+    for ((a, b, c), (d, e, f)), rate in zip(screws, rates, strict=True):
+        if rate:
+            p, q, r = p + rate * a, q + rate * b, r + rate * c
+            u, v, w = u + rate * d, v + rate * e, w + rate * f
+    return (p, q, r), (u, v, w)
 
 
 @dataclass(slots=True)
@@ -112,4 +129,4 @@ class Contact:
     @property
     def gap(self) -> float:
         """The least of all points."""
-        return min(gap for _, gap in self.points)
+        return min([gap for _, gap in self.points])

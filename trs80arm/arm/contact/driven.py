@@ -65,9 +65,18 @@ class Standing:
         ]
 
     @cached_property
-    def reaches(self) -> Sequence[Sequence[float]]:
-        """How far any point of each link moves at most for a unit of each coordinate, inches."""
-        return [_reach(link, solid) for link, solid in zip(self.links, self.solids, strict=True)]
+    def _reaches(self) -> dict[int, Sequence[float]]:
+        return {}
+
+    def reach(self, coordinate: int) -> Sequence[float]:
+        """How far any point of each link moves at most for a unit of a coordinate, inches."""
+        known = self._reaches.get(coordinate)
+        if known is None:
+            self._reaches[coordinate] = known = [
+                _reach(link.screws[coordinate], solid)
+                for link, solid in zip(self.links, self.solids, strict=True)
+            ]
+        return known
 
     @cached_property
     def around(self) -> tuple[Vector, Vector]:
@@ -321,18 +330,20 @@ class DrivenArm:
         inertias = (a, b, c, d, e, f)
         return Mobile(list(rates), NOWHERE, inertias=inertias, before=tuple(self.way))
 
-    @property
-    def reaches(self) -> Sequence[Sequence[float]]:
-        """How far any point of each link moves at most for a unit of each coordinate, inches."""
-        return self._there.reaches
+    def reach(self, coordinate: int) -> Sequence[float]:
+        """How far any point of each link moves at most for a unit of a coordinate, inches."""
+        return self._there.reach(coordinate)
 
     def speeds(self, rates: Sequence[float]) -> list[float]:
         """Bounds on the speed of any point of each link, inches a second."""
-        a, b, c, d, e, f = rates
-        if not (a or b or c or d or e or f):
-            return [0.0] * len(self.names)
-        a, b, c, d, e, f = abs(a), abs(b), abs(c), abs(d), abs(e), abs(f)
-        return [u * a + v * b + w * c + x * d + y * e + z * f for u, v, w, x, y, z in self.reaches]
+        speeds = [0.0] * len(self.names)
+        for coordinate, rate in enumerate(rates):
+            # Most often all but one coordinate stand, or none.
+            if rate:
+                fast = abs(rate)
+                for link, far in enumerate(self.reach(coordinate)):
+                    speeds[link] += far * fast
+        return speeds
 
     def repeat(
         self, joints: Sequence[float], torques: Sequence[float], way: Sequence[float]
@@ -420,16 +431,12 @@ def _rates(
     return a, b, c, d, e, 0.0 if loaded else f
 
 
-def _reach(link: Link, solid: Placed) -> list[float]:
-    """How far any point of a link moves at most for a unit of each coordinate, inches."""
-    (x, y, z), radius = solid.middle, solid.radius
-    out = []
-    for screw in link.screws:
-        if screw == STANDS:
-            out.append(0.0)
-            continue
-        (a, b, c), (u, v, w) = screw
-        u, v, w = u + b * z - c * y, v + c * x - a * z, w + a * y - b * x
-        far = math.sqrt(u * u + v * v + w * w)
-        out.append(far + radius * math.sqrt(a * a + b * b + c * c) if a or b or c else far)
-    return out
+def _reach(screw: Screw, solid: Placed) -> float:
+    """How far any point of a link moves at most for a unit of a coordinate, inches."""
+    if screw == STANDS:
+        return 0.0
+    (a, b, c), (u, v, w) = screw
+    x, y, z = solid.middle
+    u, v, w = u + b * z - c * y, v + c * x - a * z, w + a * y - b * x
+    far = math.sqrt(u * u + v * v + w * w)
+    return far + solid.radius * math.sqrt(a * a + b * b + c * c) if a or b or c else far

@@ -15,6 +15,8 @@ Triangle = Sequence[float]
 """A symmetric 6 x 6 matrix: the 21 numbers on and below its diagonal, row by row."""
 Columns = Sequence[Six]
 """A 6 x 6 matrix, column by column."""
+_Step = tuple[int, Triangle, list[tuple[int, list[Six]]]]
+"""Of the elimination: a body, its factor, and what couples it to each of those that come later."""
 
 
 def order(count: int, pairs: set[tuple[int, int]]) -> list[int]:
@@ -24,6 +26,8 @@ def order(count: int, pairs: set[tuple[int, int]]) -> list[int]:
         count: of bodies.
         pairs: of bodies that are coupled.
     """
+    if not pairs:
+        return list(range(count))
     beside: list[set[int]] = [set() for _ in range(count)]
     for one, other in pairs:
         beside[one].add(other)
@@ -61,7 +65,7 @@ class Eliminated:
         coupled: list[dict[int, Columns]] = [{} for _ in sequence]
         for (one, other), columns in beside.items():
             coupled[one][other] = columns
-        self._steps: list[tuple[int, Triangle, list[tuple[int, list[Six]]]]] = []
+        self._steps: list[_Step] = []
         for body in sequence:
             factor, mine = _factor(blocks[body]), coupled[body]
             others: Iterable[int] = mine
@@ -82,19 +86,17 @@ class Eliminated:
             right: right-hand sides, six a body.
         """
         rest = [list(six) for six in right]
-        scaled: list[Six] = []
-        for body, factor, ahead in self._steps:
+        scaled: list[tuple[_Step, Six]] = []
+        for step in self._steps:
+            body, factor, ahead = step
             a, b, c, d, e, f = half = _forward(factor, rest[body])
             for other, whole in ahead:
                 theirs = rest[other]
                 for p, (u, v, w, x, y, z) in enumerate(whole):
                     theirs[p] -= a * u + b * v + c * w + d * x + e * y + f * z
-            scaled.append(_scaled(factor, half))
+            scaled.append((step, _scaled(factor, half)))
         out: list[Six] = [STILL] * len(rest)
-        for (body, factor, ahead), known in zip(
-            reversed(self._steps), reversed(scaled), strict=True
-        ):
-            a, b, c, d, e, f = known
+        for (body, factor, ahead), (a, b, c, d, e, f) in reversed(scaled):
             for other, whole in ahead:
                 for value, (u, v, w, x, y, z) in zip(out[other], whole, strict=True):
                     a -= value * u

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -96,14 +95,14 @@ class Placed:
         if self._vertices is None:
             a, b, c, d, e, f, g, h, i = self._turn
             px, py, pz = self._place
-            self._vertices = [
-                (
+            self._vertices = corners = []
+            for x, y, z in self.solid.vertices:
+                corner = (
                     a * x + b * y + c * z + px,
                     d * x + e * y + f * z + py,
                     g * x + h * y + i * z + pz,
                 )
-                for x, y, z in self.solid.vertices
-            ]
+                corners.append(corner)
         return self._vertices
 
     @property
@@ -144,8 +143,23 @@ class Placed:
     def _around(self) -> tuple[Vector, Vector]:
         """The upright box around it."""
         if self._box is None:
-            xs, ys, zs = zip(*self.vertices, strict=True)
-            self._box = (min(xs), min(ys), min(zs)), (max(xs), max(ys), max(zs))
+            # By comparing alone, in a third of the time of asking for least and greatest of each.
+            first, *others = self.vertices
+            a, b, c = d, e, f = first
+            for x, y, z in others:
+                if x < a:
+                    a = x
+                elif x > d:
+                    d = x
+                if y < b:
+                    b = y
+                elif y > e:
+                    e = y
+                if z < c:
+                    c = z
+                elif z > f:
+                    f = z
+            self._box = (a, b, c), (d, e, f)
         return self._box
 
     def near(self, other: Placed, margin: float) -> bool:
@@ -350,16 +364,21 @@ def _crossing(a: Placed, b: Placed, normal: Vector, one: Vector, other: Vector) 
 
 def _edge(solid: Placed, way: Vector, direction: Vector) -> tuple[Vector, Vector]:
     """The edge farthest out along `way` of those that run along `direction`: start and course."""
-    best, found = -math.inf, (solid.vertices[0], direction)
+    corners = solid.vertices
+    best, found = -math.inf, (corners[0], direction)
+    a, b, c = direction
     for face in solid.faces:
-        for i, k in pairwise((*face, face[0])):
-            start, course = solid.vertices[i], minus(solid.vertices[k], solid.vertices[i])
-            along = dot(course, direction)
-            if along <= 0 or along * along < (1 - _PARALLEL) * dot(course, course):
-                continue
-            out = dot(start, way)
-            if out > best:
-                best, found = out, (start, course)
+        start = corners[face[0]]
+        for i in (*face[1:], face[0]):
+            end = corners[i]
+            (x, y, z), (u, v, w) = start, end
+            u, v, w = u - x, v - y, w - z
+            along = u * a + v * b + w * c
+            if along > 0 and along * along >= (1 - _PARALLEL) * (u * u + v * v + w * w):
+                out = dot(start, way)
+                if out > best:
+                    best, found = out, (start, (u, v, w))
+            start = end
     return found
 
 

@@ -6,18 +6,18 @@ What moves upon a sleeper wakes it, and is then met by it in turn.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from trs80arm.arm.contact.bodies import NOWHERE, Body, Fixed
 from trs80arm.arm.contact.bounds import greatest_speed, met, spheres_within
-from trs80arm.arm.contact.contacts import SOLIDS, Contact, Key, Mobile, Side, total
+from trs80arm.arm.contact.contacts import SOLIDS, Contact, Key, Mobile, Motion, Side
 from trs80arm.arm.contact.driven import DrivenArm
 from trs80arm.arm.contact.manifold import Manifold, on_table
 from trs80arm.arm.contact.memory import Memory, Pressures
 from trs80arm.arm.contact.roster import Roster
 from trs80arm.arm.contact.table import TABLE, Plate, surface
-from trs80arm.arm.shapes import Vector, cross, dot, minus, plus
+from trs80arm.arm.shapes import Vector, dot, minus, plus
 
 MARGIN = 0.02
 """Gap within which two things are looked at as about to touch, inches."""
@@ -163,9 +163,9 @@ class Meeting:
 
     def _comes_upon(self, body: Body, found: Manifold) -> bool:
         """Whether a body touches a sleeper, or will in this step: what passes by does not."""
-        side = Side(self.mobiles[body.name])
+        motion = Side(self.mobiles[body.name]).motion
         return any(
-            gap <= max(TOUCH, -dot(_velocity(side, point), found.normal) * self.seconds)
+            gap <= max(TOUCH, -dot(_velocity(motion, point), found.normal) * self.seconds)
             for point, gap in found.points
         )
 
@@ -273,8 +273,8 @@ def presses(contacts: Sequence[Contact], seconds: float) -> bool:
         seconds: length of the step.
     """
     for contact in contacts:
-        for k, (_, gap) in enumerate(contact.points):
-            opening = dot(_relative(contact, k), contact.normal)
+        for off, (_, gap) in zip(_relatives(contact), contact.points, strict=True):
+            opening = dot(off, contact.normal)
             if opening < (-gap / seconds if gap > 0 else 0.0) - NOTHING or gap < -NOTHING:
                 return True
     for contact in contacts:
@@ -285,28 +285,21 @@ def presses(contacts: Sequence[Contact], seconds: float) -> bool:
 def sliding(contact: Contact) -> float:
     """How fast the second side slides along the first at most where they press, inches a second."""
     most = 0.0
-    for k, pressure in enumerate(contact.pressures):
+    for off, pressure in zip(_relatives(contact), contact.pressures, strict=False):
         if pressure > 0:
-            off = _relative(contact, k)
             off = plus(off, contact.normal, -dot(off, contact.normal))
             most = max(most, math.sqrt(dot(off, off)))
     return most
 
 
-def _relative(contact: Contact, index: int) -> Vector:
-    """Velocity of the second side against the first at a point."""
-    point = contact.points[index][0]
-    off = minus(_velocity(contact.second, point), _velocity(contact.first, point))
-    return minus(off, contact.surface) if contact.surface is not None else off
+def _relatives(contact: Contact) -> Iterator[Vector]:
+    """Velocities of the second side against the first at each point."""
+    first, second = contact.first.motion, contact.second.motion
+    for point, _ in contact.points:
+        off = minus(_velocity(second, point), _velocity(first, point))
+        yield minus(off, contact.surface) if contact.surface is not None else off
 
 
-def _velocity(side: Side, point: Vector) -> Vector:
-    """Of what a side is of, at a point."""
-    mobile = side.mobile
-    if mobile is None:
-        return NOWHERE
-    if side.screws is not None:
-        spin, velocity = total(side.screws, mobile.speed)
-        return plus(velocity, cross(spin, point))
-    u, v, w, *_ = mobile.speed
-    return plus((u, v, w), cross(side.spin, minus(point, mobile.place)))
+def _velocity(motion: Motion | None, point: Vector) -> Vector:
+    """Of what moves so, at a point; None stands fast."""
+    return NOWHERE if motion is None else motion.at(point)

@@ -44,7 +44,6 @@ NOTHING, AS_BEFORE, CAUGHT, HELD = 0, 1, 2, 3
 that pressed before or are expected to, and that those hold that hardly slid; that those hold now
 that slid, and would now slide the other way; that beside them those go on holding that held."""
 _LEVEL = (0.0, 0.0, 0.0, 0.0)
-_NOTHING_KNOWN, _UNKNOWN = repeat(_APART), repeat(_LEVEL)
 
 Columns = list[tuple[int, Six]]
 """Of an arm's coordinates: which, and how it moves a link for a unit."""
@@ -321,21 +320,14 @@ class Patch:
         vx, vy, vz, wx, wy, wz = relative
         along = nx * vx + ny * vy + nz * vz
         fx = fy = fz = mx = my = mz = 0.0
-        regimes_before: Iterable[int] = _NOTHING_KNOWN
-        slopes_before: Iterable[Slope] = _UNKNOWN
-        if guess >= CAUGHT:
-            regimes_before, slopes_before = self.regimes, self.slopes
+        regimes_before, slopes_before = self.regimes, self.slopes
+        remembers, holds_on = guess >= CAUGHT, guess == HELD
         self.regimes = regimes = []
         self.slopes = slopes = []
         found: list[float] = []
         slow = _SLOW if beginning else _CREEPING
-        for (rx, ry, rz, ax, ay, az, least, stiff), bound, known, was, way in zip(
-            self._points or self.points,
-            bounds or _NEVER,
-            presses,
-            regimes_before,
-            slopes_before,
-            strict=False,
+        for (rx, ry, rz, ax, ay, az, least, stiff), bound, known in zip(
+            self._points or self.points, bounds or _NEVER, presses, strict=False
         ):
             opening = along + ax * wx + ay * wy + az * wz
             if opening < least or known:
@@ -354,10 +346,14 @@ class Patch:
                 ty = vy + wz * rx - wx * rz - opening * ny
                 tz = vz + wx * ry - wy * rx - opening * nz
                 square = tx * tx + ty * ty + tz * tz
-                _, ux, uy, uz = way
-                slides = square > slow and not (was & _SLIDING and tx * ux + ty * uy + tz * uz < 0)
-                if slides and was & _HOLDING and guess == HELD:
-                    self.overheld, slides = True, False
+                slides = square > slow
+                if slides and remembers:
+                    was = regimes_before[len(regimes)]
+                    if was & _SLIDING:
+                        _, ux, uy, uz = slopes_before[len(regimes)]
+                        slides = tx * ux + ty * uy + tz * uz >= 0
+                    elif was & _HOLDING and holds_on:
+                        self.overheld, slides = True, False
                 if slides:
                     regime += _SLIDING
                     speed = math.sqrt(square)
@@ -445,14 +441,34 @@ class Patch:
             *(nx * n_z - s_y, ny * n_z + s_x, nz * n_z),
             *(n_xz - s_xz, n_yz - s_yz, n_zz + s_xx + s_yy),
         ]
-        for hold, *way in slid:
+        for hold, a, b, c, d, e, f in slid:
             # Along the way that it slides friction is what it is.
-            k = 0
-            for p, a in enumerate(way):
-                a *= hold
-                for b in way[: p + 1]:
-                    out[k] -= a * b
-                    k += 1
+            out[0] -= a * hold * a
+            y = b * hold
+            out[1] -= y * a
+            out[2] -= y * b
+            z = c * hold
+            out[3] -= z * a
+            out[4] -= z * b
+            out[5] -= z * c
+            x = d * hold
+            out[6] -= x * a
+            out[7] -= x * b
+            out[8] -= x * c
+            out[9] -= x * d
+            y = e * hold
+            out[10] -= y * a
+            out[11] -= y * b
+            out[12] -= y * c
+            out[13] -= y * d
+            out[14] -= y * e
+            z = f * hold
+            out[15] -= z * a
+            out[16] -= z * b
+            out[17] -= z * c
+            out[18] -= z * d
+            out[19] -= z * e
+            out[20] -= z * f
         self._stiff = self.regimes, self.slopes, out
         return out
 

@@ -57,7 +57,7 @@ class Prospect:
             return None
         levers = [1.0] * 6
         if self.arm.linkage is not None:
-            levers = [max(each) for each in zip(*self.arm.reaches, strict=True)]
+            levers = [max(self.arm.reach(coordinate)) for coordinate in range(6)]
         faster = pace(levers, self.way, self.arm.way)
         driven: set[str] = set()
         for problem in self.problems:

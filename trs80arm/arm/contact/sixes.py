@@ -47,4 +47,4 @@ def product(sixes: Sequence[Sequence[float]], others: Sequence[Six]) -> float:
 
 def greatest(sixes: Sequence[Six]) -> float:
     """The greatest absolute value of all."""
-    return max(max(max(each), -min(each)) for each in sixes)
+    return max([max(max(each), -min(each)) for each in sixes])
