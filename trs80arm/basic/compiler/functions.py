@@ -75,13 +75,15 @@ class FunctionCompiler:
         name = self._out.constant(key)
         if self._reader.code == OPEN:
             _, subscripts = self._expressions.subscripts(key)
-            text = f"element_address({name}, {listed(subscripts)})"
+            value = Expression(f"element_address({name}, {listed(subscripts)})", INTEGER)
+            self._expressions.close_parenthesis(value)
         else:
             scope = self._draft.scope
             self._out.cost += costs.VARIABLE + scope.search(scope.scalar(key))
-            text = f"scalar_address({name})"
-        self._expressions.close_parenthesis()
-        return Expression(text, INTEGER)
+            value = Expression(f"scalar_address({name})", INTEGER)
+            # Whether there is one is seen behind the parenthesis.
+            self._expressions.close_parenthesis()
+        return value
 
     def characters(self, word: Word) -> Expression:
         """STRING$: how many, and a code or a string that begins with the character."""
@@ -112,7 +114,7 @@ class FunctionCompiler:
                 if middle and reader.code == COMMA:
                     reader.advance()
                     numbers.append(expressions.byte())
-                expressions.close_parenthesis()
+                expressions.close_parenthesis(*numbers[1:])
         value = _call(word, string.text, *(number.text for number in numbers))
         piece = pieces.part(self._out, word.calls, string, numbers)
         return pieces.with_piece(value, piece, self._out)
