@@ -8,7 +8,6 @@ the time is sliced.
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
@@ -44,7 +43,7 @@ from trs80arm.serial.controller import Controller
 from trs80arm.serial.controller import Listener as SerialListener
 from trs80arm.serial.pendant_keys import key_named
 from trs80arm.snapshots import SnapshotError
-from trs80arm.works.beginnings import switch_on, switched_on
+from trs80arm.works.beginnings import copied, switch_on, switched_on
 from trs80arm.works.devices import Language, RigSettings, Works, assemble
 from trs80arm.works.inputs import Input, ReplayError, replay
 from trs80arm.works.key_events import KeyEvents
@@ -96,11 +95,7 @@ class Rig:
         chosen = settings or RigSettings()
         self._observers = Observers()
         self._observers.resets.append(self._zero)
-        if bench is None:
-            self._use(switched_on(chosen))
-        else:
-            self._use(assemble(chosen, MiniMover(chosen.arm, copy.deepcopy(bench))))
-            switch_on(self._works, self._running)
+        self._use(switched_on(chosen, bench))
 
     def _use(self, works: Works) -> None:
         self._works = works
@@ -365,7 +360,7 @@ class Rig:
             BenchError: the arm cannot stand there; all stays as it is.
         """
         works = self._works
-        world = works.arm.prepare(copy.deepcopy(bench))
+        world = works.arm.prepare(copied(bench))
         self._record("set_bench", bench)
         if works.controller is not None:
             works.controller.stop()

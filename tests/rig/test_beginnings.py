@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import gc
+import pickle
 import types
 from enum import Enum
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import pytest
 
+from tests.own_places import PROGRAMS
+from trs80arm.arm import benchfile
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.models import MODELS
 from trs80arm.arm.settings import ArmSettings
@@ -33,6 +37,20 @@ KINDS = {
 }
 
 
+BENCHES = sorted(path.stem for path in PROGRAMS.glob("*.toml"))
+
+
+def bench_of(name: str) -> Bench:
+    """One of the benches that come along."""
+    return benchfile.parse((PROGRAMS / f"{name}.toml").read_text(), name)
+
+
+def from_nothing(settings: RigSettings, bench: Bench | None = None) -> Rig:
+    """A machine that is no copy."""
+    with patch("trs80arm.rig.switched_on", beginnings._switched_on):
+        return Rig(settings, bench)
+
+
 def run(rig: Rig) -> list[bytes]:
     """A machine's bytes as it begins, at work and afterwards."""
     states = [rig.snapshot()]
@@ -49,14 +67,43 @@ def run(rig: Rig) -> list[bytes]:
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_copy_is_equal_to_a_machine_made_from_nothing_and_has_the_same_run(kind: str) -> None:
     settings = KINDS[kind]
-    # Who names the bench has everything made for it.
-    expected = run(Rig(settings, Bench.standard()))
+    expected = run(from_nothing(settings))
     Rig(settings), Rig(settings)
     copy = Rig(settings)
     assert copy.settings is settings
     assert run(copy) == expected
     # What became of one copy is nothing to the next.
     assert run(Rig(settings)) == expected
+
+
+@pytest.mark.parametrize("name", BENCHES)
+def test_a_copy_at_a_bench_is_equal_to_a_machine_made_from_nothing(name: str) -> None:
+    settings = RigSettings()
+    expected = from_nothing(settings, bench_of(name))
+    bench = bench_of(name)
+    before = pickle.dumps(bench)
+    for _ in range(4):
+        rig = Rig(settings, bench)
+        assert rig.snapshot() == expected.snapshot()
+        rig.set_bench(bench)
+        rig.refill()
+    assert pickle.dumps(bench) == before
+
+
+@pytest.mark.parametrize("name", ["carousel", "conveyor", "tending"])
+def test_a_copy_at_a_bench_has_the_same_run(name: str) -> None:
+    expected = run(from_nothing(RigSettings(), bench_of(name)))
+    for _ in range(3):
+        last = run(Rig(RigSettings(), bench_of(name)))
+    assert last == expected
+
+
+def test_benches_that_differ_are_never_taken_for_each_other() -> None:
+    bench = bench_of("hanoi")
+    for number in range(3):
+        expected = from_nothing(RigSettings(), bench).snapshot()
+        assert [Rig(bench=bench).snapshot() for _ in range(3)] == [expected] * 3
+        bench.add_part(f"one {number}", (0.5, 0.5, 1.0), 1.0, -9.0, 2.0 * number)
 
 
 def test_folder_and_file_are_those_of_the_settings_asked_with(tmp_path: Path) -> None:
@@ -102,10 +149,10 @@ _LEAVES = (
 """What machines may share, with everything in it."""
 
 
-def things_of(rig: Rig) -> dict[int, Any]:
-    """Everything that a machine is made of, down to what never changes."""
+def things_of(whole: object) -> dict[int, Any]:
+    """Everything that a machine or a bench is made of, down to what never changes."""
     found: dict[int, Any] = {}
-    left: list[Any] = [rig._works]
+    left: list[Any] = [whole]
     while left:
         thing = left.pop()
         if isinstance(thing, _LEAVES) or id(thing) in found:
@@ -115,16 +162,25 @@ def things_of(rig: Rig) -> dict[int, Any]:
     return found
 
 
-def test_copies_share_nothing_that_changes() -> None:
-    rigs = [Rig() for _ in range(4)]
-    things = [things_of(rig) for rig in rigs]
-    assert all(len(each) > 200 for each in things)
-    for one in range(4):
-        for other in range(one):
+@pytest.mark.parametrize("name", [None, *BENCHES])
+def test_copies_share_nothing_that_changes(name: str | None) -> None:
+    bench = None if name is None else bench_of(name)
+    rigs = [Rig(bench=bench) for _ in range(4)]
+    # Nor do they with the bench that was given for them.
+    things = [*(things_of(rig._works) for rig in rigs), things_of(bench)]
+    # Two that are made from nothing share some tables of their classes.
+    one, two = (from_nothing(RigSettings(), bench) for _ in range(2))
+    of_all = things_of(one._works).keys() & things_of(two._works).keys()
+    assert len(of_all) < 30
+    assert all(len(each) > 200 for each in things[:4])
+    for number, mine in enumerate(things):
+        for theirs in things[:number]:
             shared = [
                 thing
-                for number, thing in things[one].items()
-                if number in things[other] and not (type(thing) is tuple and fixed(thing))
+                for where, thing in mine.items()
+                if where in theirs
+                and where not in of_all
+                and not (type(thing) is tuple and fixed(thing))
             ]
             assert not shared
 

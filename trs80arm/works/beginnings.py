@@ -1,10 +1,10 @@
 """Machines as they begin: assembled, and switched on; the second of its kind is a copy.
 
-A machine begins the same each time: an arm stands at the standard bench, its part comes to rest,
+A machine begins the same each time: an arm stands at a bench, the parts there come to rest,
 MEMORY SIZE? is answered. That takes milliseconds, and whoever tries many programs, or looks what
 of a machine is not as it began, wants many. So a machine that is asked for a second time is kept as
 bytes, of which the third and all others are made anew: they share with it, and with one another,
-only what never changes (`VALUES`, `NAMED`).
+only what never changes (`VALUES`, `NAMED`). Benches are known again by what they are, as bytes.
 """
 
 from __future__ import annotations
@@ -14,8 +14,9 @@ import pickle
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import Any, Generic, TypeVar
 
+from trs80arm.arm.bench import Bench
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.basic.activity import Waiting
 from trs80arm.snapshot_classes import NAMED, VALUES
@@ -51,44 +52,60 @@ class _Pickler(pickle.Pickler):
         return self._numbers[id(thing)]
 
 
-class _Mould:
-    """A machine as bytes."""
+_Thing = TypeVar("_Thing")
 
-    def __init__(self, works: Works) -> None:
+
+class _Mould(Generic[_Thing]):
+    """A machine, or a bench, as bytes."""
+
+    def __init__(self, thing: _Thing) -> None:
         file = io.BytesIO()
         pickler = _Pickler(file)
-        pickler.dump(works)
+        pickler.dump(thing)
         self._bytes = file.getvalue()
         self._kept = pickler.kept
 
-    def cast(self) -> Works:
-        """One more such machine."""
+    def cast(self) -> _Thing:
+        """One more such."""
         unpickler = pickle.Unpickler(io.BytesIO(self._bytes))
         # What `_Pickler.persistent_id` gave for it.
         unpickler.persistent_load = self._kept.__getitem__  # type: ignore[method-assign]
-        works: Works = unpickler.load()
-        return works
+        thing: _Thing = unpickler.load()
+        return thing
+
+
+def copied(bench: Bench) -> Bench:
+    """A bench for one machine alone, with all as it is on another."""
+    return _Mould(bench).cast()
 
 
 class _Beginning:
     """What `make` makes, or a copy of what it made before."""
 
-    def __init__(self, make: Callable[[RigSettings], Works]) -> None:
+    def __init__(self, make: Callable[[RigSettings, Bench | None], Works]) -> None:
         self._make = make
-        self._moulds: OrderedDict[RigSettings, _Mould | None] = OrderedDict()
+        self._moulds: OrderedDict[tuple[RigSettings, bytes], _Mould[Works] | None] = OrderedDict()
 
-    def __call__(self, settings: RigSettings) -> Works:
-        """Works of their own, with tape folder and printer file as the settings have them."""
-        kind = replace(settings, tape_folder=None, printer_file=None)
+    def __call__(self, settings: RigSettings, bench: Bench | None = None) -> Works:
+        """Works of their own, with tape folder and printer file as the settings have them.
+
+        Args:
+            settings: the machine's fittings.
+            bench: what stands on the table, None for the standard bench.
+        """
+        nowhere = replace(settings, tape_folder=None, printer_file=None)
+        kind = nowhere, b"" if bench is None else pickle.dumps(bench, pickle.HIGHEST_PROTOCOL)
         if settings.rom is not None:
             # Its processor is a chip with a state of its own.
-            works = self._make(kind)
+            works = self._make(nowhere, bench)
         elif (mould := self._moulds.get(kind)) is not None:
+            self._moulds.move_to_end(kind)
             works = mould.cast()
         else:
-            works = self._make(kind)
+            works = self._make(nowhere, bench)
             # Most who make one make no other: bytes are worth it from the second on.
             self._moulds[kind] = _Mould(works) if kind in self._moulds else None
+            self._moulds.move_to_end(kind)
             if len(self._moulds) > MOST:
                 self._moulds.popitem(last=False)
         works.use_places(settings)
@@ -96,12 +113,12 @@ class _Beginning:
         return works
 
 
-def _assembled(settings: RigSettings) -> Works:
-    return assemble(settings, MiniMover(settings.arm))
+def _assembled(settings: RigSettings, bench: Bench | None = None) -> Works:
+    return assemble(settings, MiniMover(settings.arm, None if bench is None else copied(bench)))
 
 
-def _switched_on(settings: RigSettings) -> Works:
-    works = _assembled(settings)
+def _switched_on(settings: RigSettings, bench: Bench | None = None) -> Works:
+    works = _assembled(settings, bench)
     observers = Observers()
     observers.connect(works)
     switch_on(works, Running(works, KeyEvents(works), observers))
@@ -134,6 +151,6 @@ def switch_on(works: Works, running: Running) -> None:
 
 
 assembled = _Beginning(_assembled)
-"""A machine just assembled, with the standard bench."""
+"""A machine just assembled."""
 switched_on = _Beginning(_switched_on)
-"""A machine just switched on, with the standard bench."""
+"""A machine just switched on."""
