@@ -47,7 +47,7 @@ class JointAngles:
         cls, base: float, shoulder: float, elbow: float, left: float, right: float
     ) -> JointAngles:
         """The angles with the wrist gears at P + R (left) and P - R (right)."""
-        return cls(base, shoulder, elbow, (left + right) / 2, (left - right) / 2)
+        return cls(base, shoulder, elbow, *pitch_and_roll(left, right))
 
     @property
     def driven(self) -> tuple[float, float, float, float, float]:
@@ -63,6 +63,11 @@ class JointAngles:
     def right_gear(self) -> float:
         """Right wrist gear, P - R, radians from the horizontal."""
         return self.pitch - self.roll
+
+
+def pitch_and_roll(left: float, right: float) -> tuple[float, float]:
+    """Of the hand, with its wrist gears at P + R (left) and P - R (right)."""
+    return (left + right) / 2, (left - right) / 2
 
 
 class ArmPoints(NamedTuple):

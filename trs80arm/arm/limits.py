@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from trs80arm.arm.geometry import CableDrive
+from trs80arm.arm.geometry import CableDrive, pitch_and_roll
 from trs80arm.arm.model import BASE, ELBOW, HAND, LEFT_WRIST, SHOULDER, ArmModel
 
 _HAIR = 1e-9
@@ -64,8 +64,7 @@ def _joint_beyond(
             return f"shoulder {_degrees(high):+}"
         if up < 0 and shoulder < low - hair:
             return f"shoulder {_degrees(low):+}"
-    # As `JointAngles` has them of the gears.
-    pitch, roll = (left + right) / 2, (left - right) / 2
+    pitch, roll = pitch_and_roll(left, right)
     if turns in (SHOULDER, ELBOW):
         low, high = limits.elbow
         bend = elbow - shoulder
@@ -97,7 +96,7 @@ def steps_to_stops(drive: CableDrive, rotors: Sequence[int]) -> int:
     """Half-steps that the motors can make, whichever and whichever way, before any stop."""
     model, limits = drive.model, drive.model.limits
     base, shoulder, elbow, left, right = drive.driven(rotors)
-    bend, pitch = elbow - shoulder, (left + right) / 2 - elbow
+    bend, pitch = elbow - shoulder, pitch_and_roll(left, right)[0] - elbow
     room = min(
         limits.base - abs(base),
         shoulder - limits.shoulder[0],

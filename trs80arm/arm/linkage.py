@@ -15,7 +15,7 @@ from trs80arm.arm.contact.carrying import load_at
 from trs80arm.arm.contact.manifold import Placed
 from trs80arm.arm.contact.rotations import Matrix
 from trs80arm.arm.contact.solids import KNOWN, Solid, box
-from trs80arm.arm.geometry import JointAngles, forward, forward_by
+from trs80arm.arm.geometry import JointAngles, forward, forward_by, pitch_and_roll
 from trs80arm.arm.model import ArmModel
 from trs80arm.arm.model import Link as Piece
 from trs80arm.arm.settings import ArmSettings
@@ -106,8 +106,7 @@ class ArmLinkage:
         s1, c1 = one = sin_cos(base_angle)
         s2, c2 = two = sin_cos(shoulder)
         s3, c3 = three = sin_cos(elbow)
-        # As `JointAngles` has them of the gears.
-        bent, rolled = (left_gear + right_gear) / 2, (left_gear - right_gear) / 2
+        bent, rolled = pitch_and_roll(left_gear, right_gear)
         points = forward_by(self.model, one, two, three, sin_cos(bent), sin_cos(rolled))
         link = self.model.link
         left: Vector = (-s1, c1, 0.0)

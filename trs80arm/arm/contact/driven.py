@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage, Screw
+from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
 from trs80arm.arm.contact.bounds import NEARBY, spheres_around
 from trs80arm.arm.contact.clock import TICK
 from trs80arm.arm.contact.contacts import Contact, Mobile
@@ -31,8 +31,6 @@ BESIDE = 8
 """Solids of which it is known whether they are near to the arm that stands somewhere."""
 STANDINGS = 256
 """Places of the arm whose links are known at once."""
-STANDS: Screw = (NOWHERE, NOWHERE)
-"""How a link moves with a coordinate that does not move it."""
 HELD_FAST = 1e3
 """How many times as inert the fingers are while something rests between them."""
 
@@ -65,17 +63,22 @@ class Standing:
         ]
 
     @cached_property
-    def _reaches(self) -> dict[int, Sequence[float]]:
+    def _reaches(self) -> dict[int, list[float]]:
         return {}
 
     def reach(self, coordinate: int) -> Sequence[float]:
         """How far any point of each link moves at most for a unit of a coordinate, inches."""
         known = self._reaches.get(coordinate)
         if known is None:
-            self._reaches[coordinate] = known = [
-                _reach(link.screws[coordinate], solid)
-                for link, solid in zip(self.links, self.solids, strict=True)
-            ]
+            self._reaches[coordinate] = known = []
+            for link, solid in zip(self.links, self.solids, strict=True):
+                (a, b, c), (u, v, w) = link.screws[coordinate]
+                turning = 0.0
+                if a or b or c:
+                    x, y, z = solid.middle
+                    u, v, w = u + b * z - c * y, v + c * x - a * z, w + a * y - b * x
+                    turning = solid.solid.radius * math.sqrt(a * a + b * b + c * c)
+                known.append(math.sqrt(u * u + v * v + w * w) + turning)
         return known
 
     @cached_property
@@ -429,14 +432,3 @@ def _rates(
         found.append(((there - here) + EASE * followed / seconds) / late)
     a, b, c, d, e, f = found
     return a, b, c, d, e, 0.0 if loaded else f
-
-
-def _reach(screw: Screw, solid: Placed) -> float:
-    """How far any point of a link moves at most for a unit of a coordinate, inches."""
-    if screw == STANDS:
-        return 0.0
-    (a, b, c), (u, v, w) = screw
-    x, y, z = solid.middle
-    u, v, w = u + b * z - c * y, v + c * x - a * z, w + a * y - b * x
-    far = math.sqrt(u * u + v * v + w * w)
-    return far + solid.radius * math.sqrt(a * a + b * b + c * c) if a or b or c else far
