@@ -24,16 +24,22 @@ def chart(drawn: Figure, index: int = 0) -> Chart:
     return part
 
 
+@pytest.fixture(scope="module")
+def figure_6() -> Figure:
+    return figure("6")
+
+
 def test_figure_8_is_found_by_trying_all_patterns() -> None:
     (table,) = figure("8").parts
     assert isinstance(table, Table)
     assert [int("".join(row[1:5]), 2) for row in table.rows] == list(PHASES)
 
 
-def test_figure_6_opens_618_steps_to_the_inch_and_squeezes_52_to_the_pound() -> None:
-    drawn = figure("6")
+def test_figure_6_opens_618_steps_to_the_inch_and_squeezes_52_to_the_pound(
+    figure_6: Figure,
+) -> None:
     for index, width in enumerate((0.0, 1.0)):
-        opening, force = chart(drawn, index).series
+        opening, force = chart(figure_6, index).series
         contact = next(x for x, y in zip(force.xs, force.ys, strict=True) if y > 0)
         assert contact == pytest.approx((3 - width) * 618, abs=2)
         assert max(force.ys) == pytest.approx(3.0)
@@ -94,9 +100,9 @@ def test_an_unknown_figure_is_refused_with_the_known_ones() -> None:
         figure("7")
 
 
-def test_a_figure_is_plain_text_of_the_width_asked_for() -> None:
+def test_a_figure_is_plain_text_of_the_width_asked_for(figure_6: Figure) -> None:
     for width in (60, 100):
-        text = figure("6").text(width)
+        text = figure_6.text(width)
         assert text.isascii()
         assert max(len(line) for line in text.split("\n")) <= width
 

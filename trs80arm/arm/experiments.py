@@ -280,9 +280,10 @@ def _reach() -> float:
 
 def _static_force() -> float:
     """Pounds that can be hung on the hand of the stretched arm before it loses steps."""
+    stretched = _copies(_stretched())
 
     def holds(force: float) -> bool:
-        generator = _stretched()
+        generator = stretched()
         generator.arm.pull((0.0, 0.0, -16 * force))
         return not _lost(generator)
 
@@ -337,16 +338,12 @@ def _ranges() -> list[Row]:
     return rows
 
 
-def _fastest(
-    ready: Callable[[Motor], PulseGenerator],
-    motor: Motor,
-    counts: tuple[int, ...],
-    listed: float,
-) -> float:
+def _fastest(ready: PulseGenerator, counts: tuple[int, ...], listed: float) -> float:
     """Half-steps per second above which motors lose steps; `listed` are those of Table 1."""
+    begins = _copies(ready)
 
     def keeps_up(rate: float) -> bool:
-        generator = ready(motor)
+        generator = begins()
         generator.step(counts, round(T_STATES_PER_SECOND / rate))
         return not _lost(generator) and all(motor.settled for motor in generator.arm.motors)
 
@@ -363,19 +360,19 @@ def _speeds() -> list[Row]:
         _set(generator, *bent.get(motor, (0, 0, -1, -8, 0)))
         return generator
 
-    # Gripping takes its time: it is done once, and every try begins with a copy of it.
-    two = _gripping(2.0, PROMPT)
-    two.align()
-    two.turn(Motor.HAND, 145, SLOW)
-    eight_ounces, two_ounces = _copies(_gripping(8.0, PROMPT)), _copies(two)
+    # Gripping takes its time: it is done once.
+    eight_ounces = _copies(_gripping(8.0, PROMPT))
 
     def loaded(motor: Motor) -> PulseGenerator:
         generator = eight_ounces()
         _set(generator, *bent.get(motor, (0, 0, -1, -8, 0)))
         return generator
 
-    def squeezing(_: Motor) -> PulseGenerator:
-        return two_ounces()
+    def squeezing() -> PulseGenerator:
+        generator = _gripping(2.0, PROMPT)
+        generator.align()
+        generator.turn(Motor.HAND, 145, SLOW)
+        return generator
 
     model = _bare().arm.model
     base, _, elbow, wrist, _, hand = (drive.steps for drive in model.drives)
@@ -388,13 +385,13 @@ def _speeds() -> list[Row]:
         (Motor.LEFT_WRIST, "wrist pitch", (0, 0, 0, -60, 60), wrist, 1.31, 2.02),
     )
     for motor, name, counts, steps, full, none in listed:
-        measured = _fastest(loaded, motor, counts, full * steps) / steps
+        measured = _fastest(loaded(motor), counts, full * steps) / steps
         rows.append(Row(f"{name} speed, full load", "rad/s", full, measured, 0.05))
-        measured = _fastest(free, motor, counts, none * steps) / steps
+        measured = _fastest(free(motor), counts, none * steps) / steps
         rows.append(Row(f"{name} speed, no load", "rad/s", none, measured, 0.05))
-    opening = _fastest(free, Motor.HAND, (0, 0, 0, 0, 0, 900), 0.8 * hand) / hand
+    opening = _fastest(free(Motor.HAND), (0, 0, 0, 0, 0, 900), 0.8 * hand) / hand
     rows.append(Row("hand speed, no load", "in/s", 0.80, opening, 0.05))
     pound = model.hand.pound_steps
-    squeeze = _fastest(squeezing, Motor.HAND, (0, 0, 0, 0, 0, -149), 3.0 * pound) / pound
+    squeeze = _fastest(squeezing(), (0, 0, 0, 0, 0, -149), 3.0 * pound) / pound
     rows.append(Row("hand force, up to full grip", "lb/s", 3.0, squeeze, 0.06))
     return rows
