@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 from trs80arm.arm.contact.bodies import NOWHERE, Link, Linkage
@@ -35,36 +33,34 @@ HELD_FAST = 1e3
 """How many times as inert the fingers are while something rests between them."""
 
 
-@dataclass(frozen=True)
 class Standing:
-    """An arm that stands somewhere; what follows from that is worked out when asked for.
+    """An arm that stands somewhere; what not everybody asks is worked out when asked for.
 
-    Attributes:
+    Args:
         linkage: its links, or None.
         joints: its six coordinates.
+
+    Attributes:
+        linkage: its links.
+        links: where they stand.
+        solids: the same as solids.
     """
 
-    linkage: Linkage | None
-    joints: tuple[float, ...]
+    __slots__ = ("_around", "_beside", "_reaches", "linkage", "links", "solids")
 
-    @cached_property
-    def links(self) -> Sequence[Link]:
-        """Where the links stand."""
-        return () if self.linkage is None else self.linkage.links(self.joints)
-
-    @cached_property
-    def solids(self) -> Sequence[Placed]:
-        """The links as solids, where they stand."""
-        if self.linkage is None:
-            return ()
-        return [
-            Placed(solid, link.place, link.turn)
-            for solid, link in zip(self.linkage.solids, self.links, strict=True)
-        ]
-
-    @cached_property
-    def _reaches(self) -> dict[int, list[float]]:
-        return {}
+    def __init__(self, linkage: Linkage | None, joints: Sequence[float]) -> None:
+        self.linkage = linkage
+        self.links: Sequence[Link] = ()
+        self.solids: Sequence[Placed] = ()
+        if linkage is not None:
+            self.links = links = linkage.links(joints)
+            self.solids = [
+                Placed(solid, link.place, link.turn)
+                for solid, link in zip(linkage.solids, links, strict=True)
+            ]
+        self._around: tuple[Vector, Vector] | None = None
+        self._beside: Recurrence[bool] | None = None
+        self._reaches: dict[int, list[float]] = {}
 
     def reach(self, coordinate: int) -> Sequence[float]:
         """How far any point of each link moves at most for a unit of a coordinate, inches."""
@@ -81,17 +77,17 @@ class Standing:
                 known.append(math.sqrt(u * u + v * v + w * w) + turning)
         return known
 
-    @cached_property
+    @property
     def around(self) -> tuple[Vector, Vector]:
         """An upright box around the spheres about all links."""
-        return spheres_around(self.solids, [0.0] * len(self.solids))
-
-    @cached_property
-    def _beside(self) -> Recurrence[bool]:
-        return Recurrence(BESIDE)
+        if self._around is None:
+            self._around = spheres_around(self.solids, [0.0] * len(self.solids))
+        return self._around
 
     def beside(self, solid: Placed) -> bool:
         """Whether a solid is within `NEARBY` of a link."""
+        if self._beside is None:
+            self._beside = Recurrence(BESIDE)
         known = self._beside.get(solid.told)
         if known is None:
             # Most often it is by the fingers.
@@ -99,7 +95,7 @@ class Standing:
             known = self._beside.keep(solid.told, near)
         return known
 
-    @cached_property
+    @property
     def fingers(self) -> tuple[str, ...]:
         """Names of the links that the last coordinate moves."""
         names = () if self.linkage is None else self.linkage.names
@@ -172,7 +168,7 @@ class DrivenArm:
                 if led == asked and there.linkage is self._linkage:
                     known = there
                 else:
-                    known = Standing(self._linkage, tuple(self.joints))
+                    known = Standing(self._linkage, self.joints)
                 self._stood.keep(asked, known)
             self._standing = known
         return self._standing
@@ -369,7 +365,7 @@ class DrivenArm:
         Args:
             joints: its six coordinates there.
         """
-        there = Standing(self._linkage, tuple(joints))
+        there = Standing(self._linkage, joints)
         self._led = question(joints), there
         return there
 

@@ -247,16 +247,17 @@ def _best_face(a: Placed, b: Placed, margin: float) -> tuple[float, int]:
     Of what cannot be the best nothing but the distance of the other's middle is found out.
     """
     x, y, z = b.middle
+    normals, levels, corners = a.normals, a.levels, b.vertices
     beyond = [
         nx * x + ny * y + nz * z - level
-        for (nx, ny, nz), level in zip(a.normals, a.levels, strict=True)
+        for (nx, ny, nz), level in zip(normals, levels, strict=True)
     ]
     index = beyond.index(max(beyond))
-    best = _beyond(a, index, b)
+    best = _beyond(normals[index], levels[index], corners)
     if best <= margin:
         for i, most in enumerate(beyond):
             if most > best and i != index:
-                apart = _beyond(a, i, b)
+                apart = _beyond(normals[i], levels[i], corners)
                 if apart > best:
                     best, index = apart, i
                     if apart > margin:
@@ -264,10 +265,10 @@ def _best_face(a: Placed, b: Placed, margin: float) -> tuple[float, int]:
     return best, index
 
 
-def _beyond(a: Placed, face: int, b: Placed) -> float:
-    """How far a solid is beyond a face of another."""
-    nx, ny, nz = a.normals[face]
-    return min([nx * x + ny * y + nz * z for x, y, z in b.vertices]) - a.levels[face]
+def _beyond(normal: Vector, level: float, corners: Sequence[Vector]) -> float:
+    """How far a solid's corners are beyond a face of another."""
+    nx, ny, nz = normal
+    return min([nx * x + ny * y + nz * z for x, y, z in corners]) - level
 
 
 Edges = tuple[float, Vector, Vector, Vector]
