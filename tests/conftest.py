@@ -95,6 +95,12 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
         gc.freeze()
 
 
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure() -> None:
+    """When pytest has looked for garbage, it and Python's own end look once more each: for none."""
+    gc.freeze()
+
+
 @pytest.fixture
 def unprivileged() -> Iterator[Path]:
     """A folder of a user without special rights, and that user at the keyboard.
