@@ -47,7 +47,8 @@ class JointAngles:
         cls, base: float, shoulder: float, elbow: float, left: float, right: float
     ) -> JointAngles:
         """The angles with the wrist gears at P + R (left) and P - R (right)."""
-        return cls(base, shoulder, elbow, *pitch_and_roll(left, right))
+        pitch, roll = pitch_and_roll(left, right)
+        return cls(base, shoulder, elbow, pitch, roll)
 
     @property
     def driven(self) -> tuple[float, float, float, float, float]:
