@@ -259,6 +259,19 @@ def test_system_leaves_by_the_roms_own_addresses(session: Session) -> None:
     assert say(session, "/6681") == "/6681\nREADY\n>"
 
 
+@pytest.mark.parametrize(
+    ("answer", "shown"),
+    [
+        (":X", ":X\n?SN Error\nREADY\n>"),
+        ("/114:X", "/114:X\nREADY\n>"),
+        ("/114 X", "/114 X\n\n*? "),
+    ],
+)
+def test_a_colon_ends_an_answer_to_system(session: Session, answer: str, shown: str) -> None:
+    say(session, "SYSTEM")
+    assert say(session, answer) == shown
+
+
 def test_without_the_extra_a_jump_to_code_is_fc_and_says_what_it_needs(
     session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
