@@ -249,6 +249,19 @@ def test_items_of_a_recording(session: Session) -> None:
     assert say(session, "RUN") == "RUN\n?OD Error in 10\nREADY\n>"
 
 
+@pytest.mark.parametrize(
+    ("count", "deleted"),
+    [("3", 3), ("256", 1), ("258", 2), ("300", 45), ("1022", 1), ("12345", 83)],
+)
+def test_a_count_of_edit_is_rotated_through_a_byte(
+    session: Session, count: str, deleted: int
+) -> None:
+    text = "A" * 100
+    say(session, f"10 {text}", "EDIT 10")
+    shown = strike(session, f"{count}D")
+    assert shown == f"!{text[:deleted]}!"
+
+
 # -- SYSTEM --------------------------------------------------------------------------------------
 
 

@@ -60,6 +60,13 @@ class _Mode(Enum):
     KILL = "the character to delete up to"
 
 
+def _ten_times(count: int) -> int:
+    """A count in a register that is rotated: what leaves it on the left comes back on the right."""
+    fourfold = (count << 2 | count >> 6) & 0xFF
+    fivefold = fourfold + count & 0xFF
+    return (fivefold << 1 | fivefold >> 7) & 0xFF
+
+
 class Edit(Activity):
     """One line being edited.
 
@@ -139,7 +146,7 @@ class Edit(Activity):
         clock = state.clock
         if characters.is_digit(code):
             clock.now += _T_DIGIT
-            self._count = (self._count * 10 + code - characters.ZERO) & 0xFF
+            self._count = _ten_times(self._count) + code - characters.ZERO & 0xFF
             return
         count = self._count or 1
         self._count = 0
