@@ -29,7 +29,7 @@ BLANK: Final = 42
 """A blank passed on the way to a character."""
 SKIPPED: Final = 64
 """One character of the text passed without a look (REM, DATA, false IF, GOTO's rest of line)."""
-LINE_PASSED: Final = 187
+LINE_PASSED: Final = 199
 """One line passed in the search for a line number."""
 LINE_DIGIT: Final = 263
 """One digit of a line number."""
