@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.block_bench import BLOCK
@@ -221,6 +221,19 @@ def test_the_speed_that_is_sent_is_never_faster() -> None:
     assert (speed(0.0), speed(1e9)) == (0, 245)
 
 
+def test_a_motion_with_a_slip_is_not_sent_although_the_coils_are_off_by_then() -> None:
+    both = Plugged()
+    both.do("@STEP 45,-5")
+    sent = list(both.far.registers)
+    both.do("OUT 152,9:OUT 152,14:OUT 152,4:OUT 152,0")
+    assert both.rig.state.slipped == (0,) * 6
+    assert both.courier.fault == (
+        "The arm on the wire was stopped before what befell the model: "
+        "base slipped 8 steps: too fast."
+    )
+    assert both.far.registers == sent
+
+
 statements = st.one_of(
     st.builds(
         lambda delay, counts: f"@STEP {delay},{','.join(map(str, counts))}",
@@ -236,6 +249,9 @@ statements = st.one_of(
 )
 
 
+@example(
+    program=["@STEP 45,-2", "@STEP 45,-3", "OUT 152,9:OUT 152,14:OUT 152,4:OUT 152,0"], slices=0.004
+)
 @settings(max_examples=40, deadline=None)
 @given(program=st.lists(statements, max_size=5), slices=st.sampled_from([0.004, 0.05, 0.3]))
 def test_whatever_moves_the_model_moves_the_arm_or_is_told(

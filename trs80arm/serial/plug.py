@@ -66,6 +66,7 @@ class Plug:
         self._closed = False
         self._gone = [0] * len(MOTORS)
         self._compared = True
+        self._since = rig.clock.now
         self._ends = (rig.watch_latches(self), rig.record(self._did))
 
     def unplug(self) -> None:
@@ -145,10 +146,15 @@ class Plug:
         return not self.fault
 
     def _slipped(self) -> bool:
-        """Whether the twin has lost steps, as the arm on the wire would."""
-        if not any(motor.ring for motor in self._arm.motors):
-            return False
+        """Whether the twin has lost steps, as the arm on the wire would.
+
+        Once the coils are off a motor does not know any more that it has.
+        """
         slips = [event for event in self._arm.events if event.kind is EventKind.SLIP]
+        if not any(event.until > self._since for event in slips) and not any(
+            motor.ring for motor in self._arm.motors
+        ):
+            return False
         told = slips[-1].text if slips else "a motor slipped"
         self.fail(f"The arm on the wire was stopped before what befell the model: {told}.")
         return True
