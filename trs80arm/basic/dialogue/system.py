@@ -42,7 +42,7 @@ class SystemCommand(Activity):
             state.return_to_command()
             return
         answer: bytes = result.text.strip(BLANKS)
-        if _ends(answer, 0):
+        if line_range.at_end(answer, 0):
             raise BasicError(Code.SN)
         if answer[:1] == b"/":
             self._go(state, answer)
@@ -53,20 +53,15 @@ class SystemCommand(Activity):
         ram = state.memory.ram
         address: int | None = word(ram, ENTRY)
         position = line_range.skip_blanks(answer, 1)
-        if not _ends(answer, position):
+        if not line_range.at_end(answer, position):
             address, position = cruncher.line_number(answer, position)
-            if address is None or not _ends(answer, position):
+            if address is None or not line_range.at_end(answer, position):
                 return
         assert address is not None
         if address in READY_ENTRIES:
             state.return_to_command()
         else:
             machine_code.go(state, address)
-
-
-def _ends(answer: bytes, position: int) -> bool:
-    """Whether nothing more comes: for the ROM a colon ends a statement here, too."""
-    return answer[position : position + 1] in (b"", b":")
 
 
 class SystemTape(Activity):
