@@ -441,34 +441,14 @@ class Patch:
             *(nx * n_z - s_y, ny * n_z + s_x, nz * n_z),
             *(n_xz - s_xz, n_yz - s_yz, n_zz + s_xx + s_yy),
         ]
-        for hold, a, b, c, d, e, f in slid:
+        for hold, *way in slid:
             # Along the way that it slides friction is what it is.
-            out[0] -= a * hold * a
-            y = b * hold
-            out[1] -= y * a
-            out[2] -= y * b
-            z = c * hold
-            out[3] -= z * a
-            out[4] -= z * b
-            out[5] -= z * c
-            x = d * hold
-            out[6] -= x * a
-            out[7] -= x * b
-            out[8] -= x * c
-            out[9] -= x * d
-            y = e * hold
-            out[10] -= y * a
-            out[11] -= y * b
-            out[12] -= y * c
-            out[13] -= y * d
-            out[14] -= y * e
-            z = f * hold
-            out[15] -= z * a
-            out[16] -= z * b
-            out[17] -= z * c
-            out[18] -= z * d
-            out[19] -= z * e
-            out[20] -= z * f
+            k = 0
+            for p, a in enumerate(way):
+                a *= hold
+                for b in way[: p + 1]:
+                    out[k] -= a * b
+                    k += 1
         self._stiff = self.regimes, self.slopes, out
         return out
 
