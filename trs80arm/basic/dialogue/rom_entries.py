@@ -46,7 +46,9 @@ _DISPLAY_BLOCK, _KEYBOARD_BLOCK, _PRINTER_BLOCK = 0x401D, 0x4015, 0x4025
 _NUMBER_BUFFER: Final = 0x4130
 _STARS: Final = (0x3C3E, 0x3C3F)
 _STAR, _BLANK = ord("*"), ord(" ")
-_LEADER, _LEADER_BYTE, _SYNC = 255, 0x028A, 0xA5
+_LEADER, _SYNC = 255, 0xA5
+_LEADER_LOOP: Final = 0x028A
+"""Where the ROM writes a byte of the leader and counts it."""
 _PORT, _FLAGS, _MOTOR = 0xFF, 0x403D, 0b100
 _LINE_BUFFER: Final = 0x41E8
 _WORD: Final = 0xFFFF
@@ -317,7 +319,7 @@ def _start_writing(call: Call) -> None:
     call.state.host.tape.start_writing()
     registers.a, registers.b = 0, _LEADER
     registers.flags(zero=True)
-    call.go(_LEADER_BYTE, 0)
+    call.go(_LEADER_LOOP, 0)
 
 
 def _write_leader(call: Call) -> None:
@@ -633,7 +635,7 @@ ENTRIES: Final[dict[int, Entry]] = {
     0x0264: _write_byte,
     0x0284: _start_writing,
     0x0287: _start_writing,
-    _LEADER_BYTE: _write_leader,
+    _LEADER_LOOP: _write_leader,
     0x0293: _find_sync,
     0x0296: _find_sync,
     0x0314: _read_word,
