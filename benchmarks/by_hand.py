@@ -1,8 +1,9 @@
 """The thirteen listings translated by hand into Python, every result rounded to 24 bits in line.
 
-They check no range, keep no clock and have no string space: the most that CPython could give. In a
-function here `r(...)` stands for that rounding; `in_line` writes it out where it stands, as anybody
-would who wanted speed, so that no call is left. Functions of Level II are those of `math`.
+They check no range, keep no clock and have no string space: the most that CPython could give. Each
+does all that its listing does, and returns what that leaves in its variables. In a function here
+`r(...)` stands for that rounding; `in_line` writes it out where it stands, as anybody would who
+wanted speed, so that no call is left. Functions of Level II are those of `math`.
 """
 
 from __future__ import annotations
@@ -13,6 +14,9 @@ import math
 import textwrap
 from collections.abc import Callable
 from typing import Any
+
+Left = dict[str, float | str]
+"""Variables of a listing and what it leaves in them."""
 
 SPLIT = 2.0**29 + 1.0
 """Veltkamp's constant for 24 bits of 53."""
@@ -49,7 +53,7 @@ class _Rounding(ast.NodeTransformer):
         return filled.body
 
 
-def in_line(function: Callable[[], int]) -> Callable[[], int]:
+def in_line(function: Callable[[], Left]) -> Callable[[], Left]:
     """The same function without calls of `r`."""
     tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
     definition = tree.body[0]
@@ -58,49 +62,49 @@ def in_line(function: Callable[[], int]) -> Callable[[], int]:
     tree = ast.fix_missing_locations(_Rounding().visit(tree))
     names: dict[str, Any] = {}
     exec(compile(tree, __file__, "exec"), globals(), names)
-    result: Callable[[], int] = names[function.__name__]
+    result: Callable[[], Left] = names[function.__name__]
     return result
 
 
 @in_line
-def empty_loop() -> int:
+def empty_loop() -> Left:
     """`bm1`."""
     k = 1.0
     while k <= 1000.0:
         k = r(k + 1.0)
-    return 1000
+    return {"K": k}
 
 
 @in_line
-def counter() -> int:
+def counter() -> Left:
     """`bm2`."""
     k = 0.0
     while True:
         k = r(k + 1.0)
         if not k < 1000.0:
-            return 2000
+            return {"K": k}
 
 
 @in_line
-def variables() -> int:
+def variables() -> Left:
     """`bm3`."""
     k = 0.0
     while True:
         k = r(k + 1.0)
         a = r(r(r(r(k / k) * k) + k) - k)
         if not k < 1000.0:
-            return 3000 + int(a > a)
+            return {"K": k, "A": a}
 
 
 @in_line
-def constants() -> int:
+def constants() -> Left:
     """`bm4`."""
     k = 0.0
     while True:
         k = r(k + 1.0)
         a = r(r(r(r(k / 2.0) * 3.0) + 4.0) - 5.0)
         if not k < 1000.0:
-            return 3000 + int(a > a)
+            return {"K": k, "A": a}
 
 
 def _subroutine() -> None:
@@ -108,7 +112,7 @@ def _subroutine() -> None:
 
 
 @in_line
-def subroutine() -> int:
+def subroutine() -> Left:
     """`bm5`."""
     k = 0.0
     while True:
@@ -116,11 +120,11 @@ def subroutine() -> int:
         a = r(r(r(r(k / 2.0) * 3.0) + 4.0) - 5.0)
         _subroutine()
         if not k < 1000.0:
-            return 5000 + int(a > a)
+            return {"K": k, "A": a}
 
 
 @in_line
-def inner_loop() -> int:
+def inner_loop() -> Left:
     """`bm6`."""
     k = 0.0
     while True:
@@ -131,11 +135,11 @@ def inner_loop() -> int:
         while l_ <= 5.0:
             l_ = r(l_ + 1.0)
         if not k < 1000.0:
-            return 11000 + int(a > a)
+            return {"K": k, "A": a, "L": l_}
 
 
 @in_line
-def array() -> int:
+def array() -> Left:
     """`bm7`."""
     m = [0.0] * 6
     k = 0.0
@@ -148,11 +152,11 @@ def array() -> int:
             m[int(l_)] = a
             l_ = r(l_ + 1.0)
         if not k < 1000.0:
-            return 16000
+            return {"K": k, "A": a, "L": l_}
 
 
 @in_line
-def functions() -> int:
+def functions() -> Left:
     """`bm8`."""
     log, sin = math.log, math.sin
     k = 0.0
@@ -161,12 +165,12 @@ def functions() -> int:
         a = r(k**2.0)
         b = r(log(k))
         c_ = r(sin(k))
-        if not k < 1000.0:
-            return 5000 + int(a == b == c_)
+        if not k < 100.0:
+            return {"K": k, "A": a, "B": b, "C": c_}
 
 
 @in_line
-def ahl() -> int:
+def ahl() -> Left:
     """`ahl`."""
     sqrt = math.sqrt
     seed, total, s = 1, 0.0, 0.0
@@ -187,11 +191,11 @@ def ahl() -> int:
             i = r(i + 1.0)
         s = r(s + a)
         n = r(n + 1.0)
-    return 6504
+    return {"S": s, "N": n}
 
 
 @in_line
-def sieve() -> int:
+def sieve() -> Left:
     """`sieve`."""
     f = [0.0] * 7002
     count = 0.0
@@ -209,11 +213,11 @@ def sieve() -> int:
                 k = r(k + p)
             count = r(count + 1.0)
         i = r(i + 1.0)
-    return 85348
+    return {"C": count, "I": i}
 
 
 @in_line
-def nested_loops() -> int:
+def nested_loops() -> Left:
     """`nestfor`."""
     n, s = 10.0, 0.0
     i = 1.0
@@ -226,24 +230,25 @@ def nested_loops() -> int:
                 k = r(k + 1.0)
             j = r(j + 1.0)
         i = r(i + 1.0)
-    return 21020
+    return {"S": s, "I": i}
 
 
 @in_line
-def strings() -> int:
+def strings() -> Left:
     """`strings`."""
     i = 1.0
+    a = b = ""
     while i <= 200.0:
         a = "HELLO WORLD"[:5] + "GOOD BYE"[2:4] + f" {i:g}"
         b = a[-3:]
         if len(b) > 5:
             break
         i = r(i + 1.0)
-    return 1206
+    return {"A$": a, "B$": b, "I": i}
 
 
 @in_line
-def arm_solution() -> int:
+def arm_solution() -> Left:
     """`ik`: the article's own, lines 5000 to 5230, and the loop around it."""
     cos, sin, atan, sqrt = math.cos, math.sin, math.atan, math.sqrt
     h, l_, ll, pi = 8.1, 7.0, 3.5, 3.14159
@@ -257,38 +262,38 @@ def arm_solution() -> int:
         pitch, roll = r(pitch / degrees), r(roll / degrees)
         rr = r(sqrt(r(r(x_ * x_) + r(y * y))))
         if rr < 0.25:
-            return 0
+            return {}
         t1 = r(r(((y > 0.0) - (y < 0.0)) * pi) / 2.0) if x_ == 0.0 else r(atan(r(y / x_)))
         if x_ < 0.0:
-            return 0
+            return {}
         t4 = r(r(pitch + roll) + r(r1 * t1))
         t5 = r(r(pitch - roll) - r(r1 * t1))
         if t4 < r(-270.0 / degrees) or t4 > r(270.0 / degrees):
-            return 0
+            return {}
         if t5 < r(-270.0 / degrees) or t5 > r(270.0 / degrees):
-            return 0
+            return {}
         r0 = r(rr - r(ll * r(cos(pitch))))
         z0 = r(r(z - r(ll * r(sin(pitch)))) - h)
         if r0 < 0.25:
-            return 0
+            return {}
         g = r(r(((z0 > 0.0) - (z0 < 0.0)) * pi) / 2.0) if r0 == 0.0 else r(atan(r(z0 / r0)))
         a = r(r(r0 * r0) + r(z0 * z0))
         a = r(r(r(r(4.0 * l_) * l_) / a) - 1.0)
         if a < 0.0:
-            return 0
+            return {}
         a = r(atan(r(sqrt(a))))
         t2 = r(a + g)
         t3 = r(g - a)
         if t2 > r(144.0 / degrees) or t2 < r(-127.0 / degrees):
-            return 0
+            return {}
         if r(t2 - t3) < 0.0 or r(t2 - t3) > r(149.0 / degrees):
-            return 0
+            return {}
         s = r(r(r(r(r(s + t1) + t2) + t3) + t4) + t5)
         i = r(i + 1.0)
-    return 3600
+    return {"S": s, "I": i}
 
 
-BY_HAND: dict[str, Callable[[], int]] = {
+BY_HAND: dict[str, Callable[[], Left]] = {
     "bm1": empty_loop,
     "bm2": counter,
     "bm3": variables,
@@ -303,4 +308,4 @@ BY_HAND: dict[str, Callable[[], int]] = {
     "strings": strings,
     "ik": arm_solution,
 }
-"""Listing to function; a function returns how many statements of the listing it stands for."""
+"""Listing to function."""
