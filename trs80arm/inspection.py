@@ -63,7 +63,7 @@ class Inspection:
         """Look into a machine."""
         basic = rig.basic
         return cls(
-            tuple(basic.program.lines()),
+            basic.program.lines(),
             basic.next_line,
             tuple(_variables(rig)),
             tuple(rig.printer.text.splitlines()),

@@ -161,7 +161,7 @@ def test_a_statement_stands_where_its_line_shows_it() -> None:
     desk.debugger.into()
     spot = desk.debugger.spot
     assert spot is not None
-    line = inspection.line_text(next(desk.session.rig.basic.program.lines()))
+    line = inspection.line_text(desk.session.rig.basic.program.lines()[0])
     assert line[spot.start : spot.stop] == spot.text == "GOTO 10"
 
 

@@ -160,7 +160,7 @@ def test_a_recovered_program_is_unsaved_and_its_copy_becomes_the_sittings_own(
     assert sitting.session.unsaved
     assert sitting.session.path is None
     assert not left.exists()
-    assert load_program(sitting.recovery.program_copy) == sitting.session.program
+    assert load_program(sitting.recovery.program_copy) == list(sitting.session.program)
 
 
 def test_a_recovered_copy_that_is_damaged_is_told_and_stays(sitting: Sitting) -> None:

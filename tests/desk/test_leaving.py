@@ -80,7 +80,7 @@ def test_asked_to_leave_while_asking_it_leaves_and_keeps_copies(sitting: Sitting
         sitting.recovery.program_copy,
         sitting.recovery.lesson_copy,
     ]
-    assert load_program(sitting.recovery.program_copy) == sitting.session.program
+    assert load_program(sitting.recovery.program_copy) == list(sitting.session.program)
     assert "@READ K1" in sitting.recovery.lesson_copy.read_text()
 
 

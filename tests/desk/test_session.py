@@ -81,7 +81,7 @@ def test_switching_off_and_on_forgets_the_program_and_keeps_the_arm() -> None:
     typed(session, "10 REM", "@STEP 50,300")
     pose = session.rig.pose
     session.reset()
-    assert session.program == []
+    assert session.program == ()
     assert session.rig.pose == pose
     assert session.rig.settings.ram_kib == 32
 

@@ -8,7 +8,7 @@ for addresses.
 from __future__ import annotations
 
 import bisect
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from trs80arm.basic import addresses
@@ -58,9 +58,10 @@ class Program:
         self._changes: list[Change] = []
         """The last one last."""
         self._index: tuple[list[int], list[int]] | None = None
+        self._lines: tuple[tuple[int, bytes], ...] | None = None
 
     def __getstate__(self) -> dict[str, object]:
-        return {**self.__dict__, "_index": None, "_changes": []}
+        return {**self.__dict__, "_index": None, "_lines": None, "_changes": []}
 
     @property
     def start(self) -> int:
@@ -90,7 +91,7 @@ class Program:
         self.version += 1
         self._changes.append(change)
         del self._changes[:-_REMEMBERED]
-        self._index = None
+        self._index = self._lines = None
 
     def poked(self, address: int, before: int) -> None:
         """A byte of the text was POKEd, which was another one before."""
@@ -199,10 +200,12 @@ class Program:
         line = self.find(number)
         return None if line is None else self.text_at(line)
 
-    def lines(self) -> Iterator[tuple[int, bytes]]:
-        """Every line's number and crunched text, in order."""
-        for line in list(self._walk()[0]):
-            yield self.number_at(line), self.text_at(line)
+    def lines(self) -> tuple[tuple[int, bytes], ...]:
+        """Every line's number and crunched text, in order; the same object until one changes."""
+        if self._lines is None:
+            places = self._walk()[0]
+            self._lines = tuple((self.number_at(line), self.text_at(line)) for line in places)
+        return self._lines
 
     def clear(self) -> None:
         """No lines: two zeros where the first link would be (NEW)."""

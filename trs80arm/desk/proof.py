@@ -36,7 +36,7 @@ class Proof:
 
         session = self._session
         rig = session.rig
-        lines = list(rig.basic.program.lines())
+        lines = rig.basic.program.lines()
         if not lines:
             self._say(NO_PROGRAM)
             return

@@ -34,7 +34,7 @@ from trs80arm.machine.tape import is_cassette_name
 from trs80arm.rig import Input, Key, ReplayError, Rig, RigSettings, Score, Waiting
 
 _NUMBERS = re.compile(r"^[ \t]*(\d+)", re.MULTILINE)
-ProgramLines = list[tuple[int, bytes]]
+ProgramLines = tuple[tuple[int, bytes], ...]
 _CASSETTE = "tape"
 """What a cassette is called whose file has no name for one."""
 TRIES = 4
@@ -128,7 +128,7 @@ class Session:
         self.timeline = timeline
         self._journal = journal
         self.halted = False
-        self._safe: ProgramLines = []
+        self._safe: ProgramLines = ()
         self.path = None
         self.keepsakes.forget()
         self._told_slip = False
@@ -259,7 +259,7 @@ class Session:
     @property
     def program(self) -> ProgramLines:
         """The program in memory, crunched, line by line."""
-        return list(self.rig.basic.program.lines())
+        return self.rig.basic.program.lines()
 
     @property
     def unsaved(self) -> bool:
@@ -366,7 +366,7 @@ class Session:
         """Switch the machine off and on."""
         self.halted = False
         self.rig.reset()
-        self._safe = []
+        self._safe = ()
         self.path = None
         self._tell_of_new_machine()
 

@@ -182,7 +182,7 @@ def _memory(sitting: Sitting, words: str) -> None:
 
 def _list(sitting: Sitting, words: str) -> None:
     """The lines around one, or around where the program is: `*` a breakpoint, `>` next."""
-    lines = list(sitting.session.rig.basic.program.lines())
+    lines = sitting.session.rig.basic.program.lines()
     spot = sitting.debugger.spot
     now = None if spot is None else spot.line
     wanted = int(words) if words.isdecimal() else now

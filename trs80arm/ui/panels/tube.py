@@ -45,6 +45,7 @@ class Tube(Widget):
     Attributes:
         first_row: the first row that is shown, where there is no room for all.
         first_column: the first column that is.
+        graphics: whether there are graphics on the tube.
         wrote_elsewhere: whether something new was written above the rows that are shown, as PRINT@
             and SET do, and not scrolled there.
     """
@@ -69,14 +70,10 @@ class Tube(Widget):
         self._known_style: Style | None = None
         self._cursor: int | None = None
         self._cursor_hidden = False
+        self.graphics = False
         self.first_row = 0
         self.first_column = 0
         self.wrote_elsewhere = False
-
-    @property
-    def graphics(self) -> bool:
-        """Whether there are graphics on the tube."""
-        return any(max(row) >= _GRAPHICS for row in self._rows)
 
     @property
     def glyph_set(self) -> GlyphSet:
@@ -105,12 +102,15 @@ class Tube(Widget):
         dirty = set(picture.take_dirty())
         switched = picture.wide is not self._wide
         self._wide = picture.wide
-        if (cursor, cursor_hidden) != (self._cursor, self._cursor_hidden):
+        elsewhere = cursor != self._cursor
+        if elsewhere or cursor_hidden is not self._cursor_hidden:
             dirty |= {at // COLUMNS for at in (cursor, self._cursor) if at is not None}
             self._cursor, self._cursor_hidden = cursor, cursor_hidden
         before = list(self._rows)
         changed = [row for row in sorted(dirty) if self._take(row, picture.row(row))]
-        moved = self._look_at(cursor)
+        if changed:
+            self.graphics = any(max(row) >= _GRAPHICS for row in self._rows)
+        moved = (elsewhere or bool(changed)) and self._look_at(cursor)
         self.wrote_elsewhere = any(
             row < self.first_row and self._rows[row].strip()
             for row in (range(ROWS) if switched else changed)
@@ -148,6 +148,11 @@ class Tube(Widget):
         if self._known_style is None:
             self._known_style = self.rich_style
         return self._known_style
+
+    def on_resize(self) -> None:
+        """Show what is to be seen where there is more room, or less."""
+        if self._look_at(self._cursor):
+            self.refresh()
 
     def _look_at(self, cursor: int | None) -> bool:
         """Where it has not the room for all, show its last lines, and the columns of the cursor.

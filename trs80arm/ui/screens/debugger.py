@@ -248,7 +248,7 @@ on standing.
     def _show_listing(self) -> None:
         rig, debugger = self._debugger.rig, self._debugger
         spot = debugger.spot
-        lines = list(rig.basic.program.lines())
+        lines = rig.basic.program.lines()
         old, self._lines = self._lines, [number for number, _ in lines]
         marked = self._marked_line(old)
         prompts = [self._row(line, spot) for line in lines]
