@@ -23,6 +23,7 @@ PARTS = {
     "terminal": "The terminal",
     "start": "Start",
     "memory": "Memory",
+    "suite": "The tests",
 }
 """Module to title, in the order of the table."""
 Results = Mapping[str, Sequence[Row]]
