@@ -1,7 +1,7 @@
 """How many BASIC statements a second the compiled language executes, beside its peers.
 
 Each listing of `benchmarks/basic/`, made longer, is RUN until enough time of the processor has
-gone. Beside it stand, in the same run, the same with hot loops as native code, where the extra
+gone. Beside it stand, in turns with it, the same with hot loops as native code, where the extra
 `fast` is installed; the same work translated by hand into a Python function that rounds every
 result to 24 bits in line and checks nothing, which is the most that CPython could give; and
 whichever other BASICs are installed: how many times as fast as they the machine is.
@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import subprocess
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from statistics import geometric_mean
@@ -36,6 +36,10 @@ AMOUNTS: dict[str, tuple[str, int, int]] = {
 """Where a listing says how much it does, how much that is, how many times that is timed here."""
 LONGEST = 10_000
 """Times its work at most, for a peer."""
+TURNS = 10
+"""How often what is compared takes turns, for a computer may be slow for a while."""
+Work = Callable[[], int]
+"""Does its work once, and says how many statements that is."""
 SPEED, FAST, BY_HAND_SHARE = "M statements/s", "with fast", "of hand-written"
 
 
@@ -47,35 +51,48 @@ def listing(name: str, times: float) -> list[str]:
     return text.replace(pattern.format(amount), pattern.format(more)).splitlines()
 
 
-def rate(lines: list[str], seconds: float, *, native: bool = False) -> float:
-    """Statements a second of the machine, of Python or with native loops."""
+def rates(works: Mapping[str, Work], seconds: float) -> dict[str, float]:
+    """Statements a second of several works, in turns; the best of several goes of each.
+
+    Args:
+        works: what is timed, by any names.
+        seconds: of the processor that each is given at least.
+    """
+    best = dict.fromkeys(works, 0.0)
+    for _ in range(TURNS):
+        for name, work in works.items():
+            spent = 0.0
+            while spent < seconds / TURNS:
+                began = time.process_time()
+                statements = work()
+                if taken := time.process_time() - began:
+                    spent += taken
+                    best[name] = max(best[name], statements / taken)
+    return best
+
+
+def running(lines: list[str], *, native: bool = False) -> Work:
+    """RUN of a listing on a machine, of Python or with native loops, that has run it before."""
     basic = loaded(lines, native=native)
     statements = count(basic)
     run(basic)
-    return _repeated(lambda: (run(basic), statements), seconds)
+
+    def work() -> int:
+        run(basic)
+        return statements
+
+    return work
 
 
-def rate_by_hand(name: str, seconds: float) -> float:
-    """Statements a second of the translation into Python, counted as the machine counts its own."""
+def by_hand(name: str) -> Work:
+    """The translation into Python; its statements are those that the machine counts."""
     statements = count(loaded(listing(name, 1)))
 
-    def once() -> tuple[float, int]:
-        begin = time.process_time()
+    def work() -> int:
         BY_HAND[name]()
-        return time.process_time() - begin, statements
+        return statements
 
-    return _repeated(once, seconds)
-
-
-def _repeated(once: Callable[[], tuple[float, int]], seconds: float) -> float:
-    """The best rate of several goes, which take so many seconds together at least."""
-    spent, best = 0.0, 0.0
-    while spent < seconds:
-        taken, statements = once()
-        spent += taken
-        if taken:
-            best = max(best, statements / taken)
-    return best
+    return work
 
 
 class Listing:
@@ -119,11 +136,16 @@ def rows(
     columns: dict[str, list[float]] = {}
     peers = installed() if peers is None else peers
     for name in names:
-        speed = rate(listing(name, AMOUNTS[name][2]), seconds)
-        measures = {SPEED: speed / 1e6}
+        longer = listing(name, AMOUNTS[name][2])
+        works = {SPEED: running(longer), BY_HAND_SHARE: by_hand(name)}
         if find_spec("wasmtime"):
-            measures[FAST] = rate(listing(name, AMOUNTS[name][2]), seconds, native=True) / 1e6
-        measures[BY_HAND_SHARE] = speed / rate_by_hand(name, seconds)
+            works[FAST] = running(longer, native=True)
+        found = rates(works, seconds)
+        speed = found[SPEED]
+        measures = {SPEED: speed / 1e6}
+        if FAST in found:
+            measures[FAST] = found[FAST] / 1e6
+        measures[BY_HAND_SHARE] = speed / found[BY_HAND_SHARE]
         listed = Listing(name) if peers else None
         for peer in peers:
             theirs = rate_of_peer(peer, listed, seconds) if listed else None
