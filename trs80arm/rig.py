@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from trs80arm import files, snapshots
+from trs80arm import files
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.by_hand import TURNED_BY_HAND
 from trs80arm.arm.cell.inputs import Answer
@@ -39,10 +39,8 @@ from trs80arm.machine.printer import Printer
 from trs80arm.machine.tape import Tape
 from trs80arm.machine.video import Video
 from trs80arm.machine.z80.processor import Processor
-from trs80arm.serial.controller import Controller
-from trs80arm.serial.controller import Listener as SerialListener
 from trs80arm.serial.pendant_keys import key_named
-from trs80arm.snapshots import SnapshotError
+from trs80arm.snapshot_error import SnapshotError
 from trs80arm.works.beginnings import copied, switch_on, switched_on
 from trs80arm.works.devices import Language, RigSettings, Works, assemble
 from trs80arm.works.inputs import Input, ReplayError, replay
@@ -51,6 +49,10 @@ from trs80arm.works.named_variables import NamedVariables
 from trs80arm.works.observers import Observers, attach
 from trs80arm.works.running import Running
 from trs80arm.works.trial import try_out, use_up
+
+if TYPE_CHECKING:
+    from trs80arm.serial.controller import Controller
+    from trs80arm.serial.controller import Listener as SerialListener
 
 __all__ = [
     "TURNED_BY_HAND",
@@ -794,6 +796,8 @@ class Rig:
         on paper in a file is not in it, but the cassette in the recorder is. The bytes are those
         of `trs80arm.snapshots`; equal machines have equal ones.
         """
+        from trs80arm import snapshots
+
         return snapshots.encode(self._works)
 
     def restore(self, snapshot: bytes) -> None:
@@ -806,18 +810,24 @@ class Rig:
             SnapshotError: the bytes are no snapshot of this version, or of a machine that no
                 program could have brought about; the rig stays as it is.
         """
-        works = snapshots.decode(snapshot, self.settings.rom)
+        works = self._works_of(snapshot)
         if works.settings.rom is None:
             try_out(works)
         else:
             # Its processor is a chip with a state of its own, which no copy has.
-            use_up(snapshots.decode(snapshot, self.settings.rom))
+            use_up(self._works_of(snapshot))
         works.use_places(self.settings)
         self._use(works)
 
+    def _works_of(self, snapshot: bytes) -> Works:
+        # All that may stand in a snapshot takes a while to load.
+        from trs80arm import snapshots
+
+        return snapshots.decode(snapshot, self.settings.rom)
+
     def go_back(self, snapshot: bytes) -> None:
         """Go back to a state that this rig's own `snapshot` gave: `restore` without the trial."""
-        works = snapshots.decode(snapshot, self.settings.rom)
+        works = self._works_of(snapshot)
         works.use_places(self.settings)
         self._use(works)
 
@@ -833,7 +843,7 @@ class Rig:
         """
         rig = object.__new__(Rig)
         rig._observers = Observers()
-        rig._use(snapshots.decode(snapshot, self.settings.rom))
+        rig._use(self._works_of(snapshot))
         rig._observers.resets.append(rig._zero)
         if self.settings.tape_folder is not None:
             rig.tape.use_past(self.settings.tape_folder, dict(reversed(self.recordings[recorded:])))

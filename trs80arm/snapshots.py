@@ -41,6 +41,7 @@ from trs80arm.machine.clock import END_OF_TIME
 from trs80arm.machine.z80.rom import Rom
 from trs80arm.plain_values import SettingsError, Table, as_table, from_table
 from trs80arm.snapshot_classes import CHECKS, NAMED, OBJECTS, VALUES, WIRES, parts_of
+from trs80arm.snapshot_error import SnapshotError
 from trs80arm.works.beginnings import assembled
 from trs80arm.works.devices import RigSettings, Works
 
@@ -66,10 +67,6 @@ _COMPARED = frozenset({type(None), bool, int, float, str, bytes, bytearray})
 """Kinds of value of which two that are equal are written alike."""
 _SHARED = _COMPARED.difference((bytearray,)) | _VALUE_NAMES.keys() | _KINDS.keys()
 """Kinds of what never changes: machines of one kind have the very same."""
-
-
-class SnapshotError(ValueError):
-    """No snapshot of a rig, or one of another version; one clear line."""
 
 
 def encode(works: Works) -> bytes:

@@ -4,7 +4,8 @@ A machine begins the same each time: an arm stands at a bench, the parts there c
 MEMORY SIZE? is answered. That takes milliseconds, and whoever tries many programs, or looks what
 of a machine is not as it began, wants many. So a machine that is asked for a second time is kept as
 bytes, of which the third and all others are made anew: they share with it, and with one another,
-only what never changes (`VALUES`, `NAMED`). Benches are known again by what they are, as bytes.
+only what never changes (`VALUES` and `NAMED` of `snapshot_classes`). Benches are known again by
+what they are, as bytes.
 """
 
 from __future__ import annotations
@@ -14,12 +15,12 @@ import pickle
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from typing import Any, Generic, TypeVar
 
 from trs80arm.arm.bench import Bench
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.basic.activity import Waiting
-from trs80arm.snapshot_classes import NAMED, VALUES
 from trs80arm.works import rom_driver
 from trs80arm.works.devices import RigSettings, Works, assemble
 from trs80arm.works.key_events import KeyEvents
@@ -31,7 +32,14 @@ MOST = 8
 LONGEST = 30
 """Virtual seconds within which a machine that is switched on is at READY."""
 
-_SHARED = frozenset(VALUES.values()) | {cls for cls, _ in NAMED.values()}
+
+@cache
+def _shared() -> frozenset[type]:
+    """The classes of what never changes."""
+    # All of them take a while to load, and one machine alone asks for none.
+    from trs80arm.snapshot_classes import NAMED, VALUES
+
+    return frozenset(VALUES.values()) | {cls for cls, _ in NAMED.values()}
 
 
 class _Pickler(pickle.Pickler):
@@ -40,11 +48,12 @@ class _Pickler(pickle.Pickler):
     def __init__(self, file: io.BytesIO) -> None:
         super().__init__(file, pickle.HIGHEST_PROTOCOL)
         self.kept: list[Any] = []
+        self._shared = _shared()
         self._numbers: dict[int, int] = {}
 
     def persistent_id(self, thing: Any) -> int | None:
         """The number of a value; None for what is written."""
-        if type(thing) not in _SHARED:
+        if type(thing) not in self._shared:
             return None
         if id(thing) not in self._numbers:
             self._numbers[id(thing)] = len(self.kept)

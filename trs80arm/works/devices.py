@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from trs80arm.arm.minimover import MiniMover
 from trs80arm.arm.settings import ArmSettings
@@ -30,9 +30,11 @@ from trs80arm.machine.typist import Typist, check_answer
 from trs80arm.machine.video import VIDEO_START, VIDEO_STOP, Video
 from trs80arm.machine.z80.processor import Processor
 from trs80arm.machine.z80.rom import SIZE, Rom, RomArea
-from trs80arm.serial.controller import Controller
 from trs80arm.works import rom_driver
 from trs80arm.works.rom_language import RomLanguage
+
+if TYPE_CHECKING:
+    from trs80arm.serial.controller import Controller
 
 Language = Interpreter | RomLanguage
 """What executes BASIC: this project's own, or a user's ROM."""
@@ -204,6 +206,9 @@ def assemble(settings: RigSettings, arm: MiniMover, old: Works | None = None) ->
         card = Card(clock, settings.card, arm)
         driver = Driver(clock, card, matrix, settings.driver, hand_per_elbow)
     if settings.controller and controller is None:
+        # Few arms have one, and it takes a while to load.
+        from trs80arm.serial.controller import Controller
+
         controller = Controller(clock.now, card, settings.driver, hand_per_elbow)
     if controller is not None:
         card, driver = controller.card, controller.driver

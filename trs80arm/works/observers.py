@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from trs80arm.basic.state import Listener as StatementListener
 from trs80arm.basic.state import Stops
 from trs80arm.machine.card import Observer
 from trs80arm.machine.console import Listener
 from trs80arm.machine.ports import LineListener
-from trs80arm.serial.controller import Listener as SerialListener
 from trs80arm.works.devices import Works
 from trs80arm.works.inputs import Input
 from trs80arm.works.rom_language import RomLanguage
+
+if TYPE_CHECKING:
+    from trs80arm.serial.controller import Listener as SerialListener
 
 T = TypeVar("T")
 

@@ -8,7 +8,7 @@ from dataclasses import astuple
 
 from trs80arm.machine.clock import T_STATES_PER_SECOND
 from trs80arm.machine.keys import Key
-from trs80arm.snapshots import SnapshotError
+from trs80arm.snapshot_error import SnapshotError
 from trs80arm.works.devices import Works
 from trs80arm.works.key_events import KeyEvents
 from trs80arm.works.observers import Observers
