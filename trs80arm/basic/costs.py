@@ -4,9 +4,10 @@ The compiler adds these numbers up, statement by statement, the way the ROM walk
 every character read, every constant converted, every variable searched for. They come from some 950
 statements timed on the ROM between two OUT statements (`10 OUT1,0:A=B:OUT1,0`): what could be told
 apart alone was measured alone, the rest are least squares over all of them, which they meet within
-2 per cent (root mean square). Commands and typed lines were fitted to the segments of the
-conformance cases. What a word takes is in its row in `words`, what depends on the digits and bits
-of numbers in `number_costs`. 1,774,080 T-states are a second (Level II facts, title).
+2 per cent (root mean square). Jumps, new lines and remarks were measured alone, in loops. Commands
+and typed lines were fitted to the segments of the conformance cases. What a word takes is in its
+row in `words`, what depends on the digits and bits of numbers in `number_costs`. 1,774,080 T-states
+are a second (Level II facts, title).
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from trs80arm.basic.numbers.convert import Number
 # -- the statement loop ---------------------------------------------------------------------------
 STATEMENT: Final = 1040
 """One turn of the statement loop: the keyboard looked at, the separator, the jump by token."""
-NEW_LINE: Final = 141
+NEW_LINE: Final = 124
 """A new line: its number stored."""
 CHARACTER: Final = 52
 """One character of the text fetched: a letter, a token or a colon."""
@@ -31,7 +32,7 @@ SKIPPED: Final = 64
 """One character of the text passed without a look (REM, DATA, false IF, GOTO's rest of line)."""
 LINE_PASSED: Final = 199
 """One line passed in the search for a line number."""
-LINE_DIGIT: Final = 263
+LINE_DIGIT: Final = 226
 """One digit of a line number."""
 KEY_LATCHED: Final = 52
 """A key that the statement loop puts aside for INKEY$."""

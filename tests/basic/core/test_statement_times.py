@@ -105,3 +105,30 @@ def times(request: pytest.FixtureRequest) -> dict[str, int]:
 @pytest.mark.parametrize("text", ROM)
 def test_a_statement_takes_as_long_as_on_the_rom(times: dict[str, int], text: str) -> None:
     assert times[text] == pytest.approx(ROM[text], rel=0.05)
+
+
+JUMPS = {
+    ("20 FORI%=10TO{}", "25 NEXT"): 2284,
+    ("20 FORI%=10TO{}:GOTO25", "25 NEXT"): 4740,
+    ("20 FORI%=10TO{}:GOTO25", "22 REM", "25 NEXT"): 4939,
+    ("20 FORI%=10TO{}:GOTO25", "22 REM", "23 REM", "25 NEXT"): 5138,
+    ("20 FORI%=10TO{}:GOTO30", "25 NEXT:END", "30 GOTO25"): 7663,
+    ("1 REM", "20 FORI%=10TO{}:GOTO30", "25 NEXT:END", "30 GOTO25"): 7862,
+    ("2 FORI%=10TO{}:GOTO5", "5 NEXT"): 4405,
+    ("2 FORI%=10TO{}:GOTO50000", "50000 NEXT"): 5733,
+    ("2 FORI%=10TO{}:GOSUB5:NEXT:END", "5 RETURN"): 6406,
+    ("20 FORI%=10TO{}", "22 REM", "25 NEXT"): 3671,
+}
+"""Loops with jumps, and what the ROM takes for a round of each."""
+
+
+@pytest.mark.parametrize("lines", JUMPS, ids=" ".join)
+def test_a_jump_takes_what_the_search_for_its_line_takes(lines: tuple[str, ...]) -> None:
+    def lasting(last: int) -> int:
+        machine = Machine()
+        machine.load(*(line.format(last) for line in lines))
+        began = machine.clock.now
+        assert machine.do("RUN") == ""
+        return machine.clock.now - began
+
+    assert (lasting(90) - lasting(10)) / 80 == pytest.approx(JUMPS[lines], rel=0.02)

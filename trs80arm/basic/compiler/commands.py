@@ -64,8 +64,9 @@ class CommandCompiler:
 
     # -- passed -------------------------------------------------------------------------------
 
-    def remark(self, _word: Word) -> None:
+    def remark(self, word: Word) -> None:
         """REM and ELSE: the rest of the line is nothing."""
+        self._out.cost += word.work
         self._reader.skip_rest()
 
     def data(self, _word: Word) -> None:

@@ -10,7 +10,7 @@ from trs80arm.basic.characters import AT, COMMA, QUOTE
 from trs80arm.basic.compiler.draft import Draft, Mistake
 from trs80arm.basic.compiler.emitter import Call
 from trs80arm.basic.compiler.expressions import ExpressionCompiler
-from trs80arm.basic.compiler.relocation import Search
+from trs80arm.basic.compiler.relocation import Search, lines_passed
 from trs80arm.basic.compiler.values import Expression
 from trs80arm.basic.control import DIRECT, GosubFrame
 from trs80arm.basic.errors import Code
@@ -65,13 +65,15 @@ class FlowCompiler:
 
     def _jump_address(self, number: int) -> int:
         """The separator in front of a line, its search paid for; UL."""
-        program = self._program
         behind = self._line if self._line != DIRECT and number > self._line else None
-        passed = program.place(number) - (0 if behind is None else program.place(behind))
+        self._search(number, behind)
+        return self._find(number) - 1
+
+    def _search(self, number: int, behind: int | None) -> None:
+        """The search for a line is paid for; the arguments are those of `lines_passed`."""
+        passed = lines_passed(self._program, number, behind)
         self._out.passes(Search(number, behind, passed))
-        self._out.cost += costs.LINE_PASSED * max(0, passed)
-        address = self._find(number)
-        return address - 1
+        self._out.cost += costs.LINE_PASSED * passed
 
     def _find(self, number: int) -> int:
         """The address of a line's link; UL."""
@@ -286,9 +288,7 @@ class FlowCompiler:
         if not number:
             self._out.emit("set_trap(0)")
             return
-        passed = self._program.place(number)
-        self._out.passes(Search(number, None, passed))
-        self._out.cost += costs.LINE_PASSED * passed
+        self._search(number, None)
         self._out.emit(f"set_trap({self._out.address(self._find(number))})")
 
     def error(self, word: Word) -> None:

@@ -92,13 +92,25 @@ class Relocatable:
         return FunctionType(self.code.at(addresses), self.environment, "statement", None, cells)
 
 
+def lines_passed(program: Program, number: int, behind: int | None) -> int:
+    """How many lines the ROM passes before it stops at a number.
+
+    Args:
+        program: in memory.
+        number: of the line that it looks for.
+        behind: the number of the line that it begins behind, None for the program's start.
+    """
+    first = 0 if behind is None else program.place(behind) + 1
+    return max(0, program.place(number) - first)
+
+
 class Search(NamedTuple):
     """A line that a jump looks for.
 
     Attributes:
         number: of the line.
-        behind: the number of the line that the ROM begins behind, None for the program's start.
-        passed: how many lines it passes.
+        behind: as of `lines_passed`.
+        passed: how many lines the ROM passes.
     """
 
     number: int
@@ -107,8 +119,7 @@ class Search(NamedTuple):
 
     def holds(self, program: Program) -> bool:
         """Whether as many lines are passed still."""
-        start = 0 if self.behind is None else program.place(self.behind)
-        return program.place(self.number) - start == self.passed
+        return lines_passed(program, self.number, self.behind) == self.passed
 
 
 class Location(NamedTuple):
