@@ -119,8 +119,10 @@ class OutputCompiler:
     def _using(self) -> None:
         """USING format; values: the format is read anew from value to value."""
         out, reader = self._out, self._reader
-        layout = out.keep(f"using({self._expressions.string().text})")
-        self._draft.expect(SEMICOLON)
+        written = self._expressions.string()
+        with self._draft.pending(written):
+            self._draft.expect(SEMICOLON)
+        layout = out.keep(f"using({written.text})")
         while True:
             out.charge()
             out.emit(f"using_literal({layout})")
