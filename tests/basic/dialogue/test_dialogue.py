@@ -265,6 +265,12 @@ def test_a_count_of_edit_is_rotated_through_a_byte(
 # -- SYSTEM --------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("line", ["SYSTEMX", 'SYSTEM "CODE"', "SYSTEM 5:PRINT 6"])
+def test_what_stands_behind_system_is_not_looked_at(session: Session, line: str) -> None:
+    assert say(session, line) == f"{line}\n\n*? "
+    assert session.rig.waiting is Waiting.SYSTEM
+
+
 def test_system_leaves_by_the_roms_own_addresses(session: Session) -> None:
     assert say(session, "SYSTEM") == "SYSTEM\n\n*? "
     assert session.rig.waiting is Waiting.SYSTEM

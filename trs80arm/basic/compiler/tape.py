@@ -95,7 +95,7 @@ class TapeCompiler:
         self._out.emit(f"{word.calls}(data, {verify}, {self._out.address(self._reader.address)})")
 
     def system(self, word: Word) -> None:
-        """SYSTEM."""
-        if self._reader.at_end:
-            self._out.charge()
-            self._out.emit(f"{word.calls}()")
+        """SYSTEM; what stands behind it is not looked at."""
+        self._reader.position = len(self._reader.text)
+        self._out.charge()
+        self._out.emit(f"{word.calls}()")
