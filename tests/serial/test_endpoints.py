@@ -286,6 +286,29 @@ def test_who_comes_while_it_is_looked_for_them_loses_nothing(
     port.close()
 
 
+@posix
+def test_who_comes_just_behind_the_look_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
+    port, rig = PseudoTerminal(), Rig(SETTINGS)
+    attendant = Attendant(port, rig)
+    look = port.left
+    clients: list[int] = []
+
+    def come() -> bool:
+        left = look()
+        if not clients:
+            clients.append(os.open(port.name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK))
+            os.write(clients[0], b"@READ\r")
+        return left
+
+    monkeypatch.setattr(port, "left", come)
+    for _ in range(3):
+        attendant.attend()
+        rig.run_for(1)
+    assert os.read(clients[0], 100).startswith(b"1\r0,0,0,0,0,0")
+    os.close(clients[0])
+    port.close()
+
+
 class Deaf:
     """A port whose client sends without end and reads nothing."""
 

@@ -139,7 +139,10 @@ class PseudoTerminal:
         if self._early:
             early, self._early = self._early[:most], self._early[most:]
             return early
-        # That nobody is there is an error, which `left` tells.
+        # Who has come since `left` looked is seen there first, or they would not be answered yet.
+        if not self.connected:
+            return b""
+        # That nobody is there any more is an error, which `left` tells.
         with contextlib.suppress(OSError):
             return os.read(self._own, most)
         return b""
