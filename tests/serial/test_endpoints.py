@@ -262,45 +262,27 @@ def test_who_comes_and_goes_between_two_looks_leaves_nothing_behind() -> None:
 
 
 @posix
-def test_who_comes_while_it_is_looked_for_them_loses_nothing(
-    monkeypatch: pytest.MonkeyPatch,
+@pytest.mark.parametrize(
+    ("owner", "name"),
+    [(endpoints, "_shut"), (PseudoTerminal, "left")],
+    ids=["while it is looked for them", "just behind the look"],
+)
+def test_who_comes_about_the_look_for_them_loses_nothing(
+    monkeypatch: pytest.MonkeyPatch, owner: object, name: str
 ) -> None:
     port, rig = PseudoTerminal(), Rig(SETTINGS)
     attendant = Attendant(port, rig)
-    look = endpoints._shut
+    look = getattr(owner, name)
     clients: list[int] = []
 
-    def come(descriptor: int) -> bool:
-        nobody = look(descriptor)
+    def come(looking: object) -> bool:
+        seen = look(looking)
         if not clients:
             clients.append(os.open(port.name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK))
             os.write(clients[0], b"@READ\r")
-        return nobody
+        return seen
 
-    monkeypatch.setattr(endpoints, "_shut", come)
-    for _ in range(3):
-        attendant.attend()
-        rig.run_for(1)
-    assert os.read(clients[0], 100).startswith(b"1\r0,0,0,0,0,0")
-    os.close(clients[0])
-    port.close()
-
-
-@posix
-def test_who_comes_just_behind_the_look_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
-    port, rig = PseudoTerminal(), Rig(SETTINGS)
-    attendant = Attendant(port, rig)
-    look = port.left
-    clients: list[int] = []
-
-    def come() -> bool:
-        left = look()
-        if not clients:
-            clients.append(os.open(port.name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK))
-            os.write(clients[0], b"@READ\r")
-        return left
-
-    monkeypatch.setattr(port, "left", come)
+    monkeypatch.setattr(owner, name, come)
     for _ in range(3):
         attendant.attend()
         rig.run_for(1)
