@@ -61,6 +61,18 @@ class _Pickler(pickle.Pickler):
         return self._numbers[id(thing)]
 
 
+class _Unpickler(pickle.Unpickler):
+    """Puts what was kept where it was."""
+
+    def __init__(self, file: io.BytesIO, kept: list[Any]) -> None:
+        super().__init__(file)
+        self._kept = kept
+
+    def persistent_load(self, number: int) -> Any:
+        """What `_Pickler.persistent_id` gave the number."""
+        return self._kept[number]
+
+
 _Thing = TypeVar("_Thing")
 
 
@@ -76,10 +88,7 @@ class _Mould(Generic[_Thing]):
 
     def cast(self) -> _Thing:
         """One more such."""
-        unpickler = pickle.Unpickler(io.BytesIO(self._bytes))
-        # What `_Pickler.persistent_id` gave for it.
-        unpickler.persistent_load = self._kept.__getitem__  # type: ignore[method-assign]
-        thing: _Thing = unpickler.load()
+        thing: _Thing = _Unpickler(io.BytesIO(self._bytes), self._kept).load()
         return thing
 
 
