@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import prod
 
 import numpy as np
 from hypothesis import strategies as st
@@ -109,7 +110,10 @@ damages = st.builds(
     fade=st.floats(0.15, 1),
     dips=st.lists(
         st.tuples(st.floats(0.05, 0.95), st.floats(0.01, 0.1), st.floats(0.25, 1)), max_size=3
-    ).map(tuple),
+    )
+    # A tenth of the volume is heard through, also where all of them are at one place.
+    .filter(lambda dips: prod(depth for _, _, depth in dips) >= 0.1)
+    .map(tuple),
     hum=st.floats(0, 0.4),
     hum_rate=st.sampled_from([50, 60]),
     noise=st.floats(0, 0.008),

@@ -172,7 +172,8 @@ def test_copies_share_nothing_that_changes(name: str | None) -> None:
     one, two = (from_nothing(RigSettings(), bench) for _ in range(2))
     of_all = things_of(one._works).keys() & things_of(two._works).keys()
     assert len(of_all) < 30
-    assert all(len(each) > 200 for each in things[:4])
+    # Before Python 3.13 the attributes of most objects are a thing more each.
+    assert all(len(each) > 150 for each in things[:4])
     for number, mine in enumerate(things):
         for theirs in things[:number]:
             shared = [

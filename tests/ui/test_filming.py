@@ -8,6 +8,7 @@ import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
+import matplotlib
 import pytest
 from click.testing import CliRunner
 from PIL import Image, ImageChops
@@ -108,7 +109,9 @@ def test_a_cast_sends_the_lines_that_differ() -> None:
 
 
 def test_a_gif_has_a_picture_for_each_and_their_times() -> None:
-    with Image.open(io.BytesIO(gif(short_film()))) as picture:
+    # Not every system has a monospaced font; matplotlib brings one.
+    font = Path(matplotlib.get_data_path(), "fonts", "ttf", "DejaVuSansMono.ttf")
+    with Image.open(io.BytesIO(gif(short_film(), font))) as picture:
         assert getattr(picture, "n_frames") == 2  # noqa: B009
         assert picture.info["duration"] == 1000
         first = picture.convert("RGB")
