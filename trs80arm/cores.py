@@ -29,7 +29,8 @@ def on_all_cores(
     Args:
         do: is given a piece; a function that another process can be given, too.
         pieces: what there is to do.
-        jobs: processes; as many as there are cores unless given, and with one no other process.
+        jobs: processes; as many as there are cores unless given, and with one no other process,
+            nor where processes cannot have anything in common.
 
     Yields:
         The number of each piece, from 0, and what came of it, as they are done.
@@ -44,7 +45,12 @@ def on_all_cores(
     # A new process has none of this one's threads, as that of a bar. Ctrl+C ends it without a
     # word: the one that waits for it says what is to be said.
     context = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(jobs, context, signal.signal, (signal.SIGINT, signal.SIG_DFL))
+    try:
+        pool = ProcessPoolExecutor(jobs, context, signal.signal, (signal.SIGINT, signal.SIG_DFL))
+    except (ImportError, NotImplementedError, OSError):
+        # Some systems, and boxes that programs are shut in, have no semaphores.
+        yield from enumerate(map(do, pieces))
+        return
     under_way: dict[Future[R], int] = {}
     ahead = iter(enumerate(pieces))
     try:

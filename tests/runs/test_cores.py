@@ -6,6 +6,7 @@ import os
 
 import pytest
 
+from trs80arm import cores
 from trs80arm.cores import EndedFromOutsideError, on_all_cores
 
 
@@ -13,6 +14,18 @@ from trs80arm.cores import EndedFromOutsideError, on_all_cores
 def test_every_piece_is_done_and_told_with_its_number(jobs: int) -> None:
     done = dict(on_all_cores(abs, range(-20, 0), jobs))
     assert done == dict(enumerate(range(20, 0, -1)))
+
+
+@pytest.mark.parametrize("fault", [ImportError, NotImplementedError, PermissionError])
+def test_where_there_are_no_semaphores_it_is_done_here(
+    fault: type[Exception], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise fault
+
+    monkeypatch.setattr(cores, "ProcessPoolExecutor", refuse)
+    done = list(on_all_cores(lambda _: os.getpid(), range(3), 2))
+    assert done == [(number, os.getpid()) for number in range(3)]
 
 
 def test_without_work_there_is_nothing_to_do() -> None:

@@ -8,12 +8,12 @@ import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-import matplotlib
 import pytest
 from click.testing import CliRunner
 from PIL import Image, ImageChops
 
 from tests.goldens import check_golden
+from tests.monospaced import FONT
 from tests.own_places import own_places
 from trs80arm.cli.commands import cli
 from trs80arm.film.blocks import blocks_of
@@ -109,9 +109,7 @@ def test_a_cast_sends_the_lines_that_differ() -> None:
 
 
 def test_a_gif_has_a_picture_for_each_and_their_times() -> None:
-    # Not every system has a monospaced font; matplotlib brings one.
-    font = Path(matplotlib.get_data_path(), "fonts", "ttf", "DejaVuSansMono.ttf")
-    with Image.open(io.BytesIO(gif(short_film(), font))) as picture:
+    with Image.open(io.BytesIO(gif(short_film(), FONT))) as picture:
         assert getattr(picture, "n_frames") == 2  # noqa: B009
         assert picture.info["duration"] == 1000
         first = picture.convert("RGB")
