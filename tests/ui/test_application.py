@@ -380,9 +380,14 @@ async def test_help_is_one_page_that_says_why_keys_work_as_they_do(sit_down: Ope
 async def test_a_small_terminal_gets_a_message(sit_down: Opener) -> None:
     async with sit_down(39, 20) as sitting:
         assert not sitting.app.desk.tube.display
+        await sitting.type_line("PRINT 6*7")
+        await sitting.pass_time(1)
+        assert not sitting.app.desk.tube.is_attached
         await sitting.pilot.resize_terminal(80, 24)
         await sitting.settle()
         assert sitting.app.desk.tube.display
+        assert " 42" in sitting.tube
+        assert " 42" in screen_text(sitting.app)
 
 
 @piloted

@@ -122,6 +122,8 @@ class Tube(Widget):
 
     def _write(self, before: list[bytes], changed: list[int]) -> None:
         """Write what differs in some rows from before, at once if can be, or have it written."""
+        if not self.is_attached:
+            return  # In a window that is too small it is on no screen, and all of it is drawn later.
         style = self._style
         width, height = self.size
         changes = []
