@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -24,7 +25,7 @@ def program(tmp_path: Path) -> Path:
 
 def shell(line: str, **more: str) -> subprocess.CompletedProcess[bytes]:
     """What a shell makes of a command line in which ARM stands for the program's name."""
-    command = f"{sys.executable} -m trs80arm"
+    command = f"{shlex.quote(sys.executable)} -m trs80arm"
     environment = os.environ | {"TRS80ARM_CONFIG": "/dev/null", "LC_ALL": "C.UTF-8"} | more
     return subprocess.run(
         ["bash", "-c", line.replace("ARM", command)],
@@ -36,21 +37,21 @@ def shell(line: str, **more: str) -> subprocess.CompletedProcess[bytes]:
 
 
 def test_a_reader_that_leaves_is_no_error(program: Path) -> None:
-    done = shell(f"set -o pipefail; ARM run {program} | head -1")
+    done = shell(f"set -o pipefail; ARM run {shlex.quote(str(program))} | head -1")
     assert done.stdout == b"LINE 1 \n"
     assert done.stderr == b""
     assert done.returncode == 141
 
 
 def test_a_full_disk_behind_standard_output_is_told_in_one_line(program: Path) -> None:
-    done = shell(f"ARM run {program} > /dev/full")
+    done = shell(f"ARM run {shlex.quote(str(program))} > /dev/full")
     assert done.stderr == b"trs80arm: standard output: No space left on device\n"
     assert done.returncode == 2
 
 
 @pytest.mark.parametrize("closed", [">&-", "2>&-", "<&-", ">&- 2>&- <&-"])
 def test_closed_streams_are_no_error(program: Path, closed: str) -> None:
-    done = shell(f"ARM run {program} {closed}")
+    done = shell(f"ARM run {shlex.quote(str(program))} {closed}")
     assert b"Traceback" not in done.stderr
     assert done.returncode == 0
 
@@ -64,7 +65,7 @@ def test_the_line_mode_ends_when_nobody_types(closed: str) -> None:
 
 
 def test_output_that_knows_ascii_only_has_question_marks_for_the_rest(program: Path) -> None:
-    done = shell(f"ARM run {program}", PYTHONIOENCODING="ascii", LC_ALL="C")
+    done = shell(f"ARM run {shlex.quote(str(program))}", PYTHONIOENCODING="ascii", LC_ALL="C")
     assert done.stdout.endswith(b"LINE 3000 \n?\n")
     assert done.stderr == b""
     assert done.returncode == 0
@@ -135,7 +136,7 @@ def test_odd_options_are_told_in_one_line_without_control_codes(
 
 def test_a_program_called_by_control_codes_is_told_without_them(tmp_path: Path) -> None:
     (tmp_path / "n\x1b]0;X\x07.bas").write_bytes(b"\xff\x01\x01")
-    done = shell(f"ARM run {tmp_path}/n*.bas")
+    done = shell(f"ARM run {shlex.quote(str(tmp_path))}/n*.bas")
     assert b"\x1b" not in done.stderr
     assert b"\\x1b]0;X\\x07.bas" in done.stderr
     assert done.returncode == 2

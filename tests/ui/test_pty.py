@@ -101,6 +101,9 @@ class Terminal:
         environment = os.environ | {
             "TERM": "xterm-256color",
             "LANG": "C.UTF-8",
+            # What a shell may have left there of another window: the terminal has 80 and 24.
+            "COLUMNS": "60",
+            "LINES": "10",
             "TRS80ARM_STATE": str(folder / "state"),
             "TRS80ARM_CONFIG": str(folder / "settings.toml"),
         }

@@ -123,7 +123,7 @@ class Tube(Widget):
     def _write(self, before: list[bytes], changed: list[int]) -> None:
         """Write what differs in some rows from before, at once if can be, or have it written."""
         if not self.is_attached:
-            return  # In a window that is too small it is on no screen, and all of it is drawn later.
+            return  # In a window that is too small it is on no screen; later all of it is drawn.
         style = self._style
         width, height = self.size
         changes = []

@@ -1,8 +1,8 @@
-"""Textual's Linux and macOS driver, asking the terminal for key releases as well.
+"""Textual's Linux and macOS driver, asking the terminal for its size and for key releases as well.
 
 It pushes its own entry on the terminal's stack of keyboard flags above Textual's and pops it before
 Textual stops, so that the terminal is left as it was found and no release of the quit key reaches
-the shell. The private hooks it leans on (start, stop and the input loop) are pinned by
+the shell. The private hooks it leans on (size, start, stop and the input loop) are pinned by
 `tests/ui/test_terminal_hooks.py`.
 """
 
@@ -30,7 +30,23 @@ _READ_SIZE = 4096
 _POLL_SECONDS = 0.1
 
 
-class KeyReleaseDriver(LinuxDriver):
+class OwnSizeDriver(LinuxDriver):
+    """The driver of a terminal that is asked itself how large it is.
+
+    Textual believes the environment first, in which a shell may have left what was so at some time,
+    or for another window, and then standard output, which may be a file.
+    """
+
+    def _get_terminal_size(self) -> tuple[int, int]:
+        try:
+            columns, lines = os.get_terminal_size(self.fileno)
+        except OSError:
+            columns = lines = 0
+        # Behind a serial line a terminal may not know.
+        return (columns, lines) if columns and lines else super()._get_terminal_size()
+
+
+class KeyReleaseDriver(OwnSizeDriver):
     """The driver of a terminal that is asked for key releases.
 
     Attributes:
@@ -98,6 +114,8 @@ def choose_driver(stock: type[Driver], mode: KeyMode) -> type[Driver]:
         stock: what Textual would take; under textual-serve its web driver.
         mode: what the user wants of the keys; REPEAT asks nothing of the terminal.
     """
-    if stock is not LinuxDriver or mode is KeyMode.REPEAT:
+    if stock is not LinuxDriver:
         return stock
+    if mode is KeyMode.REPEAT:
+        return OwnSizeDriver
     return InsistingDriver if mode is KeyMode.EVENTS else KeyReleaseDriver
