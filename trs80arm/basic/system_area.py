@@ -100,7 +100,8 @@ class SystemArea:
         if address in words:
             return words[address] & 0xFF
         if address - 1 in words:
-            return words[address - 1] >> 8
+            # What is reckoned from a word that was POKEd may be below nought or beyond all words.
+            return words[address - 1] >> 8 & 0xFF
         return state.memory.ram[address]
 
     def poke(self, address: int, value: int) -> None:

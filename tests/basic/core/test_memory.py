@@ -5,10 +5,11 @@ from __future__ import annotations
 import pickle
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.basic.machine import Machine
+from trs80arm.basic.system_area import SystemArea
 from trs80arm.basic.variables import Variables, decode, encode
 
 
@@ -70,6 +71,16 @@ def test_system_words(address: int, value: int) -> None:
     machine = Machine()
     peek = machine.memory.peek
     assert peek(address) | peek(address + 1) << 8 == value
+
+
+@settings(max_examples=30)
+@given(st.dictionaries(st.integers(*SystemArea.RANGE), st.integers(0, 255), max_size=30))
+@example({0x40A0: 0, 0x40A1: 0})
+def test_whatever_is_poked_system_words_are_bytes(pokes: dict[int, int]) -> None:
+    memory = Machine().memory
+    for address, value in pokes.items():
+        memory.poke(address, value)
+    assert all(0 <= memory.peek(address) <= 255 for address in range(*SystemArea.RANGE))
 
 
 def test_the_seed_is_where_programs_poke_it() -> None:
