@@ -7,6 +7,7 @@ import pytest
 from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
 from trs80arm.ui.screens.dialog import Choose
+from trs80arm.ui.screens.help import HelpScreen
 
 
 @pytest.mark.parametrize("key", ["f8", "f2"])
@@ -35,3 +36,12 @@ async def test_a_list_shrinks_below_the_minimum_and_comes_back(
             await sitting.settle()
         assert sitting.app.fault is None
         assert isinstance(sitting.app.screen, Choose)
+
+
+@piloted
+async def test_help_comes_to_rest_in_the_smallest_window(sit_down: Opener) -> None:
+    async with sit_down(21, 32) as sitting:
+        await sitting.press("f1", "7", "@")
+        await sitting.pilot.resize_terminal(3, 2)
+        await sitting.settle()
+        assert isinstance(sitting.app.screen, HelpScreen)

@@ -49,7 +49,7 @@ class HelpScreen(Dialog[None]):
     ]
     DEFAULT_CSS = """
     HelpScreen > .dialog { width: 100; height: 96%; }
-    HelpScreen VerticalScroll { height: 1fr; }
+    HelpScreen VerticalScroll { height: 1fr; scrollbar-gutter: stable; }
     HelpScreen Markdown { background: $surface; padding: 0; margin: 0; height: auto; }
     HelpScreen #nothing { display: none; height: auto; }
     """
