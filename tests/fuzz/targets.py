@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from tests.fuzz import codes, documents, machines, phrases, wires
+from tests.fuzz import codes, documents, machines, phrases, windows, wires
 from tests.fuzz.target import Target
 
 TARGETS: Final[dict[str, Target]] = {
@@ -15,5 +15,6 @@ TARGETS: Final[dict[str, Target]] = {
         *documents.TARGETS,
         *phrases.TARGETS,
         *wires.TARGETS,
+        *windows.TARGETS,
     )
 }

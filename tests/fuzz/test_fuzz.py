@@ -15,7 +15,7 @@ from tests.fuzz.targets import TARGETS
 from tests.fuzz.work import FOUND, case_of, fault_of, keep
 
 CASES = {"programs": 12, "moments": 3, "crunched": 60, "pokes": 25, "storms": 40, "typing": 60}
-CASES |= {"machine-code": 12, "wires": 12}
+CASES |= {"machine-code": 12, "wires": 12, "windows": 4}
 CASES |= {"editing": 50, "hands": 8, "tapes": 8, "benches": 60, "snapshots": 60, "lines": 60}
 CASES |= {"statements": 100, "settings": 60, "program-files": 150, "commands": 60}
 MANY = 400

@@ -9,9 +9,10 @@ import pytest
 from textual import events
 from textual.widgets import Input, OptionList
 
-from tests.ui.conftest import PROGRAMS, Opener, Sitting
+from tests.own_places import PROGRAMS
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.basic.activity import Waiting
 from trs80arm.machine.keys import Key
 from trs80arm.options import GlyphSet, KeyMode

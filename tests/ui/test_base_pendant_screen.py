@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tests.goldens import check_golden
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm import RigSettings
 from trs80arm.arm import ArmSettings
 from trs80arm.serial.instructions import told

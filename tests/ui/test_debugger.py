@@ -8,9 +8,9 @@ import pytest
 from textual.widgets import Input, OptionList, Static
 
 from tests.sixty_lines import LISTING
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.rig import Waiting
 from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.debugger import DebuggerScreen

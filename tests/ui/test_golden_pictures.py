@@ -10,8 +10,9 @@ from typing import Any
 import pytest
 
 from tests.goldens import check_golden
-from tests.ui.conftest import PROGRAMS, Opener, Sitting
+from tests.own_places import PROGRAMS
 from tests.ui.piloted import piloted
+from tests.ui.sitting import Opener, Sitting
 from tests.ui.test_screens import screen_text, shape
 from trs80arm.film.frames import Film
 from trs80arm.film.svg import svg

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tests.ui.conftest import PROGRAMS, Opener
+from tests.own_places import PROGRAMS
 from tests.ui.piloted import piloted
+from tests.ui.sitting import Opener
 from trs80arm.desk.pacing import TICK
 from trs80arm.machine.keys import Key
 from trs80arm.ui.heartbeat import AWAKE, STEADY, Heartbeat

@@ -7,9 +7,9 @@ from textual.containers import VerticalScroll
 from textual.widgets import Input, Markdown
 from textual.widgets.markdown import MarkdownFence
 
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.options import KeyMode
 from trs80arm.ui.help_topics import AFTER_A_SLIP, WHILE_WAITING, Topic, topics
 from trs80arm.ui.screens.help import HelpScreen

@@ -16,9 +16,9 @@ from textual.strip import Strip
 from textual.widget import Widget
 from textual.widgets import Static
 
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_colours, screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.ui.screens.dialog import Choose, Dialog
 from trs80arm.ui.screens.palette import PaletteScreen
 from trs80arm.ui.terminal.changes import CellsUpdate, Change

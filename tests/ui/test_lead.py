@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.ui.layout import Lead
 from trs80arm.ui.screens.desk import STAY
 

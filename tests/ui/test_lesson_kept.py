@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener
 from trs80arm.desk.recovery import Recovery
 from trs80arm.desk.session import Session
 from trs80arm.desk.teach import Lesson

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from tests.machine.z80.own_rom import own_rom
-from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
+from tests.ui.sitting import Opener
 from trs80arm.rig import Key, RigSettings
 
 pytest.importorskip("z80", reason="the extra z80 is not installed")

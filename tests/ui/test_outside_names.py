@@ -8,9 +8,9 @@ import pytest
 from rich.segment import Segment
 from textual.color import Color
 
-from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener
 from trs80arm.ui.terminal.no_codes import NoControlCodes
 
 ODD = ["n\x1b]0;X\x07.bas", "[x].bas", "[@click=app.exit(5)]y.bas", "\u202ex.bas"]

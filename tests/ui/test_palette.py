@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from textual.command import CommandPalette
 
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.ui.commands.command import key_names
 from trs80arm.ui.commands.palette import Palette
 from trs80arm.ui.commands.table import COMMANDS

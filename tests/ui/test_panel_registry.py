@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 import trs80arm
-from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.rows import Ink, Row
 from trs80arm.ui import layout

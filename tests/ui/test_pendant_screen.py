@@ -6,9 +6,9 @@ import pytest
 from textual.widgets import OptionList
 
 from tests.goldens import check_golden
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.arm.models import MINIMOVER5
 from trs80arm.desk.taught_programs import in_data, in_steps
 from trs80arm.rig import Rig, Waiting

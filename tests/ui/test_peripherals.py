@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener
 
 
 @pytest.mark.parametrize(("width", "height"), [(80, 24), (120, 40)])

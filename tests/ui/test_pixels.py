@@ -23,9 +23,9 @@ from textual.widgets._toast import Toast
 from textual_image.renderable import SixelImage, TGPImage
 
 from tests import warm_start
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.drawing.picture import FROM_THE_SIDE, Picture
 from trs80arm.drawing.pixels import Colours, Pixels
 from trs80arm.drawing.readings import Readings

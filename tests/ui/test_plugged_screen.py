@@ -7,9 +7,9 @@ from contextlib import asynccontextmanager
 from pathlib import Path
 
 from tests.serial.far_side import FarSide, nobody
-from tests.ui.conftest import Sitting, Wall
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Sitting, Wall
 from trs80arm import RigSettings
 from trs80arm.arm import ArmSettings
 from trs80arm.desk.opening import open_session

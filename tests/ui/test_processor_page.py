@@ -6,9 +6,9 @@ import pytest
 from textual.widgets import Input, OptionList, Static
 
 from tests.desk.test_code_debugger import PROGRAM
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.processor import ProcessorScreen
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from textual.events import MouseMove, MouseScrollDown, MouseScrollUp
 
-from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
+from tests.ui.sitting import Opener
 from trs80arm.drawing.readings import Readings
 from trs80arm.drawing.scope import LABEL
 from trs80arm.ui.panels.arm_view import ArmView

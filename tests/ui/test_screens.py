@@ -9,9 +9,10 @@ import pytest
 from textual.app import App
 
 from tests.goldens import check_golden
-from tests.ui.conftest import PROGRAMS, Opener
+from tests.own_places import PROGRAMS
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text as text_of
+from tests.ui.sitting import Opener
 from trs80arm.options import ArmStyle, GlyphSet
 from trs80arm.ui.themes import THEMES
 

@@ -8,9 +8,9 @@ import pytest
 
 from tests.desk.test_served import Client
 from tests.serial.lab import SETTINGS
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.serial.endpoints import PseudoTerminal
 
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from textual.widgets import Input, OptionList
 
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.options import Speed
 from trs80arm.ui.screens.dialog import Choose
 from trs80arm.ui.screens.settings import AskValue, SettingsScreen

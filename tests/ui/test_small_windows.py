@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
+from tests.ui.sitting import Opener
 from trs80arm.ui.screens.dialog import Choose
 from trs80arm.ui.screens.help import HelpScreen
 

@@ -8,9 +8,9 @@ import pytest
 from rich.style import Style
 from textual.widgets import Button
 
-from tests.ui.conftest import Opener
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import styles_at
+from tests.ui.sitting import Opener
 from trs80arm.drawing.rows import Ink, Paint
 from trs80arm.ui.filming import picture
 from trs80arm.ui.screens.pendant import PendantScreen

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 from textual import events
 
-from tests.ui.conftest import PROGRAMS, Opener
+from tests.own_places import PROGRAMS
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener
 from tests.ui.test_file_dialogs import type_name
 from trs80arm.rig import RigSettings, Waiting
 from trs80arm.ui.app import NOTICE_SECONDS

@@ -7,9 +7,9 @@ import re
 import pytest
 from textual import events
 
-from tests.ui.conftest import Opener, Sitting
 from tests.ui.piloted import piloted
 from tests.ui.screen_text import screen_text
+from tests.ui.sitting import Opener, Sitting
 from trs80arm.desk.tour import STEPS, Step
 from trs80arm.rig import Waiting
 
