@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
 import pty
@@ -399,6 +400,29 @@ def test_when_the_terminal_is_closed_it_keeps_the_program_and_ends(tmp_path: Pat
         one.process.kill()
     (kept,) = (tmp_path / "state").glob("recovered-*.bas")
     assert load_program(kept) == [(10, b"\x80")]
+
+
+def test_when_the_terminal_goes_and_nobody_tells_it_ends_too(tmp_path: Path) -> None:
+    one = Terminal(tmp_path, ["--speed", "5", "--keys", "repeat"], reports=False)
+    try:
+        one.wait_for("at READY")
+        one.type("10 PRINT RND(0);:GOTO 10\rRUN\r", shown="running")
+        # It writes more than anybody reads, as on a line that is dead, and waits.
+        waiting = [0]
+        while len(waiting) < 5 or waiting[-1] > waiting[-5]:
+            time.sleep(0.1)
+            waiting.append(unread(one.master))
+        os.close(one.slave)
+        os.close(one.master)
+        assert one.process.wait(PATIENCE) == 128 + signal.SIGHUP
+    finally:
+        one.process.kill()
+    assert list((tmp_path / "state").glob("recovered-*.bas"))
+
+
+def unread(terminal: int) -> int:
+    """Bytes that were written to a terminal and have not been read."""
+    return int.from_bytes(fcntl.ioctl(terminal, termios.FIONREAD, bytes(4)), sys.byteorder)
 
 
 def test_suspended_and_back_the_terminal_is_the_shells_in_between(tmp_path: Path) -> None:

@@ -26,7 +26,7 @@ from trs80arm.options import KeyMode
 from trs80arm.ui.terminal.driver import (
     InsistingDriver,
     KeyReleaseDriver,
-    OwnSizeDriver,
+    TerminalDriver,
     choose_driver,
 )
 from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
@@ -72,6 +72,9 @@ def test_the_driver_still_has_what_ours_overrides_and_uses() -> None:
         assert callable(getattr(LinuxDriver, name))
     for name in ("self.fileno", "self.exit_event", "self._writer_thread", "self._debug"):
         assert name in source
+    assert "self._file = sys.__stderr__" in source
+    assert source.count("self._file") == 2
+    assert "WriterThread(self._file)" in inspect.getsource(LinuxDriver.start_application_mode)
     assert "self._get_terminal_size()" in inspect.getsource(LinuxDriver.start_application_mode)
     assert "XTermParser(self._debug)" in inspect.getsource(LinuxDriver.run_input_thread)
 
@@ -80,7 +83,7 @@ def test_only_the_linux_driver_is_replaced() -> None:
     assert choose_driver(LinuxDriver, KeyMode.AUTO) is KeyReleaseDriver
     assert choose_driver(LinuxDriver, KeyMode.LATCH) is KeyReleaseDriver
     assert choose_driver(LinuxDriver, KeyMode.EVENTS) is InsistingDriver
-    assert choose_driver(LinuxDriver, KeyMode.REPEAT) is OwnSizeDriver
+    assert choose_driver(LinuxDriver, KeyMode.REPEAT) is TerminalDriver
     assert choose_driver(WebDriver, KeyMode.AUTO) is WebDriver
 
 

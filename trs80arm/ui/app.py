@@ -79,7 +79,7 @@ from trs80arm.ui.screens.desk import DeskScreen, Typed
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.palette import PaletteScreen
 from trs80arm.ui.terminal.driver import choose_driver
-from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp
+from trs80arm.ui.terminal.messages import KeyReport, KeyWentDown, KeyWentUp, TerminalWent
 from trs80arm.ui.terminal.no_codes import NoControlCodes
 from trs80arm.ui.themes import THEMES, Themed
 
@@ -577,6 +577,10 @@ class Trs80Arm(Themed[int]):
         if isinstance(self.screen, Dialog):
             self.screen.went_up(message.base)
         self.keyboard.went_up(message.base)
+
+    def on_terminal_went(self, _: TerminalWent) -> None:
+        """End as if a shell had told so: who is left behind by one is not told."""
+        self._told_to_end(signal.SIGHUP)
 
     def on_key_report(self, message: KeyReport) -> None:
         """The terminal told whether it reports releases."""

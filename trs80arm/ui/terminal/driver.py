@@ -1,23 +1,29 @@
-"""Textual's Linux and macOS driver, asking the terminal for its size and for key releases as well.
+"""Textual's Linux and macOS driver, for terminals as they are.
 
-It pushes its own entry on the terminal's stack of keyboard flags above Textual's and pops it before
-Textual stops, so that the terminal is left as it was found and no release of the quit key reaches
-the shell. The private hooks it leans on (size, start, stop and the input loop) are pinned by
-`tests/ui/test_terminal_hooks.py`.
+It asks the terminal itself for its size, ends the program when the terminal goes, and asks for key
+releases. For these it pushes its own entry on the terminal's stack of keyboard flags above
+Textual's and pops it before Textual stops, so that the terminal is left as it was found and no
+release of the quit key reaches the shell. The private hooks it leans on (size, output, start, stop
+and the input loop) are pinned by `tests/ui/test_terminal_hooks.py`.
 """
 
 from __future__ import annotations
 
+import contextlib
 import os
 import selectors
 from codecs import getincrementaldecoder
 from collections.abc import Callable
+from typing import Any, TextIO
 
 from textual._parser import ParseError
+from textual._xterm_parser import XTermParser
+from textual.app import App
 from textual.driver import Driver
 from textual.drivers.linux_driver import LinuxDriver
 
 from trs80arm.options import KeyMode
+from trs80arm.ui.terminal.messages import TerminalWent
 from trs80arm.ui.terminal.parser import KeyParser
 
 PUSH_ALL_FLAGS = "\x1b[>31u"
@@ -30,14 +36,47 @@ _READ_SIZE = 4096
 _POLL_SECONDS = 0.1
 
 
-class OwnSizeDriver(LinuxDriver):
-    """The driver of a terminal that is asked itself how large it is.
+class _Output:
+    """What is written to the terminal: nothing, when it is gone.
 
-    Textual believes the environment first, in which a shell may have left what was so at some time,
-    or for another window, and then standard output, which may be a file.
+    Textual writes in a thread of its own, and waits for it when much is to be written. A thread
+    that ended by an error would be waited for as long as the program is there.
     """
 
+    def __init__(self, file: TextIO) -> None:
+        self._file = file
+
+    def write(self, text: str) -> None:
+        with contextlib.suppress(OSError):
+            self._file.write(text)
+
+    def flush(self) -> None:
+        with contextlib.suppress(OSError):
+            self._file.flush()
+
+    def fileno(self) -> int:
+        return self._file.fileno()
+
+
+class TerminalDriver(LinuxDriver):
+    """The driver of a terminal that is asked itself how large it is, and that may go."""
+
+    def __init__(self, app: App[Any], **options: Any) -> None:
+        """Begin as Textual does.
+
+        Args:
+            app: the program.
+            options: of Textual's driver.
+        """
+        super().__init__(app, **options)
+        self._file: Any = _Output(self._file)
+
     def _get_terminal_size(self) -> tuple[int, int]:
+        """Columns and lines.
+
+        Textual believes the environment first, in which a shell may have left what was so at some
+        time, or for another window, and then standard output, which may be a file.
+        """
         try:
             columns, lines = os.get_terminal_size(self.fileno)
         except OSError:
@@ -45,8 +84,48 @@ class OwnSizeDriver(LinuxDriver):
         # Behind a serial line a terminal may not know.
         return (columns, lines) if columns and lines else super()._get_terminal_size()
 
+    def _parser(self) -> XTermParser:
+        """What makes messages of what is read."""
+        return XTermParser(self._debug)
 
-class KeyReleaseDriver(OwnSizeDriver):
+    def run_input_thread(self) -> None:
+        """Read the terminal until told to stop, or until it goes: Textual's loop would go on."""
+        parser = self._parser()
+        decode = getincrementaldecoder("utf-8")(errors="replace").decode
+        with selectors.SelectSelector() as selector:
+            selector.register(self.fileno, selectors.EVENT_READ)
+            try:
+                while not self.exit_event.is_set():
+                    if not self._read_once(selector, parser, decode):
+                        self.process_message(TerminalWent())
+                        return
+            finally:
+                try:
+                    for _ in parser.feed(""):
+                        pass
+                except (EOFError, ParseError):
+                    pass
+
+    def _read_once(
+        self, selector: selectors.BaseSelector, parser: XTermParser, decode: Callable[[bytes], str]
+    ) -> bool:
+        """Read what there is, for a moment; False when there is no terminal any more."""
+        for _ in selector.select(_POLL_SECONDS):
+            try:
+                data = os.read(self.fileno, _READ_SIZE)
+            except OSError:
+                data = b""
+            if not data:
+                return False
+            text = decode(data)
+            for message in parser.feed(text) if text else ():
+                self.process_message(message)
+        for message in parser.tick():
+            self.process_message(message)
+        return True
+
+
+class KeyReleaseDriver(TerminalDriver):
     """The driver of a terminal that is asked for key releases.
 
     Attributes:
@@ -74,31 +153,8 @@ class KeyReleaseDriver(OwnSizeDriver):
             self.flush()
         super().stop_application_mode()
 
-    def run_input_thread(self) -> None:
-        """Read the terminal until told to stop: Textual's loop with the parser of ours."""
-        parser = KeyParser(self._debug, releases=self.insist)
-        decode = getincrementaldecoder("utf-8")(errors="replace").decode
-        with selectors.SelectSelector() as selector:
-            selector.register(self.fileno, selectors.EVENT_READ)
-            try:
-                while not self.exit_event.is_set():
-                    self._read_once(selector, parser, decode)
-            finally:
-                try:
-                    for _ in parser.feed(""):
-                        pass
-                except (EOFError, ParseError):
-                    pass
-
-    def _read_once(
-        self, selector: selectors.BaseSelector, parser: KeyParser, decode: Callable[[bytes], str]
-    ) -> None:
-        for _ in selector.select(_POLL_SECONDS):
-            text = decode(os.read(self.fileno, _READ_SIZE))
-            for message in parser.feed(text) if text else ():
-                self.process_message(message)
-        for message in parser.tick():
-            self.process_message(message)
+    def _parser(self) -> XTermParser:
+        return KeyParser(self._debug, releases=self.insist)
 
 
 class InsistingDriver(KeyReleaseDriver):
@@ -117,5 +173,5 @@ def choose_driver(stock: type[Driver], mode: KeyMode) -> type[Driver]:
     if stock is not LinuxDriver:
         return stock
     if mode is KeyMode.REPEAT:
-        return OwnSizeDriver
+        return TerminalDriver
     return InsistingDriver if mode is KeyMode.EVENTS else KeyReleaseDriver

@@ -1,7 +1,8 @@
-"""What the terminal tells about single keys: down, up, and whether it can tell at all.
+"""What the terminal tells: keys down and up, whether it can tell at all, and that it is gone.
 
-The parser makes these from the sequences of the Kitty keyboard protocol; the driver posts them to
-the app beside the ordinary key events, which go on serving bindings, inputs and the palette.
+The parser makes those of keys from the sequences of the Kitty keyboard protocol; the driver posts
+them to the app beside the ordinary key events, which go on serving bindings, inputs and the
+palette.
 """
 
 from __future__ import annotations
@@ -46,3 +47,9 @@ class KeyReport(Message):
     def __init__(self, releases: bool) -> None:
         super().__init__()
         self.releases = releases
+
+
+class TerminalWent(Message):
+    """There is no terminal any more."""
+
+    bubble = False
