@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.ui.piloted import piloted
+from tests.ui.screen_text import screen_text
 from tests.ui.sitting import Opener
 from trs80arm.ui.screens.dialog import Choose
 from trs80arm.ui.screens.help import HelpScreen
@@ -45,3 +46,29 @@ async def test_help_comes_to_rest_in_the_smallest_window(sit_down: Opener) -> No
         await sitting.pilot.resize_terminal(3, 2)
         await sitting.settle()
         assert isinstance(sitting.app.screen, HelpScreen)
+
+
+@piloted
+async def test_a_question_can_be_answered_where_its_text_fills_the_window(
+    sit_down: Opener,
+) -> None:
+    async with sit_down(100, 30) as sitting:
+        await sitting.press("ctrl+r")
+        await sitting.pilot.resize_terminal(40, 12)
+        await sitting.pass_time(0.5)
+        await sitting.press("tab")
+        await sitting.settle()
+        assert "Only the parts" in screen_text(sitting.app)
+
+
+@piloted
+async def test_the_desk_comes_to_rest_behind_a_dialog_that_was_there_before(
+    sit_down: Opener,
+) -> None:
+    async with sit_down(100, 30) as sitting:
+        await sitting.press("f3", "ctrl+r")
+        await sitting.pilot.resize_terminal(40, 12)
+        await sitting.pass_time(0.5)
+        sitting.app.session.rig.type("LLIST\r")
+        await sitting.pass_time(0.5)
+        assert sitting.app.fault is None

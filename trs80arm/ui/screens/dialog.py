@@ -29,6 +29,8 @@ class Dialog(ModalScreen[Answer | None], SeenThrough, Generic[Answer]):
     """A dialog: Escape leaves it without an answer."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Back")]
+    # Textual has it as an attribute of each screen.
+    HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (60, "-wide")]  # noqa: RUF012
     DEFAULT_CSS = """
     Dialog { align: center middle; background: $background 60%; }
     Dialog > .dialog {
@@ -45,6 +47,7 @@ class Dialog(ModalScreen[Answer | None], SeenThrough, Generic[Answer]):
     Dialog Input { border: none; height: 1; background: $panel; padding: 0 1; }
     Dialog Input:focus { border: none; }
     Dialog .buttons { height: auto; align-horizontal: right; margin-top: 1; }
+    Dialog.-narrow .buttons { layout: vertical; }
     Dialog Button { margin-left: 2; padding: 0 1; background: $panel; }
     Dialog Button:focus {
         background: $primary; color: $on-primary; text-style: bold !important;
@@ -142,6 +145,11 @@ class Choose(Dialog[str]):
 class Ask(Dialog[str]):
     """Asks a question with a few answers."""
 
+    DEFAULT_CSS = """
+    Ask.-narrow > .dialog {
+        overflow-y: auto; scrollbar-gutter: stable; scrollbar-size-vertical: 1; padding: 0 0 0 1;
+    }
+    """
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("left,up", "app.focus_previous", show=False),
         Binding("right,down", "app.focus_next", show=False),
