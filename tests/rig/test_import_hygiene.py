@@ -61,7 +61,7 @@ def test_the_front_page_has_every_command_in_80_columns() -> None:
 def test_the_first_frame_waits_for_no_large_dialog() -> None:
     modules = loaded_after("import trs80arm.ui.start, trs80arm.ui.app")
     screens = {name for name in modules if name.startswith("trs80arm.ui.screens.")}
-    small = ("desk", "dialog", "marking_list", "palette")
+    small = ("desk", "dialog", "lists", "palette")
     assert screens == {f"trs80arm.ui.screens.{name}" for name in small}
 
 

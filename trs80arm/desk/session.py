@@ -234,24 +234,31 @@ class Session:
         """
         rig = self.rig
         self.halted = False
-        before = rig.state.coils
+        before = list(rig.card.latches)
         end = rig.clock.now + round(LONGEST_STEP * T_STATES_PER_SECOND)
-        while rig.clock.now < end and not self.halted:
-            self._run_to(min(end, self._next_step()))
-            if rig.state.coils != before:
-                return True
+
+        def changed(_: int) -> bool:
+            return rig.card.latches != before
+
+        # A program may write to the card by itself: it stops behind the statement, or instruction.
+        stops = rig.stop_before(changed), rig.stop_code_before(changed)
+        try:
+            while rig.clock.now < end and not self.halted:
+                self._run_to(min(end, self._next_step()))
+                if rig.card.latches != before:
+                    return True
+        finally:
+            for stop in stops:
+                stop()
         return False
 
     def _next_step(self) -> int:
-        """The T-state up to which no latch changes more than once."""
+        """The T-state up to which the driver changes no latch more than once."""
         rig = self.rig
         tick = rig.driver.next_tick
         if tick is not None:
             return tick + 1
-        if rig.waiting is Waiting.NOTHING:
-            # A program may write to the card by itself: one statement.
-            return rig.clock.now + 1
-        busy = rig.typing or bool(self._played)
+        busy = rig.typing or bool(self._played) or rig.waiting is Waiting.NOTHING
         return rig.clock.now + round((GLANCE if busy else LONGEST_STEP) * T_STATES_PER_SECOND)
 
     # -- the program ------------------------------------------------------------------------------

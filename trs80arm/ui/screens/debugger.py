@@ -28,6 +28,7 @@ from trs80arm.shown import shown
 from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.keys_line import KeysLine
+from trs80arm.ui.screens.lists import RowList
 from trs80arm.ui.screens.states import StatesScreen
 
 BESIDE = 116
@@ -59,7 +60,7 @@ class Leaving(Enum):
     """It goes on standing, if it stood."""
 
 
-class Listing(OptionList):
+class Listing(RowList):
     """The lines of the program."""
 
     class Resized(Message):
@@ -173,8 +174,8 @@ on standing.
             with Horizontal(id="parts"):
                 yield Listing(id="listing", markup=False)
                 with Vertical(id="looks"):
-                    yield OptionList(id="variables", markup=False)
-                    yield OptionList(id="memory", markup=False)
+                    yield RowList(id="variables", markup=False)
+                    yield RowList(id="memory", markup=False)
                     yield Static("", id="stack", markup=False)
             yield Static("", classes="wrong", markup=False)
         yield KeysLine()

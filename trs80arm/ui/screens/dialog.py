@@ -18,7 +18,7 @@ from textual.widgets.option_list import Option
 from trs80arm.desk.asking import FileQuestion, ListQuestion, Question
 from trs80arm.desk.reach import Reach, file_problem, proposed, replaces
 from trs80arm.shown import shown
-from trs80arm.ui.screens.marking_list import MarkingList
+from trs80arm.ui.screens.lists import MarkingList
 from trs80arm.ui.terminal.layers import SeenThrough
 
 Answer = TypeVar("Answer")

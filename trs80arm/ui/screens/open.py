@@ -22,7 +22,7 @@ from trs80arm.paths import is_file, read_beginning
 from trs80arm.reasons import reason
 from trs80arm.shown import shown
 from trs80arm.ui.screens.dialog import Dialog
-from trs80arm.ui.screens.marking_list import MarkingList
+from trs80arm.ui.screens.lists import MarkingList
 
 PREVIEW_LINES = 40
 MOST_BYTES = 1 << 20

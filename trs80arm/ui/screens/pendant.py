@@ -28,6 +28,7 @@ from trs80arm.ui.panels.top_view import TopView
 from trs80arm.ui.screens.dialog import LineDialog
 from trs80arm.ui.screens.edit_point import AskSpeed, EditPoint
 from trs80arm.ui.screens.jog_dialog import JogDialog
+from trs80arm.ui.screens.lists import RowList
 from trs80arm.ui.screens.taught_program import ProgramScreen, TeachResult
 
 TALL = 34
@@ -181,7 +182,7 @@ gets BREAK.
                 yield TopView()
                 with Vertical(classes="points"):
                     yield Static(_HEADING, classes="hint", markup=False)
-                    yield OptionList(markup=False)
+                    yield RowList(markup=False)
                     yield Static("", classes="parts", markup=False)
             yield JogPad(lambda: self._pendant.coordinates, lambda: self._means.keyboard.down)
             yield Static("", classes="state", markup=False)

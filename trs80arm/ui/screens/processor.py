@@ -25,6 +25,7 @@ from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.debugger import BESIDE, Leaving
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.keys_line import KeysLine
+from trs80arm.ui.screens.lists import RowList
 
 INSTRUCTIONS = 64
 """Instructions that are listed."""
@@ -98,8 +99,8 @@ machine goes on standing.
             yield Static("", id="registers", markup=False)
             yield Static("", id="stack", markup=False)
             with Horizontal(id="parts"):
-                yield OptionList(id="code", markup=False)
-                yield OptionList(id="memory", markup=False)
+                yield RowList(id="code", markup=False)
+                yield RowList(id="memory", markup=False)
         yield KeysLine()
 
     def on_mount(self) -> None:

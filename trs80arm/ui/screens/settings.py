@@ -17,7 +17,7 @@ from trs80arm.desk.settings_book import Entry, SettingsBook
 from trs80arm.settings_catalogue import Setting
 from trs80arm.shown import shown
 from trs80arm.ui.screens.dialog import Choose, Dialog
-from trs80arm.ui.screens.marking_list import MarkingList
+from trs80arm.ui.screens.lists import MarkingList
 
 _NAME, _VALUE = 24, 18
 """Cells of a setting's name and of its value in the list."""

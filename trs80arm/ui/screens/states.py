@@ -15,7 +15,7 @@ from trs80arm.desk.states import QUICK, StateError, States
 from trs80arm.ui.screens.ask_line import AskLine
 from trs80arm.ui.screens.dialog import Dialog
 from trs80arm.ui.screens.keys_line import KeysLine
-from trs80arm.ui.screens.marking_list import MarkingList
+from trs80arm.ui.screens.lists import MarkingList
 
 
 class StatesScreen(Dialog[str]):
