@@ -64,7 +64,8 @@ def encode(kind: Kind, value: Any) -> bytes:
         return single.pack(value)
     if kind == DOUBLE:
         return double.pack(value)
-    return bytes((value[0], value[1] & 0xFF, value[1] >> 8))
+    # An empty string above all memory is at the address behind FFFFH.
+    return bytes((value[0], value[1] & 0xFF, value[1] >> 8 & 0xFF))
 
 
 def decode(kind: Kind, data: bytes) -> Any:

@@ -105,7 +105,9 @@ Entry = Callable[[Call], None]
 def _scan(call: Call, t_states: int) -> int:
     code = call.state.host.console.scan()
     call.spend(t_states)
-    call.processor.looked = call.state.clock.now
+    if call.break_down:
+        # While it is up nobody asks; and a wait comes here as often as time is sliced.
+        call.processor.looked = call.state.clock.now
     return code
 
 
