@@ -19,12 +19,19 @@ FRAME = 1 / 60
 
 
 class Wall:
-    """The wall's clock, in the test's hands."""
+    """The wall's clock, in the test's hands.
+
+    Attributes:
+        now: what it says.
+        look: seconds that pass while somebody looks at it.
+    """
 
     def __init__(self) -> None:
         self.now = 1000.0
+        self.look = 0.0
 
     def __call__(self) -> float:
+        self.now += self.look
         return self.now
 
 
