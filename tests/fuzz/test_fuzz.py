@@ -32,6 +32,8 @@ def test_noise_at_every_door(name: str) -> None:
 @pytest.mark.parametrize("path", sorted(FOUND.glob("*.json")), ids=lambda path: path.stem)
 def test_what_was_found_once_stays_mended(path: Path) -> None:
     found = json.loads(path.read_text(encoding="utf-8"))
+    if found["target"] not in TARGETS:
+        pytest.skip("there is no such door without the extra z80")
     assert fault_of(TARGETS[found["target"]], found["case"]) is None
 
 
